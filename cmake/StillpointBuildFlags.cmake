@@ -1,0 +1,27 @@
+# stillpoint_build_flags: the compiler flags of stillpoint's own code.
+#
+# They serve the build only and are not exported. Link them privately and wrapped:
+#   target_link_libraries(TARGET PRIVATE $<BUILD_INTERFACE:stillpoint_build_flags>)
+
+add_library(stillpoint_build_flags INTERFACE)
+
+target_compile_options(stillpoint_build_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow
+  $<$<BOOL:${STILLPOINT_WERROR}>:-Werror>)
+
+# GCC 12 sees overlaps in "text" + std::string that are not there (GCC bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(stillpoint_build_flags INTERFACE -Wno-restrict)
+endif()
+
+# a*b+c is rounded twice on every machine: a fused multiply-add would change the last digits
+# from one processor to the next.
+target_compile_options(stillpoint_build_flags INTERFACE -ffp-contract=off)
+
+if(STILLPOINT_SANITIZE)
+  # The first finding ends the program, so that a test cannot pass over it.
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(stillpoint_build_flags INTERFACE ${sanitizers})
+  target_link_options(stillpoint_build_flags INTERFACE ${sanitizers})
+  target_compile_definitions(stillpoint_build_flags INTERFACE _GLIBCXX_ASSERTIONS)
+endif()

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/first_leg.hpp>
+#include <stillpoint/core/half_cycle_map.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace stillpoint {
+
+/// One half-cycle: from x = 0 (or the start) out to a peak and back to x = 0 (or to rest).
+struct HalfCycle {
+  std::int64_t index{1};      ///< 1, 2, ...
+  int side{1};                ///< sign of x during it
+  double start_time{0};       ///< tau
+  double departure_speed{0};  ///< |x'| at its start, what the notch left
+  double peak_time{0};        ///< tau of the peak; start_time where it starts inwards
+  double peak{0};             ///< largest |x| of it
+  double end_time{0};         ///< tau of the arrival at x = 0, or of the rest
+  double end_position{0};     ///< 0, or the signed place of a rest off x = 0
+  std::optional<double>
+      arrival_speed;  ///< |x'| at x = 0 before the notch; empty where it rests off x = 0
+  bool last{false};   ///< the motion ends with it
+};
+
+/// Walks through a free motion half-cycle by half-cycle, in constant memory, times included. Unlike
+/// free_response it steps through motions that have a closed form as well, because every half-cycle
+/// is asked for. Throws InputError like free_response.
+class HalfCycleWalk {
+ public:
+  HalfCycleWalk(const Oscillator<double>& oscillator, const Start<double>& start);
+
+  /// The next half-cycle; empty after the last one. A motion without friction goes on for ever.
+  [[nodiscard]] std::optional<HalfCycle> next();
+
+  /// |x'| with which the next half-cycle leaves x = 0.
+  [[nodiscard]] double next_departure_speed() const;
+
+  /// p tau at the virtual peak of a first half-cycle that starts inwards: negative or 0. The arc
+  /// x = phi + radius cos(p tau - phase) passes through the start.
+  [[nodiscard]] double first_virtual_phase() const;
+  [[nodiscard]] const FirstLeg<double>& leg() const { return leg_; }
+  [[nodiscard]] const HalfCycleMap<double>& map() const { return map_; }
+
+ private:
+  void end_in_dead_zone(HalfCycle& now, double rest);
+  void pass_or_stop(HalfCycle& now, double arrival);
+  [[nodiscard]] double time(double phase) const { return phase / map_.p; }
+
+  HalfCycleMap<double> map_;
+  FirstLeg<double> leg_;
+  bool over_{false};
+  std::int64_t index_{1};
+  int side_{1};
+  double energy_{0};  ///< v^2 at the next departure from x = 0
+  double radius_{0};
+  double half_turns_{0};  ///< phases are pi half_turns_ + small_: no digit of pi k is lost
+  double small_{0};
+};
+
+/// The first `most` half-cycles.
+[[nodiscard]] std::vector<HalfCycle> first_half_cycles(const Oscillator<double>& oscillator,
+                                                       const Start<double>& start,
+                                                       std::int64_t most);
+
+}  // namespace stillpoint

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace stillpoint {
+
+/// Wrong input, found where it enters. The message names the field, the value and the bound, e.g.
+/// "p = -1: must be at least 1e-150".
+class InputError : public std::invalid_argument {
+ public:
+  InputError(std::string field, const std::string& value, const std::string& bound);
+  InputError(std::string field, double value, const std::string& bound);
+
+  /// "FIELD is missing: HINT"
+  [[nodiscard]] static InputError missing(const std::string& field, const std::string& hint);
+
+  [[nodiscard]] const std::string& field() const noexcept { return field_; }
+
+ private:
+  struct Whole {
+    std::string message;
+  };
+  InputError(std::string field, const Whole& whole);
+
+  std::string field_;
+};
+
+/// Both frictions are so small that the half-cycle map might take more steps than it may.
+class TooManyHalfCycles : public std::runtime_error {
+ public:
+  /// The motion has at most `bound` half-cycles; `limit` are allowed.
+  TooManyHalfCycles(double bound, double limit);
+};
+
+/// Throws InputError unless `value` is a finite number with low <= value <= high.
+void require_within(const char* field, double value, double low, double high);
+
+}  // namespace stillpoint

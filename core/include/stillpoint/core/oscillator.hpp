@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace stillpoint {
+
+/// The oscillator of the paper's (6), dimensionless:
+///   x'' + (f + delta * dirac(x)) sgn x' + p^2 x = -W.
+///
+/// `delta` acts at x = 0 alone: each passage costs the kinetic energy v^2/2 = delta. `f` and
+/// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
+template <class Real = double>
+struct Oscillator {
+  Real p{1};
+  Real f{0};
+  Real delta{0};
+};
+
+/// Where a motion starts at tau = 0. The paper starts at x0 = 0.
+template <class Real = double>
+struct Start {
+  Real x0{0};
+  Real v0{0};
+};
+
+/// Speeds v0, p * |x0| and f / p are 0 or within these bounds (f / p may be smaller), so that the
+/// kernel squares them and multiplies two of them without overflow and without a loss that matters.
+inline constexpr double largest_speed = 1e150;
+inline constexpr double smallest_speed = 1e-150;
+/// The largest delta and |x0|; the first is compared with squares of speeds.
+inline constexpr double largest_square = 1e300;
+
+/// Throws InputError, naming the field, unless
+///   p in [1e-150, 1e150], 0 <= f, f / p <= 1e150, 0 <= delta <= 1e300.
+void require_valid(const Oscillator<double>& oscillator);
+
+/// Throws InputError, naming the field, unless the oscillator is valid, v0 and p * x0 are 0 or have
+/// a magnitude in [1e-150, 1e150], and |x0| <= 1e300.
+void require_valid(const Oscillator<double>& oscillator, const Start<double>& start);
+
+}  // namespace stillpoint

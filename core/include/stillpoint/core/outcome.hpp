@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace stillpoint {
+
+/// How a motion ends. All are legitimate: none is an error.
+enum class Outcome {
+  stopped_at_zero,       ///< rests at x = 0, held by the notch or arrived without speed
+  stopped_in_dead_zone,  ///< rests at 0 < |x| <= f/p^2
+  never_stops,           ///< no friction at all
+  caught_at_start,       ///< v0^2 < 2 delta at x = 0: the notch never lets it go
+};
+
+/// The name in reports: the enumerator's own.
+[[nodiscard]] std::string_view name(Outcome outcome) noexcept;
+
+}  // namespace stillpoint

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/free_run.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/margin_keeper.hpp>
+#include <stillpoint/core/phase_clock.hpp>
+
+#include <cmath>
+
+namespace stillpoint {
+
+namespace {
+
+Response metrics(const FreeRun<double>& run, double p) {
+  Response response;
+  response.outcome = run.outcome;
+  response.stops_at_zero = run.outcome == Outcome::stopped_at_zero;
+  response.peak_amplitude = run.farthest / p;
+  response.peak_acceleration = run.acceleration * p;
+  if (run.outcome == Outcome::never_stops) {
+    return response;
+  }
+  response.half_cycles = run.moves ? run.passages + 1 : 0;
+  response.turning_points = run.turning_points;
+  response.zero_passages = run.passages;
+  response.stop_position = run.rest / p;
+  if (run.arrival) {
+    response.arrival_speed = std::sqrt(*run.arrival);
+  }
+  return response;
+}
+
+double stop_time(const PhaseClock<double>& clock, const FreeRun<double>& run, double p) {
+  const double time = clock.phase() / p;
+  if (!std::isfinite(time)) {
+    throw TooManyHalfCycles(run.passages + 1, largest_square * p);
+  }
+  return time;
+}
+
+}  // namespace
+
+Response free_response(const Oscillator<double>& oscillator, const Start<double>& start,
+                       const Ask& ask) {
+  require_valid(oscillator, start);
+  const auto run_with = [&](auto&... watchers) {
+    return free_run(oscillator, start, ask.half_cycle_limit, watchers...);
+  };
+  PhaseClock<double> clock;
+  MarginKeeper<double> keeper;
+  const FreeRun<double> run = ask.times && ask.margin ? run_with(clock, keeper)
+                              : ask.times             ? run_with(clock)
+                              : ask.margin            ? run_with(keeper)
+                                                      : run_with();
+  Response response = metrics(run, oscillator.p);
+  if (ask.times && run.outcome != Outcome::never_stops) {
+    response.stop_time = stop_time(clock, run, oscillator.p);
+  }
+  response.decision_margin = keeper.margin();
+  return response;
+}
+
+double free_peak(const Oscillator<double>& oscillator, const Start<double>& start) {
+  require_valid(oscillator, start);
+  const HalfCycleMap<double> map(oscillator);
+  const FirstLeg<double> leg = first_leg(map, start);
+  double farthest = leg.farthest;
+  if (leg.end == FirstLegEnd::arrival) {
+    if (const double energy = map.departure(leg.arrival); energy > 0) {
+      farthest = std::max(farthest, map.peak(energy, map.radius(energy)));
+    }
+  }
+  return farthest / oscillator.p;
+}
+
+}  // namespace stillpoint

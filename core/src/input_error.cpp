@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace stillpoint {
+
+InputError::InputError(std::string field, const std::string& value, const std::string& bound)
+    : std::invalid_argument(fmt::format("{} = {}: {}", field, value, bound)),
+      field_(std::move(field)) {}
+
+InputError::InputError(std::string field, double value, const std::string& bound)
+    : InputError(std::move(field), fmt::format("{}", value), bound) {}
+
+InputError::InputError(std::string field, const Whole& whole)
+    : std::invalid_argument(whole.message), field_(std::move(field)) {}
+
+InputError InputError::missing(const std::string& field, const std::string& hint) {
+  return {field, Whole{fmt::format("{} is missing: {}", field, hint)}};
+}
+
+TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)
+    : std::runtime_error(fmt::format("f and delta are so small that the motion may take {:.3g} "
+                                     "half-cycles; at most {:.3g} are "
+                                     "allowed",
+                                     bound, limit)) {}
+
+void require_within(const char* field, double value, double low, double high) {
+  if (std::isfinite(value) && value >= low && value <= high) {
+    return;
+  }
+  throw InputError(field, value, fmt::format("must be a number from {} to {}", low, high));
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stillpoint {
+
+namespace {
+
+void require_speed(const char* field, double value, double speed, const char* what) {
+  const double magnitude = std::abs(speed);
+  if (magnitude == 0 || (magnitude >= smallest_speed && magnitude <= largest_speed)) {
+    return;
+  }
+  throw InputError(field, value,
+                   fmt::format("{} must be 0 or have a magnitude from {} to {}", what,
+                               smallest_speed, largest_speed));
+}
+
+}  // namespace
+
+void require_valid(const Oscillator<double>& oscillator) {
+  require_within("p", oscillator.p, smallest_speed, largest_speed);
+  require_within("f", oscillator.f, 0, largest_square);
+  require_within("delta", oscillator.delta, 0, largest_square);
+  if (oscillator.f / oscillator.p > largest_speed) {
+    throw InputError("f", oscillator.f,
+                     fmt::format("f / p must be at most {} (p = {})", largest_speed, oscillator.p));
+  }
+}
+
+void require_valid(const Oscillator<double>& oscillator, const Start<double>& start) {
+  require_valid(oscillator);
+  require_within("x0", start.x0, -largest_square, largest_square);
+  require_within("v0", start.v0, -largest_speed, largest_speed);
+  require_speed("v0", start.v0, start.v0, "v0");
+  require_speed("x0", start.x0, oscillator.p * start.x0, "p * x0");
+  if (start.x0 != 0 && oscillator.p * start.x0 == 0) {
+    throw InputError("x0", start.x0,
+                     fmt::format("p * x0 must not underflow (p = {})", oscillator.p));
+  }
+}
+
+}  // namespace stillpoint
