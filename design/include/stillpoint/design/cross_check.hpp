@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/problem.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// One independent way to the same figures, and how far it is from the prediction.
+struct CheckMethod {
+  std::string_view name;  ///< half_cycle_map or runge_kutta
+  /// The check passes where relative_error <= tolerance and half_cycles is the predicted number.
+  double tolerance{0};
+  double peak_amplitude{0};
+  double stop_time{0};
+  double half_cycles{0};
+  double stop_position{0};
+  /// The largest of the relative errors of peak_amplitude and stop_time and of
+  /// |stop_position| / peak_amplitude.
+  double relative_error{0};
+  double wall_time_s{0};
+  bool passed{false};
+};
+
+struct CrossCheck {
+  bool passed{false};
+  std::vector<CheckMethod> methods;
+};
+
+/// Holds the prediction against the half-cycle map (tolerance 1e-12) and against Runge-Kutta
+/// (1e-9; integrated at 1e-12). Where the arrival grazes x = 0, the stop time loses up to half of
+/// its digits in any arithmetic; both tolerances are multiplied by (31) of docs/theory.md, which is
+/// 1 away from there.
+[[nodiscard]] CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
+                                     double delta);
+
+}  // namespace stillpoint::design

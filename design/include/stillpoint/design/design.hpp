@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::design {
+
+struct DesignRequest {
+  Problem problem;
+  Limits limits;
+  SearchOptions search;
+};
+
+/// What was found for an admissible region.
+struct Finding {
+  DesignPoint point;
+  std::array<Constraint, 5> constraints;
+  Response response;  ///< by the half-cycle map
+  SearchRecord search;
+  CrossCheck cross_check;
+};
+
+/// The whole answer to a request. Without a finding the region is empty: `reason` says why and
+/// `mends` what would help.
+struct DesignResult {
+  DesignRequest request;
+  Region region;
+  std::string reason;
+  std::vector<Mend> mends;
+  std::optional<Finding> finding;
+};
+
+/// Region, search, simulation, cross-check. Throws InputError for wrong input; an empty region and
+/// a failed check are results.
+[[nodiscard]] DesignResult design(const DesignRequest& request);
+
+}  // namespace stillpoint::design

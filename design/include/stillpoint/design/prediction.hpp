@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+
+namespace stillpoint::design {
+
+/// What the design's own formulas say of an admissible (f, Delta): it stops at x = 0 at the first
+/// return. Closed forms of docs/theory.md section 7, not taken from the kernel.
+struct Prediction {
+  double peak_amplitude{0};     ///< (24)
+  double peak_acceleration{0};  ///< S
+  double stop_time{0};          ///< (25)
+  double arrival_speed{0};
+  double half_cycles{1};
+  double stop_position{0};
+};
+
+/// Throws InputError unless 0 <= f <= f3.
+[[nodiscard]] Prediction predict(const Problem& problem, double f);
+
+}  // namespace stillpoint::design

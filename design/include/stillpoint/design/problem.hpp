@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace stillpoint::design {
+
+/// Which lower bound of Delta keeps the motion at x = 0 on its first return.
+enum class Criterion {
+  published,  ///< the paper's condition 5: safe, too large by f^2/(2 p^2)
+  exact,      ///< the speed at x = 0 itself: sharp
+};
+
+/// What the damper must do, dimensionless: stop at x = 0 on the first return after the initial
+/// velocity v0, with no displacement beyond beta. All positive; p is the paper's p.
+struct Problem {
+  double v0{1};
+  double p{1};
+  double beta{1};
+  Criterion criterion{Criterion::published};
+};
+
+/// What may be built. Every limit holds for the whole box f (1 +- tolerance), Delta (1 +-
+/// tolerance).
+struct Limits {
+  std::optional<double> f_max;
+  std::optional<double> delta_max;
+  double tolerance{0};  ///< in [0, 1)
+};
+
+/// Throws InputError, naming the field, unless
+///   v0, p in [1e-150, 1e150]; beta in [1e-300, 1e300]; p beta in [1e-155, 1e155];
+///   p beta / v0 in [1e-100, 1e100]; v0^2 / beta <= 1e305;
+///   f_max, delta_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
+void require_valid(const Problem& problem, const Limits& limits = {});
+
+/// "published" or "exact".
+[[nodiscard]] std::string_view name(Criterion criterion) noexcept;
+
+}  // namespace stillpoint::design

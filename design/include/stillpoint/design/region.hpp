@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// Why no (f, Delta) is admissible, by the two constraints that exclude each other.
+enum class Conflict {
+  none,
+  amplitude_against_return,  ///< f2 > f3, or their boxes do not fit: condition (10) fails
+  amplitude_against_f_max,   ///< f2 > f_max
+  stop_against_start,        ///< Delta1 > Delta2 over the tolerance box
+  stop_against_delta_max,    ///< Delta1 > delta_max
+};
+
+/// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2 and what the limits
+/// leave of it. f1, f2, f3 and delta2 are the paper's; f2 is negative where amplitude does not
+/// bind.
+struct Region {
+  bool feasible{false};
+  Conflict conflict{Conflict::none};
+  double f1{0};
+  double f2{0};
+  double f3{0};
+  double delta2{0};
+  double beta_min{0};  ///< V0/(sqrt(2) p), condition (10); the least double that is feasible
+  /// The interval of f left after every limit, for the middle of the tolerance box. Empty where
+  /// not feasible. The lower end itself is excluded where it comes from Delta (Delta1 < Delta is
+  /// strict) or is 0.
+  std::optional<double> f_lower;
+  std::optional<double> f_upper;
+};
+
+/// Edges are computed in long double and rounded once, so that beta one ulp above and below
+/// V0/(sqrt(2) p) are told apart. Throws InputError (problem.hpp).
+[[nodiscard]] Region admissible_region(const Problem& problem, const Limits& limits = {});
+
+/// Why the region is empty, as a sentence with the numbers; empty where it is not.
+[[nodiscard]] std::string reason(const Region& region, const Problem& problem,
+                                 const Limits& limits = {});
+
+/// Delta1(f) of the paper, (26). Throws InputError unless f in [0, 1e300].
+[[nodiscard]] double delta1_published(const Problem& problem, double f);
+/// Delta1(f) of the model, (27); empty for f > f3, where the motion does not return.
+[[nodiscard]] std::optional<double> delta1_exact(const Problem& problem, double f);
+/// By the problem's criterion; 0 where the exact one does not exist.
+[[nodiscard]] double delta1(const Problem& problem, double f);
+
+/// One of the five conditions, all of them edges of the region in f or Delta.
+///
+/// | name      | condition        | value | limit  | the motion ...                              |
+/// |-----------|------------------|-------|--------|---------------------------------------------|
+/// | dead_zone | f < f1           | f     | f1     | has a dead zone narrower than beta          |
+/// | start     | Delta <= Delta2  | Delta | Delta2 | starts                                      |
+/// | amplitude | f >= f2          | f     | f2     | stays within beta                           |
+/// | return    | f <= f3          | f     | f3     | comes back to x = 0                         |
+/// | stop      | Delta > Delta1   | Delta | Delta1 | stops there                                 |
+///
+/// slack is the distance from value to limit, positive inside; the strict ones need slack > 0.
+struct Constraint {
+  std::string_view name;
+  std::string_view relation;
+  double value{0};
+  double limit{0};
+  double slack{0};
+  bool satisfied{false};
+};
+
+/// In the order of the table. Throws InputError for a wrong problem and f or delta not in [0,
+/// 1e300].
+[[nodiscard]] std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta);
+
+/// All five constraints and the limits, over the box of relative half-width `tolerance` around
+/// (f, delta): its worst corner is (f (1 - tolerance), delta (1 - tolerance)) for the stop, because
+/// Delta1 falls with f. `limits.tolerance` is not used.
+[[nodiscard]] bool admissible(const Problem& problem, const Limits& limits, double f, double delta,
+                              double tolerance = 0);
+
+/// The largest tolerance for which the box around (f, delta) is admissible; empty where the point
+/// itself is not.
+[[nodiscard]] std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits,
+                                                      double f, double delta);
+
+/// The least change of one input, the others as they are, that makes the region not empty.
+struct Mend {
+  std::string_view field;  ///< v0, p, beta, f_max, delta_max or tolerance
+  double value{0};
+  bool upwards{false};  ///< more of it mends, not less
+};
+
+/// One entry for each input that can mend it alone; none where the region is not empty.
+[[nodiscard]] std::vector<Mend> mends(const Problem& problem, const Limits& limits);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::design {
+
+/// What makes one admissible damper better than another. The last three lie on the region's edge,
+/// so ask for a tolerance with them.
+enum class Objective {
+  robust,        ///< largest R with every f (1 +- R), Delta (1 +- R) admissible
+  amplitude,     ///< least peak displacement: f as large as may be
+  time,          ///< least stop time: f as small as may be
+  acceleration,  ///< least peak acceleration: f as small as may be
+};
+
+/// "robust", "amplitude", "time" or "acceleration".
+[[nodiscard]] std::string_view name(Objective objective) noexcept;
+
+/// A damper and how far it may be off.
+struct DesignPoint {
+  double f{0};
+  double delta{0};
+  double tolerance{0};  ///< the largest R that it withstands
+};
+
+struct SearchOptions {
+  Objective objective{Objective::robust};
+  /// An NLopt algorithm out of algorithm_names(); empty: LD_SLSQP.
+  std::string algorithm;
+  int max_evaluations{20'000};
+  double max_seconds{10};
+};
+
+/// How the search went. `status` is NLopt's own word for it (SUCCESS, XTOL_REACHED,
+/// MAXEVAL_REACHED, ...); the point is admissible whatever it says, because it is rechecked.
+struct SearchRecord {
+  std::string algorithm;
+  std::string status;
+  int evaluations{0};
+  double wall_time_s{0};
+};
+
+struct SearchResult {
+  DesignPoint point;
+  SearchRecord record;
+};
+
+/// The NLopt algorithms that can be asked for.
+[[nodiscard]] std::span<const std::string_view> algorithm_names();
+
+/// The version of NLopt that runs, "2.7.1" for instance.
+[[nodiscard]] std::string nlopt_version();
+
+/// The best (f, Delta) of a region that is feasible under `limits` (asserted). Where the objective
+/// leaves Delta free, the Delta in the middle of what the box of f leaves, which has the most
+/// tolerance. On an open edge the design stays a relative 1e-9 inside. Throws InputError for an
+/// algorithm that is not in the list. docs/theory.md section 8.
+[[nodiscard]] SearchResult search(const Problem& problem, const Limits& limits,
+                                  const Region& region, const SearchOptions& options = {});
+
+}  // namespace stillpoint::design

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "region_edges.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace stillpoint::design {
+
+namespace {
+
+struct Case {
+  Problem problem;
+  Limits limits;
+};
+
+bool amplitude_fits(const Case& now) {
+  const Edges edge = edges(now.problem, now.limits);
+  return amplitude_fits_return(edge, now.limits) && amplitude_fits_f_max(edge, now.limits);
+}
+
+bool strip_fits(const Case& now) {
+  return stop_fits(now.problem, edges(now.problem, now.limits), now.limits);
+}
+
+bool feasible(const Case& now) {
+  return amplitude_fits(now) && strip_fits(now);
+}
+
+/// The number nearest to `from` that `fits`, where everything from it to `to` fits as well:
+/// bisection over the doubles themselves, whose bit patterns are in order, so it ends at the last
+/// bit. Empty where not even `to` fits. Both >= 0.
+template <class Fits>
+std::optional<double> nearest(double from, double to, const Fits& fits) {
+  if (fits(from)) {
+    return from;
+  }
+  if (!fits(to)) {
+    return std::nullopt;
+  }
+  auto wrong = std::bit_cast<std::int64_t>(from);
+  auto right = std::bit_cast<std::int64_t>(to);
+  while (wrong - right > 1 || right - wrong > 1) {
+    const std::int64_t middle = wrong + (right - wrong) / 2;
+    (fits(std::bit_cast<double>(middle)) ? right : wrong) = middle;
+  }
+  return std::bit_cast<double>(right);
+}
+
+template <class Change>
+void add(std::vector<Mend>& list, const Case& base, std::string_view field, double from, double to,
+         const Change& change) {
+  const auto fits = [&](double value) {
+    Case changed = base;
+    change(changed, value);
+    return feasible(changed);
+  };
+  if (const auto value = nearest(from, to, fits)) {
+    list.push_back({field, *value, *value > from});
+  }
+}
+
+/// More p helps the amplitude and can only harm the stop, so both are asked one after the other.
+std::optional<double> mended_p(const Case& base, double least, double most) {
+  const auto with = [&](double p) {
+    Case changed = base;
+    changed.problem.p = p;
+    return changed;
+  };
+  const auto raised =
+      nearest(base.problem.p, most, [&](double p) { return amplitude_fits(with(p)); });
+  if (!raised) {
+    return std::nullopt;
+  }
+  const auto value = nearest(*raised, least, [&](double p) { return strip_fits(with(p)); });
+  return value && feasible(with(*value)) ? value : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  const Case base{problem, limits};
+  std::vector<Mend> list;
+  if (feasible(base)) {
+    return list;
+  }
+  // As far as the changed input stays valid (problem.hpp), but for one decade.
+  constexpr double ratio = 1e99;
+  const double speed = problem.p * problem.beta;
+  const double least_v0 = std::max(smallest_speed, speed / ratio);
+  add(list, base, "v0", problem.v0, least_v0,
+      [](Case& now, double value) { now.problem.v0 = value; });
+  const double p_unit = problem.v0 / problem.beta;
+  const double least_p = std::max({smallest_speed, smallest_speed / problem.beta, p_unit / ratio});
+  const double most_p = std::min({largest_speed, largest_speed / problem.beta, p_unit * ratio});
+  if (const auto p = mended_p(base, least_p, most_p)) {
+    list.push_back({"p", *p, *p > problem.p});
+  }
+  const double most_beta =
+      std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * ratio});
+  add(list, base, "beta", problem.beta, most_beta,
+      [](Case& now, double value) { now.problem.beta = value; });
+  if (limits.f_max) {
+    add(list, base, "f_max", *limits.f_max, largest_square,
+        [](Case& now, double value) { now.limits.f_max = value; });
+  }
+  if (limits.delta_max) {
+    add(list, base, "delta_max", *limits.delta_max, largest_square,
+        [](Case& now, double value) { now.limits.delta_max = value; });
+  }
+  if (limits.tolerance > 0) {
+    add(list, base, "tolerance", limits.tolerance, 0.0,
+        [](Case& now, double value) { now.limits.tolerance = value; });
+  }
+  return list;
+}
+
+}  // namespace stillpoint::design

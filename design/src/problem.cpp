@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/problem.hpp>
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+constexpr double smallest_limit = 1e-300;
+/// f2 is half of v0^2 / beta at most, and must stay a double.
+constexpr double largest_f2 = 1e305;
+/// p beta, a speed that is compared with v0 and may be somewhat outside of its range.
+constexpr double smallest_edge = 1e-155;
+constexpr double largest_edge = 1e155;
+/// p beta / v0 decides everything; further out f2 would overflow or beta mean nothing.
+constexpr double widest_ratio = 1e100;
+
+}  // namespace
+
+void require_valid(const Problem& problem, const Limits& limits) {
+  require_within("v0", problem.v0, smallest_speed, largest_speed);
+  require_within("p", problem.p, smallest_speed, largest_speed);
+  require_within("beta", problem.beta, smallest_limit, largest_square);
+  const double speed = problem.p * problem.beta;
+  if (!(speed >= smallest_edge && speed <= largest_edge)) {
+    throw InputError("beta", problem.beta,
+                     fmt::format("p * beta must be from {} to {} (p = {})", smallest_edge,
+                                 largest_edge, problem.p));
+  }
+  const double ratio = speed / problem.v0;
+  if (!(ratio >= 1 / widest_ratio && ratio <= widest_ratio)) {
+    throw InputError("beta", problem.beta,
+                     fmt::format("p * beta / v0 must be from {} to {} (p = {}, v0 = {})",
+                                 1 / widest_ratio, widest_ratio, problem.p, problem.v0));
+  }
+  if (!(problem.v0 * (problem.v0 / problem.beta) <= largest_f2)) {
+    throw InputError(
+        "beta", problem.beta,
+        fmt::format("v0^2 / beta must be at most {} (v0 = {})", largest_f2, problem.v0));
+  }
+  if (limits.f_max) {
+    require_within("f_max", *limits.f_max, smallest_limit, largest_square);
+  }
+  if (limits.delta_max) {
+    require_within("delta_max", *limits.delta_max, smallest_limit, largest_square);
+  }
+  if (!(limits.tolerance >= 0 && limits.tolerance < 1)) {
+    throw InputError("tolerance", limits.tolerance, "must be at least 0 and less than 1");
+  }
+}
+
+std::string_view name(Criterion criterion) noexcept {
+  switch (criterion) {
+    case Criterion::published:
+      return "published";
+    case Criterion::exact:
+      return "exact";
+  }
+  assert(false && "a Criterion outside its enumeration");
+  return "";
+}
+
+}  // namespace stillpoint::design

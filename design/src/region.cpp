@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "region_edges.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/unit_problem.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// f / (V0 p), without overflow where f is far above.
+double unit_friction(const Problem& problem, double f) {
+  return f / problem.p / problem.v0;
+}
+
+Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& limits) {
+  if (!amplitude_fits_return(edges, limits)) {
+    return Conflict::amplitude_against_return;
+  }
+  if (!amplitude_fits_f_max(edges, limits)) {
+    return Conflict::amplitude_against_f_max;
+  }
+  if (!stop_fits(problem, edges, limits)) {
+    return limits.delta_max && *limits.delta_max == edges.delta_cap
+               ? Conflict::stop_against_delta_max
+               : Conflict::stop_against_start;
+  }
+  return Conflict::none;
+}
+
+/// V0/(sqrt(2) p), (10), as the least double with f2 <= f3: rounded to nearest it might fall below.
+double least_beta(Problem problem) {
+  problem.beta = static_cast<double>(problem.v0 / (std::numbers::sqrt2_v<long double> * problem.p));
+  while (!amplitude_fits_return(edges(problem, {}), {})) {
+    problem.beta = std::nextafter(problem.beta, HUGE_VAL);
+  }
+  return problem.beta;
+}
+
+/// The infimum of f for which Delta1 of the box's low corner leaves room below the cap.
+double lower_end_from_stop(const Problem& problem, const Edges& edges, double tolerance) {
+  const double highest = edges.delta_cap / problem.v0 / problem.v0;
+  const double d = highest * (1 - tolerance) / (1 + tolerance);
+  const double a = unit::delta1_inverse(problem.criterion, d);
+  return a * problem.v0 * problem.p / (1 - tolerance);
+}
+
+/// Two numbers in six digits, or in all where six do not tell them apart.
+std::pair<std::string, std::string> told_apart(double a, double b) {
+  std::pair six{fmt::format("{:.6g}", a), fmt::format("{:.6g}", b)};
+  return six.first != six.second ? six : std::pair{fmt::format("{}", a), fmt::format("{}", b)};
+}
+
+}  // namespace
+
+Region admissible_region(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  const Edges edge = edges(problem, limits);
+  Region region;
+  region.f1 = problem.beta * problem.p * problem.p;
+  region.f2 = static_cast<double>(edge.f2);
+  region.f3 = static_cast<double>(edge.f3);
+  region.delta2 = problem.v0 * problem.v0 / 2;
+  region.beta_min = least_beta(problem);
+  region.conflict = conflict_of(problem, edge, limits);
+  region.feasible = region.conflict == Conflict::none;
+  if (region.feasible) {
+    const double upper = highest_centre(edge.f_cap, limits.tolerance);
+    const double lower = std::max(lowest_centre(std::max(region.f2, 0.0), limits.tolerance),
+                                  lower_end_from_stop(problem, edge, limits.tolerance));
+    region.f_upper = upper;
+    region.f_lower = std::min(lower, upper);  // both may be one point, rounded two ways
+  }
+  return region;
+}
+
+std::string reason(const Region& region, const Problem& problem, const Limits& limits) {
+  const std::string box =
+      limits.tolerance > 0 ? fmt::format(", with a tolerance of {:g}", limits.tolerance) : "";
+  switch (region.conflict) {
+    case Conflict::none:
+      return {};
+    case Conflict::amplitude_against_return: {
+      const auto [least, most] = told_apart(region.f2, region.f3);
+      return fmt::format(
+          "amplitude and return exclude each other: a peak within beta needs f >= f2 = {}, coming "
+          "back to x = 0 needs f <= f3 = {}{}",
+          least, most, box);
+    }
+    case Conflict::amplitude_against_f_max: {
+      const auto [least, most] = told_apart(region.f2, *limits.f_max);
+      return fmt::format(
+          "amplitude and f_max exclude each other: a peak within beta needs f >= f2 = {}, f_max is "
+          "{}{}",
+          least, most, box);
+    }
+    case Conflict::stop_against_start:
+    case Conflict::stop_against_delta_max:
+      break;
+  }
+  const Edges edge = edges(problem, limits);
+  const double f = highest_centre(edge.f_cap, limits.tolerance);
+  const auto [least, most] =
+      told_apart(delta1(problem, f * (1 - limits.tolerance)), edge.delta_cap);
+  const bool by_limit = region.conflict == Conflict::stop_against_delta_max;
+  return fmt::format(
+      "stop and {} exclude each other: even at the largest f, {:.6g}, stopping needs delta > {}, "
+      "{} "
+      "{}{}",
+      by_limit ? "delta_max" : "start", f, least,
+      by_limit ? "delta_max is" : "starting needs delta <= delta2 =", most, box);
+}
+
+double delta1_published(const Problem& problem, double f) {
+  require_valid(problem);
+  require_within("f", f, 0, largest_square);
+  const double a = unit_friction(problem, f);
+  const double speed = (unit::radius(a) - 2 * a) * problem.v0;
+  return speed * speed / 2;
+}
+
+std::optional<double> delta1_exact(const Problem& problem, double f) {
+  require_valid(problem);
+  require_within("f", f, 0, largest_square);
+  if (f > static_cast<double>(edges(problem, {}).f3)) {
+    return std::nullopt;
+  }
+  const double a = std::min(unit_friction(problem, f), unit::a3);
+  return unit::delta1(Criterion::exact, a) * problem.v0 * problem.v0;
+}
+
+double delta1(const Problem& problem, double f) {
+  return problem.criterion == Criterion::published ? delta1_published(problem, f)
+                                                   : delta1_exact(problem, f).value_or(0);
+}
+
+std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
+  const Region region = admissible_region(problem);
+  require_within("f", f, 0, largest_square);
+  require_within("delta", delta, 0, largest_square);
+  const double lowest = delta1(problem, f);
+  return {{
+      {"dead_zone", "<", f, region.f1, region.f1 - f, f < region.f1},
+      {"start", "<=", delta, region.delta2, region.delta2 - delta, delta <= region.delta2},
+      {"amplitude", ">=", f, region.f2, f - region.f2, f >= region.f2},
+      {"return", "<=", f, region.f3, region.f3 - f, f <= region.f3},
+      {"stop", ">", delta, lowest, delta - lowest, delta > lowest},
+  }};
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "nlopt_fence.hpp"
+#include "region_edges.hpp"
+#include "search_space.hpp"
+#include "settle.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <vector>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// The best point seen, by the project's own judgement: NLopt's last point may be neither feasible
+/// nor its best.
+class Best {
+ public:
+  Best(const Problem& problem, const Limits& limits, Objective objective, DesignInterval interval)
+      : problem_(problem), limits_(limits), objective_(objective), interval_(interval) {}
+
+  void consider(double f) {
+    const double inside = std::clamp(f, interval_.low, interval_.high);
+    const DesignPoint point = with_best_delta(problem_, limits_, inside);
+    const double cost = objective_ == Objective::robust
+                            ? -point.tolerance
+                            : objective_value(objective_, inside / problem_.p / problem_.v0);
+    const bool fits = admissible(problem_, limits_, point.f, point.delta, limits_.tolerance);
+    if (!any_ || (fits && !fits_) || (fits == fits_ && cost < cost_)) {
+      any_ = true;
+      fits_ = fits;
+      cost_ = cost;
+      point_ = point;
+    }
+  }
+
+  [[nodiscard]] const DesignPoint& point() const { return point_; }
+
+ private:
+  Problem problem_;
+  Limits limits_;
+  Objective objective_;
+  DesignInterval interval_;
+  bool any_{false};
+  bool fits_{false};
+  double cost_{0};
+  DesignPoint point_;
+};
+
+NloptAlgorithm find_algorithm(const std::string& wanted) {
+  const auto& list = nlopt_algorithms();
+  if (wanted.empty()) {
+    return list.front();
+  }
+  const auto found = std::ranges::find(list, wanted, &NloptAlgorithm::name);
+  if (found == list.end()) {
+    throw InputError("algorithm", wanted,
+                     fmt::format("must be one of {}", fmt::join(algorithm_names(), ", ")));
+  }
+  return *found;
+}
+
+}  // namespace
+
+std::string_view name(Objective objective) noexcept {
+  switch (objective) {
+    case Objective::robust:
+      return "robust";
+    case Objective::amplitude:
+      return "amplitude";
+    case Objective::time:
+      return "time";
+    case Objective::acceleration:
+      return "acceleration";
+  }
+  assert(false && "an Objective outside its enumeration");
+  return "";
+}
+
+std::span<const std::string_view> algorithm_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list;
+    for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+      list.push_back(algorithm.name);
+    }
+    return list;
+  }();
+  return names;
+}
+
+SearchResult search(const Problem& problem, const Limits& limits, const Region& region,
+                    const SearchOptions& options) {
+  const auto started = std::chrono::steady_clock::now();
+  const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
+  const Edges edge = edges(problem, limits);
+  const double f_unit = problem.v0 * problem.p;
+  const double delta_unit = problem.v0 * problem.v0;
+  const DesignInterval interval = design_interval(problem, region);
+  Best best(problem, limits, options.objective, interval);
+
+  SearchSpace space;
+  space.criterion = problem.criterion;
+  space.objective = options.objective;
+  space.tolerance = limits.tolerance;
+  space.a2 = static_cast<double>(edge.f2) / f_unit;
+  space.a_cap = edge.f_cap / f_unit;
+  space.d_cap = edge.delta_cap / delta_unit;
+  space.visit = [&](double x, double /*y*/) { best.consider(x * edge.f_cap); };
+
+  // Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP ends there in
+  // roundoff instead of convergence.
+  constexpr double start_fraction = 0.4;
+  const double start_f = interval.low + start_fraction * (interval.high - interval.low);
+  const DesignPoint start = with_best_delta(problem, limits, start_f);
+  const double x = start.f / edge.f_cap;
+  const double y = start.delta / edge.delta_cap;
+  const auto tolerance_at = [&](double at_x, double at_y) {
+    return largest_tolerance(problem, limits, at_x * edge.f_cap, at_y * edge.delta_cap).value_or(0);
+  };
+  const NloptProblem posed = algorithm.constraints == ConstraintSupport::yes
+                                 ? constrained(space, x, y)
+                                 : penalised(space, x, y, tolerance_at);
+  const NloptOutcome outcome =
+      minimise(posed, algorithm.name, {options.max_evaluations, options.max_seconds});
+  best.consider(outcome.x[0] * edge.f_cap);
+
+  assert(admissible(problem, limits, best.point().f, best.point().delta));
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
+  return {best.point(),
+          {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The search as NLopt sees it, docs/theory.md section 8, in the units of unit_problem.hpp:
+//
+//   x = a / a_cap,  y = d / d_cap,  t = tolerance of the box (a variable for `robust` alone)
+//
+//   amplitude  a2 / a_cap - x (1 - t)               <= 0      (only where a2 > 0)
+//   return     x (1 + t) - 1                        <= 0      (and f_max)
+//   start      y (1 + t) - 1                        <= 0      (and delta_max)
+//   stop       Delta1(a (1 - t)) / d_cap - y (1 - t) <= 0
+//
+// x and y are scaled by the caps, not by the width of the region, which may vanish.
+
+#include "nlopt_fence.hpp"
+
+#include <stillpoint/design/search.hpp>
+
+namespace stillpoint::design {
+
+struct SearchSpace {
+  Criterion criterion{Criterion::published};
+  Objective objective{Objective::robust};
+  double tolerance{0};  ///< what is asked for; `robust` has it as the lower bound of t
+  double a2{0};
+  double a_cap{0};
+  double d_cap{0};
+
+  /// Told of every (x, y) at which the objective is evaluated.
+  std::function<void(double x, double y)> visit;
+};
+
+/// The objective's value at a for the three that have a closed form; all are of order one.
+[[nodiscard]] double objective_value(Objective objective, double a);
+
+/// With the constraints as NLopt's own, gradients included; starts at (x, y).
+[[nodiscard]] NloptProblem constrained(const SearchSpace& space, double x, double y);
+
+/// For algorithms that know only bounds: outside of the region the violation, raised above every
+/// value inside; `tolerance_at` gives the tolerance of a point inside.
+[[nodiscard]] NloptProblem penalised(const SearchSpace& space, double x, double y,
+                                     const std::function<double(double x, double y)>& tolerance_at);
+
+}  // namespace stillpoint::design

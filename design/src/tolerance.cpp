@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "region_edges.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/unit_problem.hpp>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// The R at which the box's low corner (a, d)(1 - R) meets Delta1: with c = 1 - R the root of
+/// c d - Delta1(c a), which rises from -1/2 at c = 0 and is positive at c = 1.
+double tolerance_of_stop(Criterion criterion, double a, double d) {
+  const auto room = [&](double c) { return c * d - unit::delta1(criterion, c * a); };
+  const double at_one = room(1);
+  if (!(at_one > 0)) {
+    return 0;
+  }
+  std::uintmax_t most_evaluations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      room, 0.0, 1.0, room(0), at_one, boost::math::tools::eps_tolerance<double>(),
+      most_evaluations);
+  return 1 - bracket.second;
+}
+
+}  // namespace
+
+bool admissible(const Problem& problem, const Limits& limits, double f, double delta,
+                double tolerance) {
+  const double low = 1 - tolerance;
+  const double high = 1 + tolerance;
+  const auto met = [](const Constraint& constraint) { return constraint.satisfied; };
+  const auto low_corner = constraints(problem, f * low, delta * low);
+  const auto high_corner = constraints(problem, f * high, delta * high);
+  // amplitude and stop are tightest at the low corner, the other three at the high one; but the
+  // stop at the high corner is no part of the question, for its f may lie above f3.
+  return met(low_corner[2]) && met(low_corner[4]) && met(high_corner[0]) && met(high_corner[1]) &&
+         met(high_corner[3]) && (!limits.f_max || f * high <= *limits.f_max) &&
+         (!limits.delta_max || delta * high <= *limits.delta_max);
+}
+
+std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits, double f,
+                                        double delta) {
+  if (!admissible(problem, limits, f, delta)) {
+    return std::nullopt;
+  }
+  const Edges edge = edges(problem, limits);
+  const auto f2 = static_cast<double>(edge.f2);
+  const double a = f / problem.p / problem.v0;
+  const double d = delta / problem.v0 / problem.v0;
+  double tolerance =
+      std::min({f2 > 0 ? (f - f2) / f : 1, (edge.f_cap - f) / f, (edge.delta_cap - delta) / delta,
+                tolerance_of_stop(problem.criterion, std::min(a, unit::a3), d)});
+  // Rounding may leave the box an ulp outside; a few steps of 1's ulp bring it in.
+  tolerance = std::max(tolerance, 0.0);
+  while (tolerance > 0 && !admissible(problem, limits, f, delta, tolerance)) {
+    tolerance = std::max(0.0, tolerance - std::numeric_limits<double>::epsilon());
+  }
+  return tolerance;
+}
+
+}  // namespace stillpoint::design
