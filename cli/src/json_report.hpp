@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "request.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/design/design.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// What `region` answers.
+struct RegionAnswer {
+  design::Region region;
+  std::string reason;
+  std::vector<design::Mend> mends;
+  std::optional<double> delta1_published;
+  std::optional<double> delta1_exact;
+  std::optional<bool> admissible;
+  std::vector<design::Constraint> constraints;
+};
+
+/// What `simulate` answers.
+struct SimulateAnswer {
+  Response response;
+  std::vector<HalfCycle> half_cycles;
+};
+
+/// The reports of the program's contract. Numbers carry a double's full precision; a value that
+/// does not exist is null; a number that is not finite is an assertion.
+[[nodiscard]] nlohmann::ordered_json design_json(const DesignInput& input,
+                                                 const design::DesignResult& result);
+[[nodiscard]] nlohmann::ordered_json region_json(const RegionInput& input,
+                                                 const RegionAnswer& answer);
+[[nodiscard]] nlohmann::ordered_json simulate_json(const SimulateInput& input,
+                                                   const SimulateAnswer& answer);
+
+}  // namespace stillpoint::cli

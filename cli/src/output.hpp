@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// What a command wants written. All of it appears, or none: files are written beside their place
+/// and moved there by `commit` after standard output has taken its part. A target that is no
+/// regular file (a device, a pipe) is written to directly, before that.
+class Output {
+ public:
+  Output() = default;
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  Output(Output&&) = delete;
+  Output& operator=(Output&&) = delete;
+  ~Output();  ///< removes what was not committed
+
+  void print(std::string_view text) { printed_ += text; }
+
+  /// Throws UsageError where the file cannot be written.
+  void write_file(const std::string& path, std::string_view text);
+
+  /// Throws UsageError where anything cannot be written.
+  void commit();
+
+ private:
+  struct Staged {
+    std::filesystem::path temporary;
+    std::filesystem::path target;
+  };
+  struct Direct {
+    std::string target;
+    std::string text;
+  };
+
+  std::string printed_;
+  std::vector<Staged> staged_;
+  std::vector<Direct> direct_;
+};
+
+}  // namespace stillpoint::cli

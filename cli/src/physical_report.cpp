@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "physical_report.hpp"
+
+#include <numbers>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using Quantities = std::vector<Quantity>;
+
+std::optional<double> times(const std::optional<double>& value, double unit) {
+  return value ? std::optional(*value * unit) : std::nullopt;
+}
+
+Quantities scale_quantities(const PhysicalInput& physical) {
+  const design::Scales& scales = physical.scales;
+  return {{"length_unit_m", scales.length_m},
+          {"time_unit_s", scales.time_s},
+          {"velocity_unit_m_per_s", scales.velocity_m_per_s},
+          {"gravity_m_per_s2", scales.gravity_m_per_s2},
+          {"omega_rad_per_s", scales.omega_rad_per_s},
+          {"period_s", physical.period_s},
+          {"mass_kg", scales.mass_kg},
+          {"stiffness_n_per_m", scales.stiffness_n_per_m()},
+          {"velocity_m_per_s", physical.velocity_m_per_s}};
+}
+
+void add_region(Quantities& list, const PhysicalInput& physical, const design::Region& region) {
+  list.push_back({"max_displacement_m", physical.max_displacement_m});
+  list.push_back({"max_displacement_min_m", region.beta_min * physical.scales.length_m});
+  list.push_back({"delta2_m", physical.scales.delta_m(region.delta2)});
+}
+
+/// Mended inputs; null where that input alone cannot mend it.
+void add_mends(Quantities& list, const design::Scales& scales,
+               const std::vector<design::Mend>& mends) {
+  const auto mended = [&](std::string_view field) -> std::optional<double> {
+    for (const design::Mend& mend : mends) {
+      if (mend.field == field) {
+        return physical_mend(scales, mend).value;
+      }
+    }
+    return std::nullopt;
+  };
+  list.push_back({"velocity_mend_m_per_s", mended("v0")});
+  list.push_back({"period_mend_s", mended("p")});
+  list.push_back({"max_displacement_mend_m", mended("beta")});
+  list.push_back({"delta_max_mend_m", mended("delta_max")});
+}
+
+void add_damper(Quantities& list, const design::Scales& scales, const std::optional<double>& f,
+                const std::optional<double>& delta) {
+  list.push_back({"f", f});
+  list.push_back({"delta_m", times(delta, scales.length_m)});
+  list.push_back({"friction_force_n", f ? scales.friction_force_n(*f) : std::nullopt});
+  list.push_back(
+      {"energy_per_passage_j", delta ? scales.energy_per_passage_j(*delta) : std::nullopt});
+}
+
+void add_response(Quantities& list, const design::Scales& scales,
+                  const std::optional<Response>& response) {
+  const Response none;
+  const Response& now = response ? *response : none;
+  const auto existing = [&](double value) {
+    return response ? std::optional(value) : std::nullopt;
+  };
+  list.push_back({"peak_m", existing(now.peak_amplitude * scales.length_m)});
+  list.push_back(
+      {"peak_acceleration_m_per_s2", existing(now.peak_acceleration * scales.gravity_m_per_s2)});
+  list.push_back({"stop_time_s", times(now.stop_time, scales.time_s)});
+  list.push_back({"stop_position_m", times(now.stop_position, scales.length_m)});
+  list.push_back({"arrival_speed_m_per_s", times(now.arrival_speed, scales.velocity_m_per_s)});
+}
+
+}  // namespace
+
+PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& mend) {
+  if (mend.field == "v0") {
+    return {"velocity", "m/s", mend.value * scales.velocity_m_per_s};
+  }
+  if (mend.field == "p") {
+    return {"period", "s", 2 * std::numbers::pi * scales.time_s / mend.value};
+  }
+  if (mend.field == "beta") {
+    return {"max_displacement", "m", mend.value * scales.length_m};
+  }
+  if (mend.field == "delta_max") {
+    return {"delta_max", "m", scales.delta_m(mend.value)};
+  }
+  return {mend.field, "", mend.value};
+}
+
+Quantities design_quantities(const DesignInput& input, const design::DesignResult& result) {
+  if (!input.physical) {
+    return {};
+  }
+  const design::Scales& scales = input.physical->scales;
+  Quantities list = scale_quantities(*input.physical);
+  add_region(list, *input.physical, result.region);
+  add_mends(list, scales, result.mends);
+  if (result.finding) {
+    add_damper(list, scales, result.finding->point.f, result.finding->point.delta);
+    add_response(list, scales, result.finding->response);
+  } else {
+    add_damper(list, scales, {}, {});
+    add_response(list, scales, {});
+  }
+  return list;
+}
+
+Quantities region_quantities(const RegionInput& input, const RegionAnswer& answer) {
+  if (!input.physical) {
+    return {};
+  }
+  const design::Scales& scales = input.physical->scales;
+  Quantities list = scale_quantities(*input.physical);
+  add_region(list, *input.physical, answer.region);
+  add_mends(list, scales, answer.mends);
+  add_damper(list, scales, input.f, input.delta);
+  list.push_back({"delta1_published_m", times(answer.delta1_published, scales.length_m)});
+  list.push_back({"delta1_exact_m", times(answer.delta1_exact, scales.length_m)});
+  return list;
+}
+
+Quantities simulate_quantities(const SimulateInput& input, const SimulateAnswer& answer) {
+  if (!input.physical) {
+    return {};
+  }
+  const design::Scales& scales = input.physical->scales;
+  Quantities list = scale_quantities(*input.physical);
+  add_damper(list, scales, input.oscillator.f, input.oscillator.delta);
+  add_response(list, scales, answer.response);
+  return list;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "json_report.hpp"
+#include "request.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// One figure in metres, seconds, kilograms, newtons or joules.
+struct Quantity {
+  std::string_view field;       ///< in the JSON report; ends in its unit
+  std::optional<double> value;  ///< empty: needs a mass, or the motion has none
+};
+
+/// The `physical` part of a report; no entries where the input was dimensionless.
+[[nodiscard]] std::vector<Quantity> design_quantities(const DesignInput& input,
+                                                      const design::DesignResult& result);
+[[nodiscard]] std::vector<Quantity> region_quantities(const RegionInput& input,
+                                                      const RegionAnswer& answer);
+[[nodiscard]] std::vector<Quantity> simulate_quantities(const SimulateInput& input,
+                                                        const SimulateAnswer& answer);
+
+/// The physical value of a mended input, with its name and unit; H, a mere unit of length, stays.
+struct PhysicalMend {
+  std::string_view name;
+  std::string_view unit;
+  double value;
+};
+[[nodiscard]] PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& mend);
+
+}  // namespace stillpoint::cli

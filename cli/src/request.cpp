@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "request.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+namespace stillpoint::cli {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::max();
+
+constexpr std::array physical_names{"velocity", "period",  "stiffness",
+                                    "mass",     "gravity", "max-displacement",
+                                    "x0-m",     "delta-m", "delta-max-m"};
+
+void require_one_of(const Settings& settings, std::initializer_list<std::string_view> names) {
+  std::string_view first;
+  for (const std::string_view name : names) {
+    if (!settings.has(name)) {
+      continue;
+    }
+    if (!first.empty()) {
+      throw UsageError(fmt::format("{} and {} exclude each other: give one of them", first, name));
+    }
+    first = name;
+  }
+}
+
+/// The physical option that is set, if any; UsageError where dimensionless ones are set as well.
+bool is_physical(const Settings& settings) {
+  require_one_of(settings, {"v0", "velocity"});
+  require_one_of(settings, {"p", "period", "stiffness"});
+  require_one_of(settings, {"beta", "max-displacement"});
+  require_one_of(settings, {"x0", "x0-m"});
+  require_one_of(settings, {"delta", "delta-m"});
+  require_one_of(settings, {"delta-max", "delta-max-m"});
+  for (const std::string_view physical : physical_names) {
+    if (!settings.has(physical)) {
+      continue;
+    }
+    for (const std::string_view plain : {"v0", "p", "beta", "x0"}) {
+      if (settings.has(plain)) {
+        throw UsageError(fmt::format(
+            "{} and {} exclude each other: give all in metres and seconds or all dimensionless",
+            plain, physical));
+      }
+    }
+    return true;
+  }
+  return false;
+}
+
+/// H = velocity / omega; where there is no velocity, the initial displacement.
+double reference_velocity(double velocity, double x0_m, const design::PhysicalIsolator& isolator) {
+  if (velocity != 0 || x0_m == 0) {
+    return velocity;
+  }
+  return std::abs(x0_m) * design::physical_scales(isolator, 1).omega_rad_per_s;
+}
+
+MotionInput physical_motion(const Settings& settings) {
+  design::PhysicalIsolator isolator;
+  isolator.period_s = settings.number("period");
+  isolator.stiffness_n_per_m = settings.number("stiffness");
+  isolator.mass_kg = settings.number("mass");
+  isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
+  const double x0_m = settings.number("x0-m").value_or(0);
+  const double velocity = x0_m != 0
+                              ? settings.number("velocity").value_or(0)
+                              : settings.required("velocity", "give the initial velocity in m/s");
+  MotionInput motion;
+  PhysicalInput physical;
+  physical.scales =
+      design::physical_scales(isolator, reference_velocity(std::abs(velocity), x0_m, isolator));
+  physical.velocity_m_per_s = velocity;
+  physical.period_s = 2 * std::numbers::pi / physical.scales.omega_rad_per_s;
+  motion.v0 = velocity / physical.scales.velocity_m_per_s;
+  motion.p = physical.scales.p;
+  motion.x0 = x0_m / physical.scales.length_m;
+  motion.physical = physical;
+  return motion;
+}
+
+MotionInput motion_input(const Settings& settings) {
+  if (is_physical(settings)) {
+    return physical_motion(settings);
+  }
+  MotionInput motion;
+  motion.x0 = settings.number("x0").value_or(0);
+  motion.v0 = motion.x0 != 0 ? settings.number("v0").value_or(0)
+                             : settings.required("v0", "give --v0, or --velocity in m/s");
+  motion.p = settings.required("p", "give --p, or --period in s");
+  return motion;
+}
+
+/// A length of the damper that may be given in metres or dimensionless.
+std::optional<double> point_friction(const Settings& settings, std::string_view plain,
+                                     std::string_view metres,
+                                     const std::optional<PhysicalInput>& physical) {
+  if (const auto value = settings.number(metres)) {
+    require_within(std::string(metres).c_str(), *value, 0, unlimited);
+    return *value / physical->scales.length_m;
+  }
+  return settings.number(plain);
+}
+
+design::Criterion criterion(const Settings& settings) {
+  const std::string wanted = settings.text("criterion").value_or("published");
+  for (const auto value : {design::Criterion::published, design::Criterion::exact}) {
+    if (wanted == name(value)) {
+      return value;
+    }
+  }
+  throw InputError("criterion", wanted, "must be published or exact");
+}
+
+design::Objective objective(const Settings& settings) {
+  using enum design::Objective;
+  const std::string wanted = settings.text("objective").value_or("robust");
+  for (const auto value : {robust, amplitude, time, acceleration}) {
+    if (wanted == name(value)) {
+      return value;
+    }
+  }
+  throw InputError("objective", wanted, "must be robust, amplitude, time or acceleration");
+}
+
+struct Task {
+  design::Problem problem;
+  design::Limits limits;
+  std::optional<PhysicalInput> physical;
+};
+
+/// What design and region have in common.
+Task task(const Settings& settings) {
+  MotionInput motion = motion_input(settings);
+  Task result;
+  result.problem.v0 = motion.v0;
+  result.problem.p = motion.p;
+  if (motion.physical) {
+    const double displacement =
+        settings.required("max-displacement", "give the largest admissible displacement in m");
+    require_within("max-displacement", displacement, std::numeric_limits<double>::min(), unlimited);
+    motion.physical->max_displacement_m = displacement;
+    result.problem.beta = displacement / motion.physical->scales.length_m;
+  } else {
+    result.problem.beta = settings.required("beta", "give --beta, or --max-displacement in m");
+  }
+  result.problem.criterion = criterion(settings);
+  result.limits.f_max = settings.number("f-max");
+  result.limits.delta_max = point_friction(settings, "delta-max", "delta-max-m", motion.physical);
+  result.limits.tolerance = settings.number("tolerance").value_or(0);
+  result.physical = motion.physical;
+  return result;
+}
+
+std::int64_t count(const Settings& settings, std::string_view name, std::int64_t fallback,
+                   std::int64_t least) {
+  constexpr std::int64_t most = 10'000'000;
+  const std::int64_t value = settings.integer(name).value_or(fallback);
+  if (value < least || value > most) {
+    throw InputError(std::string(name), fmt::format("{}", value),
+                     fmt::format("must be a whole number from {} to {}", least, most));
+  }
+  return value;
+}
+
+}  // namespace
+
+DesignInput design_input(const Settings& settings) {
+  const Task given = task(settings);
+  DesignInput input;
+  input.request.problem = given.problem;
+  input.request.limits = given.limits;
+  input.request.search.objective = objective(settings);
+  input.algorithm = settings.text("algorithm");
+  input.request.search.algorithm = input.algorithm.value_or("");
+  input.physical = given.physical;
+  if (input.algorithm && input.algorithm->empty()) {
+    throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
+  }
+  return input;
+}
+
+RegionInput region_input(const Settings& settings) {
+  const Task given = task(settings);
+  RegionInput input{given.problem, given.limits, settings.number("f"), {}, given.physical};
+  input.delta = point_friction(settings, "delta", "delta-m", given.physical);
+  if (input.delta && !input.f) {
+    throw InputError::missing("f", "delta alone is no point of the region, give --f as well");
+  }
+  return input;
+}
+
+SimulateInput simulate_input(const Settings& settings) {
+  const MotionInput motion = motion_input(settings);
+  SimulateInput input;
+  input.physical = motion.physical;
+  input.start = {motion.x0, motion.v0};
+  input.oscillator.p = motion.p;
+  input.oscillator.f = settings.required("f", "give --f, the constant friction (0 for none)");
+  const auto delta = point_friction(settings, "delta", "delta-m", motion.physical);
+  if (!delta) {
+    throw InputError::missing("delta", "give --delta, the point friction (0 for none)");
+  }
+  input.oscillator.delta = *delta;
+  input.half_cycle_limit = settings.number("half-cycle-limit").value_or(input.half_cycle_limit);
+  require_within("half-cycle-limit", input.half_cycle_limit, 1, 1e15);
+  input.max_half_cycles = count(settings, "max-half-cycles", input.max_half_cycles, 0);
+  input.trajectory = settings.text("trajectory");
+  input.samples = count(settings, "samples", input.samples, 2);
+  input.t_end = settings.number("t-end");
+  for (const std::string_view name : {"samples", "t-end"}) {
+    if (settings.has(name) && !input.trajectory) {
+      throw UsageError(fmt::format("{} is for a trajectory: give --trajectory FILE as well", name));
+    }
+  }
+  if (input.t_end) {
+    require_within("t-end", *input.t_end, std::numeric_limits<double>::min(), unlimited);
+  }
+  require_valid(input.oscillator, input.start);
+  return input;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "settings.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/physical.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace stillpoint::cli {
+
+/// The scales, and what was given in metres and seconds, for a report in both.
+struct PhysicalInput {
+  design::Scales scales;
+  double velocity_m_per_s{0};
+  double period_s{0};
+  std::optional<double> max_displacement_m;
+};
+
+/// v0, p and x0 of a motion, however they were given.
+struct MotionInput {
+  double v0{0};
+  double p{1};
+  double x0{0};
+  std::optional<PhysicalInput> physical;
+};
+
+struct DesignInput {
+  design::DesignRequest request;
+  std::optional<std::string> algorithm;  ///< as asked for
+  std::optional<PhysicalInput> physical;
+};
+
+struct RegionInput {
+  design::Problem problem;
+  design::Limits limits;
+  std::optional<double> f;
+  std::optional<double> delta;
+  std::optional<PhysicalInput> physical;
+};
+
+struct SimulateInput {
+  Oscillator<double> oscillator;
+  Start<double> start;
+  double half_cycle_limit{1e8};
+  std::int64_t max_half_cycles{1000};
+  std::optional<std::string> trajectory;
+  std::int64_t samples{1000};
+  std::optional<double> t_end;
+  std::optional<PhysicalInput> physical;
+};
+
+/// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
+[[nodiscard]] DesignInput design_input(const Settings& settings);
+[[nodiscard]] RegionInput region_input(const Settings& settings);
+[[nodiscard]] SimulateInput simulate_input(const Settings& settings);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "scene.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using nlohmann::json;
+
+/// A scene has some hundred bytes.
+constexpr std::size_t largest_scene = std::size_t{1} << 20U;
+
+std::string read_all(std::FILE* file, const std::string& source) {
+  std::string text;
+  std::vector<char> buffer(std::size_t{1} << 16U);
+  for (;;) {
+    const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file);
+    text.append(buffer.data(), count);
+    if (text.size() > largest_scene) {
+      throw UsageError(
+          fmt::format("scene {}: is too large, must be at most {} bytes", source, largest_scene));
+    }
+    if (count == 0) {
+      break;
+    }
+  }
+  if (std::ferror(file) != 0) {
+    throw UsageError(fmt::format("scene {}: cannot be read: {}", source, std::strerror(errno)));
+  }
+  return text;
+}
+
+UsageError twice(const std::string& key) {
+  return UsageError(fmt::format("{} is set twice: a key may stand only once in a scene", key));
+}
+
+/// The library keeps the last of two equal keys silently, so they are watched for while it parses.
+class RepeatedKeys {
+ public:
+  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == json::parse_event_t::object_start) {
+      seen_.resize(level + 1);
+      seen_[level].clear();
+    } else if (event == json::parse_event_t::key) {
+      const auto key = parsed.get<std::string>();
+      if (!seen_.at(level - 1).insert(key).second) {
+        throw twice(key);
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> seen_;
+};
+
+json parse_json(std::string_view text, std::string_view source) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw UsageError(fmt::format("scene {}: is empty, must be a JSON object", source));
+  }
+  try {
+    RepeatedKeys watch;
+    return json::parse(text, [&watch](int depth, json::parse_event_t event, const json& parsed) {
+      return watch(depth, event, parsed);
+    });
+  } catch (const json::exception& error) {
+    const std::string_view message = error.what();
+    const std::size_t prefix = message.find("] ");
+    throw UsageError(
+        fmt::format("scene {}: is not valid JSON: {}", source,
+                    message.substr(prefix == std::string_view::npos ? 0 : prefix + 2)));
+  }
+}
+
+Settings::Value typed(const Option& option, const json& value) {
+  const auto wrong_type = [&](std::string_view wanted) {
+    return InputError(std::string(option.name), value.dump(), fmt::format("must be {}", wanted));
+  };
+  switch (option.kind) {
+    case OptionKind::number:
+      if (!value.is_number()) {
+        throw wrong_type("a number");
+      }
+      return value.get<double>();
+    case OptionKind::integer:
+      if (!value.is_number_integer()) {
+        throw wrong_type("a whole number");
+      }
+      return value.get<std::int64_t>();
+    case OptionKind::text:
+      if (!value.is_string()) {
+        throw wrong_type("a text in quotes");
+      }
+      return value.get<std::string>();
+    case OptionKind::flag:
+      break;
+  }
+  if (!value.is_boolean()) {
+    throw wrong_type("true or false");
+  }
+  return value.get<bool>();
+}
+
+}  // namespace
+
+Settings parse_scene(std::string_view text, std::string_view source) {
+  const json scene = parse_json(text, source);
+  if (!scene.is_object()) {
+    throw UsageError(
+        fmt::format("scene {}: is a JSON {}, must be an object", source, scene.type_name()));
+  }
+  Settings settings;
+  for (const auto& [key, value] : scene.items()) {
+    std::string wanted = key;
+    std::ranges::replace(wanted, '_', '-');
+    const Option* option = find_option(wanted);
+    if (option == nullptr) {
+      throw InputError(key, value.dump(),
+                       fmt::format("is not a key of a scene{}", suggestion(wanted)));
+    }
+    if (settings.has(option->name)) {
+      throw twice(key);
+    }
+    settings.set(*option, typed(*option, value));
+  }
+  return settings;
+}
+
+Settings read_scene(const std::string& path) {
+  if (path == "-") {
+    return parse_scene(read_all(stdin, "from standard input"), "from standard input");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) {
+    throw UsageError(fmt::format("scene {}: cannot be read: {}", path, std::strerror(errno)));
+  }
+  return parse_scene(read_all(file.get(), path), path);
+}
+
+}  // namespace stillpoint::cli

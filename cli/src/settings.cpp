@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "settings.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace stillpoint::cli {
+
+double parse_number(std::string_view field, std::string_view text) {
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range) {
+    throw InputError(std::string(field), std::string(text),
+                     "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+  }
+  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a finite number");
+  }
+  return value;
+}
+
+std::int64_t parse_integer(std::string_view field, std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a whole number");
+  }
+  return value;
+}
+
+template <class T>
+std::optional<T> Settings::get(std::string_view name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? std::nullopt : std::optional<T>(std::get<T>(found->second));
+}
+
+std::optional<double> Settings::number(std::string_view name) const {
+  return get<double>(name);
+}
+
+std::optional<std::int64_t> Settings::integer(std::string_view name) const {
+  return get<std::int64_t>(name);
+}
+
+std::optional<std::string> Settings::text(std::string_view name) const {
+  return get<std::string>(name);
+}
+
+bool Settings::flag(std::string_view name) const {
+  return get<bool>(name).value_or(false);
+}
+
+double Settings::required(std::string_view name, std::string_view hint) const {
+  if (const auto value = number(name)) {
+    return *value;
+  }
+  throw InputError::missing(std::string(name), std::string(hint));
+}
+
+}  // namespace stillpoint::cli

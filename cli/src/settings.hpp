@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace stillpoint::cli {
+
+/// Wrong use of the program that is no single field's value: something missing, two things that
+/// exclude each other, a file that cannot be read or written.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A number in full: decimal or exponent form, finite. Throws InputError that names the field.
+[[nodiscard]] double parse_number(std::string_view field, std::string_view text);
+[[nodiscard]] std::int64_t parse_integer(std::string_view field, std::string_view text);
+
+/// What was set, by a flag or by a scene; keys are option names.
+class Settings {
+ public:
+  using Value = std::variant<double, std::int64_t, bool, std::string>;
+
+  void set(const Option& option, Value value) { values_[option.name] = std::move(value); }
+  [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
+
+  /// The value of a number, integer, text or flag option; empty (false) where not set.
+  [[nodiscard]] std::optional<double> number(std::string_view name) const;
+  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view name) const;
+  [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
+  [[nodiscard]] bool flag(std::string_view name) const;
+
+  /// The same, but InputError where not set, saying what else would do.
+  [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
+
+  /// Sets here what `other` has and this has not.
+  void complete_with(const Settings& other) {
+    values_.insert(other.values_.begin(), other.values_.end());
+  }
+
+  /// Every name that is set.
+  template <class Visit>
+  void for_each_name(const Visit& visit) const {
+    for (const auto& [name, value] : values_) {
+      visit(name);
+    }
+  }
+
+ private:
+  template <class T>
+  [[nodiscard]] std::optional<T> get(std::string_view name) const;
+
+  std::map<std::string_view, Value> values_;
+};
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "text_report.hpp"
+
+#include "physical_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using fmt::format;
+
+/// " = 12.1 mm" behind a dimensionless length, "" without physical input.
+std::string in_metres(const std::optional<PhysicalInput>& physical, double length) {
+  return physical && length != 0
+             ? format(" = {}", with_unit(length * physical->scales.length_m, "m"))
+             : "";
+}
+
+std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau) {
+  return physical ? format(" = {}", with_unit(tau * physical->scales.time_s, "s")) : "";
+}
+
+void add_title(Page& page, std::string_view what, const std::optional<std::string>& title) {
+  page.title(title ? format("{}: {}", what, *title) : std::string(what));
+}
+
+void add_physical_input(Page& page, const PhysicalInput& physical) {
+  const design::Scales& scales = physical.scales;
+  std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
+  if (scales.mass_kg) {
+    isolator += format(", mass {:.6g} kg, stiffness {}", *scales.mass_kg,
+                       with_unit(*scales.stiffness_n_per_m(), "N/m"));
+  }
+  page.row("isolator", isolator);
+  page.row("velocity", format("{:.6g} m/s", physical.velocity_m_per_s));
+  if (physical.max_displacement_m) {
+    page.row("max displacement", with_unit(*physical.max_displacement_m, "m"));
+  }
+  page.row("units",
+           format("length H = {}, time {}, gravity {:.6g} m/s2", with_unit(scales.length_m, "m"),
+                  with_unit(scales.time_s, "s"), scales.gravity_m_per_s2));
+}
+
+void add_problem(Page& page, const design::Problem& problem, const design::Limits& limits,
+                 const std::optional<PhysicalInput>& physical) {
+  page.section("Task");
+  if (physical) {
+    add_physical_input(page, *physical);
+  }
+  page.row("dimensionless",
+           format("v0 = {:.6g}   p = {:.6g}   beta = {:.6g}", problem.v0, problem.p, problem.beta));
+  page.row("criterion", format("{} Delta1", name(problem.criterion)));
+  std::string limit;
+  const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
+  if (limits.f_max) {
+    add(format("f <= {:.6g}", *limits.f_max));
+  }
+  if (limits.delta_max) {
+    add(format("delta <= {:.6g}{}", *limits.delta_max, in_metres(physical, *limits.delta_max)));
+  }
+  if (limits.tolerance > 0) {
+    add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
+  }
+  if (!limit.empty()) {
+    page.row("limits", limit);
+  }
+}
+
+void add_region(Page& page, const design::Region& region,
+                const std::optional<PhysicalInput>& physical) {
+  page.section("Admissible region");
+  page.row("amplitude",
+           format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
+  page.row("return", format("f <= f3 = {:.6g}", region.f3));
+  page.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
+  page.row("start",
+           format("delta <= delta2 = {:.6g}{}", region.delta2, in_metres(physical, region.delta2)));
+  page.row("least beta", format("{:.6g}{}", region.beta_min, in_metres(physical, region.beta_min)));
+  if (region.feasible) {
+    page.row("left for f", format("{:.6g} .. {:.6g}", *region.f_lower, *region.f_upper));
+  }
+}
+
+void add_emptiness(Page& page, const std::string& reason, const std::vector<design::Mend>& mends,
+                   const std::optional<PhysicalInput>& physical) {
+  page.section("No admissible design");
+  page.line(reason, Tone::bad);
+  if (mends.empty()) {
+    page.line("No change of a single input mends it.");
+    return;
+  }
+  page.line("Any one of these mends it; each is the least change of its input:");
+  for (const design::Mend& mend : mends) {
+    std::string physical_value;
+    if (physical) {
+      const PhysicalMend now = physical_mend(physical->scales, mend);
+      if (!now.unit.empty()) {
+        physical_value = format("   ({} = {:.6g} {})", now.name, now.value, now.unit);
+      }
+    }
+    page.row(mend.field, format("at {} {:.10g}{}", mend.upwards ? "least" : "most", mend.value,
+                                physical_value));
+  }
+}
+
+template <class List>
+void add_constraints(Page& page, const List& constraints) {
+  page.section("Constraints");
+  std::vector<std::vector<std::string>> rows{{"", "", "value", "", "limit", "slack", ""}};
+  std::vector<Tone> tones{Tone::plain};
+  for (const design::Constraint& now : constraints) {
+    const bool is_delta = now.name == "start" || now.name == "stop";
+    rows.push_back({std::string(now.name), is_delta ? "delta" : "f", figure(now.value),
+                    std::string(now.relation), figure(now.limit), figure(now.slack),
+                    now.satisfied ? "ok" : "violated"});
+    tones.push_back(now.satisfied ? Tone::good : Tone::bad);
+  }
+  page.table(rows, tones);
+}
+
+void add_damper_physics(Page& page, const PhysicalInput& physical, double f, double delta) {
+  if (const auto force = physical.scales.friction_force_n(f)) {
+    page.row("friction force", with_unit(*force, "N"));
+  }
+  if (const auto energy = physical.scales.energy_per_passage_j(delta)) {
+    page.row("energy a passage", with_unit(*energy, "J"));
+  }
+}
+
+std::string outcome_sentence(const Response& response) {
+  switch (response.outcome) {
+    case Outcome::stopped_at_zero:
+      return "stops at x = 0";
+    case Outcome::stopped_in_dead_zone:
+      return "stops off x = 0, in the dead zone";
+    case Outcome::never_stops:
+      return "never stops: there is no friction";
+    case Outcome::caught_at_start:
+      return "never starts: v0^2 < 2 delta, the notch holds it";
+  }
+  return {};
+}
+
+void add_response(Page& page, const Response& response,
+                  const std::optional<PhysicalInput>& physical) {
+  page.row("outcome", outcome_sentence(response));
+  page.row("peak", format("{:.6g}{}", response.peak_amplitude,
+                          in_metres(physical, response.peak_amplitude)));
+  page.row("peak acceleration",
+           physical
+               ? format("{:.6g} g = {}", response.peak_acceleration,
+                        with_unit(response.peak_acceleration * physical->scales.gravity_m_per_s2,
+                                  "m/s2"))
+               : figure(response.peak_acceleration));
+  if (response.stop_time) {
+    page.row("stop time",
+             format("{:.6g}{}", *response.stop_time, in_seconds(physical, *response.stop_time)));
+    page.row("stop position", format("{:.6g}{}", *response.stop_position,
+                                     in_metres(physical, *response.stop_position)));
+  }
+  if (response.arrival_speed) {
+    page.row("arrival speed", format("{:.6g}, the last at x = 0", *response.arrival_speed));
+  }
+  if (response.half_cycles) {
+    page.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
+                              plural(response.zero_passages, "passage"),
+                              plural(response.turning_points, "turning point")));
+  }
+  if (response.decision_margin) {
+    page.row("decision margin",
+             format("{:.2g} %: counts and outcome hold while every input is off by less",
+                    100 * *response.decision_margin));
+  }
+}
+
+void add_checks(Page& page, const design::CrossCheck& check) {
+  page.section(check.passed ? "Cross-check: agrees" : "Cross-check: DISAGREES");
+  std::vector<std::vector<std::string>> rows{
+      {"", "peak", "stop time", "half-cycles", "relative error", "allowed", "time", ""}};
+  std::vector<Tone> tones{Tone::plain};
+  for (const design::CheckMethod& method : check.methods) {
+    rows.push_back({std::string(method.name), figure(method.peak_amplitude),
+                    figure(method.stop_time), format("{:.0f}", method.half_cycles),
+                    format("{:.1e}", method.relative_error), format("{:.1e}", method.tolerance),
+                    format("{:.1f} us", 1e6 * method.wall_time_s),
+                    method.passed ? "agrees" : "disagrees"});
+    tones.push_back(method.passed ? Tone::good : Tone::bad);
+  }
+  page.table(rows, tones);
+}
+
+void add_half_cycles(Page& page, const SimulateAnswer& answer) {
+  constexpr std::size_t most_listed = 12;
+  if (answer.half_cycles.empty()) {
+    return;
+  }
+  page.section("Half-cycles");
+  std::vector<std::vector<std::string>> rows{
+      {"", "starts", "leaves at", "peak at", "peak", "ends", "arrives at"}};
+  const std::size_t listed = std::min(most_listed, answer.half_cycles.size());
+  for (std::size_t i = 0; i < listed; ++i) {
+    const HalfCycle& now = answer.half_cycles[i];
+    rows.push_back({format("{}", now.index), figure(now.start_time), figure(now.departure_speed),
+                    figure(now.peak_time), figure(now.side * now.peak), figure(now.end_time),
+                    now.arrival_speed ? figure(*now.arrival_speed)
+                                      : format("rests at {}", figure(now.end_position))});
+  }
+  page.table(rows, std::vector<Tone>(rows.size(), Tone::plain));
+  if (const double all = answer.response.half_cycles.value_or(HUGE_VAL);
+      all > static_cast<double>(listed)) {
+    page.line("... the JSON report lists more, see --max-half-cycles", Tone::faint);
+  }
+}
+
+}  // namespace
+
+std::string design_text(const DesignInput& input, const design::DesignResult& result,
+                        const std::optional<std::string>& title, Style style) {
+  const auto& [problem, limits, search] = input.request;
+  Page page(style);
+  add_title(page, "Damper design", title);
+  add_problem(page, problem, limits, input.physical);
+  page.row("objective", name(search.objective));
+  add_region(page, result.region, input.physical);
+  if (!result.finding) {
+    add_emptiness(page, result.reason, result.mends, input.physical);
+    return page.text();
+  }
+  const design::Finding& finding = *result.finding;
+  page.section("Design");
+  page.row("f", figure(finding.point.f), Tone::heading);
+  page.row("delta", figure(finding.point.delta) + in_metres(input.physical, finding.point.delta),
+           Tone::heading);
+  page.row("tolerance", format("+-{:.4g} % of f and delta at once", 100 * finding.point.tolerance));
+  page.row("Delta1(f)",
+           format("{:.6g} published, {} exact", design::delta1_published(problem, finding.point.f),
+                  figure(design::delta1_exact(problem, finding.point.f))));
+  if (input.physical) {
+    add_damper_physics(page, *input.physical, finding.point.f, finding.point.delta);
+  }
+  add_constraints(page, finding.constraints);
+  page.section("Motion");
+  add_response(page, finding.response, input.physical);
+  page.row("use of beta", format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
+  add_checks(page, finding.cross_check);
+  page.section("Search");
+  page.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
+                   finding.search.algorithm, finding.search.status, finding.search.evaluations,
+                   1e3 * finding.search.wall_time_s));
+  return page.text();
+}
+
+std::string region_text(const RegionInput& input, const RegionAnswer& answer,
+                        const std::optional<std::string>& title, Style style) {
+  Page page(style);
+  add_title(page, "Admissible region", title);
+  add_problem(page, input.problem, input.limits, input.physical);
+  add_region(page, answer.region, input.physical);
+  if (!answer.region.feasible) {
+    add_emptiness(page, answer.reason, answer.mends, input.physical);
+  }
+  if (input.f) {
+    page.section(format("At f = {:.6g}", *input.f));
+    page.row("Delta1 published", figure(answer.delta1_published));
+    page.row("Delta1 exact", answer.delta1_exact ? figure(*answer.delta1_exact)
+                                                 : "none: f > f3, the motion does not return");
+    if (input.physical) {
+      add_damper_physics(page, *input.physical, *input.f, input.delta.value_or(0));
+    }
+  }
+  if (answer.admissible) {
+    page.row("delta", figure(*input.delta) + in_metres(input.physical, *input.delta));
+    page.row("the point is", *answer.admissible ? "admissible" : "not admissible",
+             *answer.admissible ? Tone::good : Tone::bad);
+    add_constraints(page, answer.constraints);
+  }
+  return page.text();
+}
+
+std::string simulate_text(const SimulateInput& input, const SimulateAnswer& answer,
+                          const std::optional<std::string>& title, Style style) {
+  Page page(style);
+  add_title(page, "Free motion", title);
+  page.section("Scene");
+  if (input.physical) {
+    add_physical_input(page, *input.physical);
+  }
+  page.row("dimensionless", format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", input.start.v0,
+                                   input.oscillator.p, input.start.x0));
+  page.row("damper",
+           format("f = {:.6g}   delta = {:.6g}{}", input.oscillator.f, input.oscillator.delta,
+                  in_metres(input.physical, input.oscillator.delta)));
+  if (input.physical) {
+    add_damper_physics(page, *input.physical, input.oscillator.f, input.oscillator.delta);
+  }
+  page.section("Motion");
+  add_response(page, answer.response, input.physical);
+  add_half_cycles(page, answer);
+  return page.text();
+}
+
+}  // namespace stillpoint::cli

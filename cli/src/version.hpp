@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace stillpoint::cli {
+
+[[nodiscard]] std::string program_version();  ///< "0.1.0"
+[[nodiscard]] std::string version_line();     ///< program, NLopt and build type
+
+}  // namespace stillpoint::cli
