@@ -123,13 +123,13 @@ std::span<const Option> options() {
   return table;
 }
 
-const Option* find_option(std::string_view wanted) {
-  const auto found = std::ranges::find(table, wanted, &Option::name);
+const Option* find_option(std::string_view name) {
+  const auto* const found = std::ranges::find(table, name, &Option::name);
   return found == table.end() ? nullptr : &*found;
 }
 
 std::string suggestion(std::string_view wrong) {
-  const auto nearest = std::ranges::min_element(
+  const auto* const nearest = std::ranges::min_element(
       table, {}, [&](const Option& option) { return slips(wrong, option.name); });
   const std::size_t distance = slips(wrong, nearest->name);
   return distance <= 2 && distance < wrong.size() ? fmt::format("; did you mean {}?", nearest->name)

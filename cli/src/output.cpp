@@ -18,8 +18,8 @@ namespace stillpoint::cli {
 
 namespace {
 
-UsageError cannot_write(const std::string& path, int error) {
-  return UsageError(fmt::format("output {}: cannot be written: {}", path, std::strerror(error)));
+[[noreturn]] void refuse(const std::string& path, int error) {
+  throw UsageError(fmt::format("output {}: cannot be written: {}", path, std::strerror(error)));
 }
 
 /// Writes everything and closes; 0 or the error.
@@ -59,7 +59,7 @@ void Output::write_file(const std::string& path, std::string_view text) {
   std::error_code unknown;
   const auto status = std::filesystem::status(path, unknown);
   if (std::filesystem::is_directory(status)) {
-    throw cannot_write(path, EISDIR);
+    refuse(path, EISDIR);
   }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     direct_.push_back({path, std::string(text)});
@@ -72,14 +72,14 @@ void Output::write_file(const std::string& path, std::string_view text) {
   std::string temporary = target.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary.data());
   if (descriptor < 0) {
-    throw cannot_write(path, errno);
+    refuse(path, errno);
   }
   staged_.push_back({temporary, target});
   const bool permitted = ::fchmod(descriptor, permissions_for_new_files()) == 0;
   const int refused = permitted ? 0 : errno;
   const int error = write_and_close(descriptor, text);
   if (error != 0 || refused != 0) {
-    throw cannot_write(path, error != 0 ? error : refused);
+    refuse(path, error != 0 ? error : refused);
   }
 }
 
@@ -88,7 +88,7 @@ void Output::commit() {
     const int descriptor = ::open(file.target.c_str(), O_WRONLY | O_CLOEXEC);
     const int error = descriptor < 0 ? errno : write_and_close(descriptor, file.text);
     if (error != 0) {
-      throw cannot_write(file.target, error);
+      refuse(file.target, error);
     }
   }
   if (std::fwrite(printed_.data(), 1, printed_.size(), stdout) != printed_.size() ||
@@ -99,7 +99,7 @@ void Output::commit() {
     std::error_code error;
     std::filesystem::rename(staged_.back().temporary, staged_.back().target, error);
     if (error) {
-      throw cannot_write(staged_.back().target.string(), error.value());
+      refuse(staged_.back().target.string(), error.value());
     }
     staged_.pop_back();
   }

@@ -94,6 +94,7 @@ void Page::table(const std::vector<std::vector<std::string>>& rows,
                                         : fmt::format("{:>{}}", row[i], widths[i]);
       now += (i == 0 ? "  " : "   ") + cell;
     }
+    now.erase(now.find_last_not_of(' ') + 1);
     text_ += now + "\n";
   }
 }

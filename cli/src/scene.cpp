@@ -43,8 +43,8 @@ std::string read_all(std::FILE* file, const std::string& source) {
   return text;
 }
 
-UsageError twice(const std::string& key) {
-  return UsageError(fmt::format("{} is set twice: a key may stand only once in a scene", key));
+[[noreturn]] void refuse_twice(const std::string& key) {
+  throw UsageError(fmt::format("{} is set twice: a key may stand only once in a scene", key));
 }
 
 /// The library keeps the last of two equal keys silently, so they are watched for while it parses.
@@ -58,7 +58,7 @@ class RepeatedKeys {
     } else if (event == json::parse_event_t::key) {
       const auto key = parsed.get<std::string>();
       if (!seen_.at(level - 1).insert(key).second) {
-        throw twice(key);
+        refuse_twice(key);
       }
     }
     return true;
@@ -133,7 +133,7 @@ Settings parse_scene(std::string_view text, std::string_view source) {
                        fmt::format("is not a key of a scene{}", suggestion(wanted)));
     }
     if (settings.has(option->name)) {
-      throw twice(key);
+      refuse_twice(key);
     }
     settings.set(*option, typed(*option, value));
   }

@@ -152,11 +152,9 @@ void add_response(Page& page, const Response& response,
   page.row("peak", format("{:.6g}{}", response.peak_amplitude,
                           in_metres(physical, response.peak_amplitude)));
   page.row("peak acceleration",
-           physical
-               ? format("{:.6g} g = {}", response.peak_acceleration,
-                        with_unit(response.peak_acceleration * physical->scales.gravity_m_per_s2,
-                                  "m/s2"))
-               : figure(response.peak_acceleration));
+           physical ? format("{:.6g} g = {:.5g} m/s2", response.peak_acceleration,
+                             response.peak_acceleration * physical->scales.gravity_m_per_s2)
+                    : figure(response.peak_acceleration));
   if (response.stop_time) {
     page.row("stop time",
              format("{:.6g}{}", *response.stop_time, in_seconds(physical, *response.stop_time)));

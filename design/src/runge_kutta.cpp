@@ -36,7 +36,7 @@ class Integrator {
 
   /// From `state` at `time`, moving with the sign of v (or `direction` at v = 0), to the first turn
   /// or the first arrival at x = 0, whichever comes first.
-  PieceEnd piece(double time, const State& state, double direction) const {
+  [[nodiscard]] PieceEnd piece(double time, const State& state, double direction) const {
     const auto motion = [this, direction](const State& now, State& rate, double /*t*/) {
       rate = {now[1], -direction * a_ - now[0]};
     };

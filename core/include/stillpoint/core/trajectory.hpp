@@ -70,7 +70,7 @@ class Trajectory {
     double peak_time;
   };
 
-  void add(const HalfCycle& half_cycle, const HalfCycleWalk& walk);
+  void add(const HalfCycle& now, const HalfCycleWalk& walk);
   void add_event(EventKind kind, double tau, double x, double v);
 
   double p_;
