@@ -5,6 +5,7 @@
 #include <stillpoint/core/margin_keeper.hpp>
 #include <stillpoint/core/phase_clock.hpp>
 
+#include <cassert>
 #include <cmath>
 
 namespace stillpoint {
@@ -32,6 +33,7 @@ Response metrics(const FreeRun<double>& run, double p) {
 
 double stop_time(const PhaseClock<double>& clock, const FreeRun<double>& run, double p) {
   const double time = clock.phase() / p;
+  assert(!std::isnan(time));
   if (!std::isfinite(time)) {
     throw TooManyHalfCycles(run.passages + 1, largest_square * p);
   }
@@ -66,7 +68,7 @@ double free_peak(const Oscillator<double>& oscillator, const Start<double>& star
   const FirstLeg<double> leg = first_leg(map, start);
   double farthest = leg.farthest;
   if (leg.end == FirstLegEnd::arrival) {
-    if (const double energy = map.departure(leg.arrival); energy > 0) {
+    if (const double energy = map.departure(leg.energy); energy > 0) {
       farthest = std::max(farthest, map.peak(energy, map.radius(energy)));
     }
   }

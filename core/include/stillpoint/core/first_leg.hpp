@@ -27,7 +27,7 @@ struct FirstLeg {
   Real speed;         ///< |v0|
   Real radius;        ///< of the leg's arc
   Real farthest;      ///< largest p |x| on the leg; for `peak` the peak
-  Real arrival;       ///< for `arrival`: v^2 at x = 0, else 0
+  Real energy;        ///< for `arrival`: v^2 at x = 0; for `peak`: v^2 at x = 0 on the same arc
   Real rest;          ///< for `no_motion` and `rest`: p |x| where it rests, else 0
   Real acceleration;  ///< largest |x''| / p on the leg
 };
@@ -47,7 +47,8 @@ FirstLeg<Real> outward_leg(const HalfCycleMap<Real>& map, int side, const Real& 
   const Real lever = distance + map.phi;
   const Real radius = hypotenuse(speed, lever);                     // (10)
   const Real peak = distance + speed * (speed / (radius + lever));  // (11)
-  return {FirstLegEnd::peak, side, distance, speed, radius, peak, Real(0), Real(0), radius};
+  const Real energy = distance * (distance + 2 * map.phi) + speed * speed;
+  return {FirstLegEnd::peak, side, distance, speed, radius, peak, energy, Real(0), radius};
 }
 
 template <class Real>

@@ -38,7 +38,10 @@ Real first_leg_phase(const HalfCycleMap<Real>& map, const FirstLeg<Real>& leg) {
     case FirstLegEnd::rest:
       return atan2(v, Real(phi - x));
     case FirstLegEnd::arrival: {
-      const Real w = sqrt(leg.arrival);
+      const Real w = sqrt(leg.energy);
+      if (v == 0) {  // a swing from rest, and w may be 0 as well
+        return pi<Real>() / 2 + atan2(phi, w);
+      }
       const Real cross = x * ((w * v + v * v + (x - phi) * (x - 2 * phi)) / (w + v));
       return atan2(cross, Real(v * w - (x - phi) * phi));
     }
