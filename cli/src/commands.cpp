@@ -12,18 +12,16 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// The JSON report where it was asked for, else the one for people.
-template <class Text>
-void report(const Settings& settings, const nlohmann::ordered_json& json, const Text& text,
-            Output& output) {
+/// The JSON report where it was asked for, else the one for people. Either is made only if wanted.
+template <class Json, class Text>
+void report(const Settings& settings, const Json& json, const Text& text, Output& output) {
   constexpr int indent = 2;
-  if (settings.flag("json")) {
-    output.print(json.dump(indent) + "\n");
-  } else {
-    output.print(text(settings.text("title"), style_for_standard_output()));
-  }
-  if (const auto path = settings.text("output")) {
-    output.write_file(*path, json.dump(indent) + "\n");
+  const auto path = settings.text("output");
+  const bool print_json = settings.flag("json");
+  const std::string report = print_json || path ? json().dump(indent) + "\n" : std::string();
+  output.print(print_json ? report : text(settings.text("title"), style_for_standard_output()));
+  if (path) {
+    output.write_file(*path, report);
   }
 }
 
@@ -40,7 +38,7 @@ ExitCode run_design(const Settings& settings, Output& output) {
   const DesignInput input = design_input(settings);
   const design::DesignResult result = design::design(input.request);
   report(
-      settings, design_json(input, result),
+      settings, [&] { return design_json(input, result); },
       [&](const auto& title, Style style) { return design_text(input, result, title, style); },
       output);
   return exit_code(result);
@@ -59,11 +57,10 @@ ExitCode run_region(const Settings& settings, Output& output) {
   if (input.delta) {
     const auto list = design::constraints(input.problem, *input.f, *input.delta);
     answer.constraints.assign(list.begin(), list.end());
-    answer.admissible = design::admissible(input.problem, input.limits, *input.f, *input.delta,
-                                           input.limits.tolerance);
+    answer.admissible = design::admissible(input.problem, input.limits, *input.f, *input.delta);
   }
   report(
-      settings, region_json(input, answer),
+      settings, [&] { return region_json(input, answer); },
       [&](const auto& title, Style style) { return region_text(input, answer, title, style); },
       output);
   return answer.region.feasible ? exit_done : exit_infeasible;
@@ -80,7 +77,7 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
     output.write_file(*input.trajectory, trajectory_csv(input, answer.response));
   }
   report(
-      settings, simulate_json(input, answer),
+      settings, [&] { return simulate_json(input, answer); },
       [&](const auto& title, Style style) { return simulate_text(input, answer, title, style); },
       output);
   return exit_done;

@@ -112,11 +112,14 @@ ordered_json cross_check_json(const design::CrossCheck& check) {
     methods.push_back({{"name", method.name},
                        {"tolerance", number(method.tolerance)},
                        {"peak_amplitude", number(method.peak_amplitude)},
+                       {"peak_acceleration", number(method.peak_acceleration)},
                        {"stop_time", number(method.stop_time)},
+                       {"arrival_speed", number(method.arrival_speed)},
                        {"half_cycles", count(method.half_cycles)},
                        {"stop_position", number(method.stop_position)},
                        {"relative_error", number(method.relative_error)},
                        {"wall_time_s", number(method.wall_time_s)},
+                       {"decided", method.decided},
                        {"passed", method.passed}});
   }
   return {{"passed", check.passed}, {"methods", methods}};

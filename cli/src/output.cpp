@@ -56,6 +56,12 @@ Output::~Output() {
 }
 
 void Output::write_file(const std::string& path, std::string_view text) {
+  if (path.empty()) {
+    throw UsageError("output \"\": must be the name of a file");
+  }
+  if (!paths_.insert(path).second) {
+    throw UsageError(fmt::format("output {}: is wanted for two files at once", path));
+  }
   std::error_code unknown;
   const auto status = std::filesystem::status(path, unknown);
   if (std::filesystem::is_directory(status)) {

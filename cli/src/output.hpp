@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,7 @@ class Output {
     std::string text;
   };
 
+  std::set<std::string> paths_;
   std::string printed_;
   std::vector<Staged> staged_;
   std::vector<Direct> direct_;

@@ -37,6 +37,18 @@ fmt::text_style look_of(Tone tone) {
 
 }  // namespace
 
+std::string printable(std::string_view text) {
+  constexpr unsigned char first_printable = 0x20;
+  constexpr unsigned char del = 0x7f;
+  std::string result;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    result +=
+        code < first_printable || code == del ? fmt::format("\\x{:02x}", code) : std::string(1, c);
+  }
+  return result;
+}
+
 std::string Style::operator()(Tone tone, std::string_view text) const {
   return coloured_ && tone != Tone::plain ? fmt::format("{}", fmt::styled(text, look_of(tone)))
                                           : std::string(text);
@@ -125,6 +137,17 @@ std::string with_unit(double value, std::string_view unit) {
     }
   }
   return fmt::format("{:.5g} {}", value, unit);
+}
+
+std::string limit_figure(double value, bool upwards) {
+  constexpr int digits = 10;
+  const double last_digit = std::pow(10.0, std::floor(std::log10(value)) + 1 - digits);
+  std::string text = fmt::format("{:.{}g}", value, digits);
+  for (double nudge = 0.5; (upwards ? std::stod(text) < value : std::stod(text) > value);
+       nudge += 0.5) {
+    text = fmt::format("{:.{}g}", value + (upwards ? nudge : -nudge) * last_digit, digits);
+  }
+  return text;
 }
 
 std::string plural(const std::optional<double>& count, std::string_view one) {

@@ -8,6 +8,9 @@
 
 namespace stillpoint::cli {
 
+/// Control characters, which could break a line or play tricks with a terminal, as \\xNN.
+[[nodiscard]] std::string printable(std::string_view text);
+
 enum class Tone { plain, heading, good, bad, faint };
 
 /// Text in a tone, coloured for a terminal or as it is.
@@ -52,6 +55,8 @@ class Page {
 [[nodiscard]] std::string figure(const std::optional<double>& value);
 /// A figure with a unit and the prefix that fits: "12.1 mm", "3.46 kN".
 [[nodiscard]] std::string with_unit(double value, std::string_view unit);
+/// In ten significant digits, none below the value (upwards) or none above it: a limit stays kept.
+[[nodiscard]] std::string limit_figure(double value, bool upwards);
 /// "1 turning point", "2 turning points".
 [[nodiscard]] std::string plural(const std::optional<double>& count, std::string_view one);
 /// A count in full up to 2^53, as a power of ten beyond.

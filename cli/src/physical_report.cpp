@@ -76,19 +76,26 @@ void add_response(Quantities& list, const design::Scales& scales,
 }  // namespace
 
 PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& mend) {
+  // The conversion rounds a few times; so much to the safe side keeps the mended input feasible.
+  constexpr double safety = 1e-14;
+  const auto outward = [&](double value, bool upwards) {
+    return value * (upwards ? 1 + safety : 1 - safety);
+  };
+  const bool up = mend.upwards;
   if (mend.field == "v0") {
-    return {"velocity", "m/s", mend.value * scales.velocity_m_per_s};
+    return {"velocity", "m/s", outward(mend.value * scales.velocity_m_per_s, up), up};
   }
   if (mend.field == "p") {
-    return {"period", "s", 2 * std::numbers::pi * scales.time_s / mend.value};
+    const double period = 2 * std::numbers::pi * scales.time_s / mend.value;
+    return {"period", "s", outward(period, !up), !up};
   }
   if (mend.field == "beta") {
-    return {"max_displacement", "m", mend.value * scales.length_m};
+    return {"max_displacement", "m", outward(mend.value * scales.length_m, up), up};
   }
   if (mend.field == "delta_max") {
-    return {"delta_max", "m", scales.delta_m(mend.value)};
+    return {"delta_max", "m", outward(scales.delta_m(mend.value), up), up};
   }
-  return {mend.field, "", mend.value};
+  return {mend.field, "", mend.value, up};
 }
 
 Quantities design_quantities(const DesignInput& input, const design::DesignResult& result) {

@@ -29,6 +29,7 @@ struct PhysicalMend {
   std::string_view name;
   std::string_view unit;
   double value;
+  bool upwards;
 };
 [[nodiscard]] PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& mend);
 

@@ -17,6 +17,9 @@ namespace stillpoint::cli {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::max();
+/// As for the isolator's own figures: what these make dimensionless is then valid as well.
+constexpr double smallest_physical = 1e-30;
+constexpr double largest_physical = 1e30;
 
 constexpr std::array physical_names{"velocity", "period",  "stiffness",
                                     "mass",     "gravity", "max-displacement",
@@ -149,7 +152,9 @@ Task task(const Settings& settings) {
   if (motion.physical) {
     const double displacement =
         settings.required("max-displacement", "give the largest admissible displacement in m");
-    require_within("max-displacement", displacement, std::numeric_limits<double>::min(), unlimited);
+    require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
+                   largest_physical);
+    require_within("max-displacement", displacement, smallest_physical, largest_physical);
     motion.physical->max_displacement_m = displacement;
     result.problem.beta = displacement / motion.physical->scales.length_m;
   } else {
@@ -164,8 +169,7 @@ Task task(const Settings& settings) {
 }
 
 std::int64_t count(const Settings& settings, std::string_view name, std::int64_t fallback,
-                   std::int64_t least) {
-  constexpr std::int64_t most = 10'000'000;
+                   std::int64_t least, std::int64_t most) {
   const std::int64_t value = settings.integer(name).value_or(fallback);
   if (value < least || value > most) {
     throw InputError(std::string(name), fmt::format("{}", value),
@@ -215,9 +219,9 @@ SimulateInput simulate_input(const Settings& settings) {
   input.oscillator.delta = *delta;
   input.half_cycle_limit = settings.number("half-cycle-limit").value_or(input.half_cycle_limit);
   require_within("half-cycle-limit", input.half_cycle_limit, 1, 1e15);
-  input.max_half_cycles = count(settings, "max-half-cycles", input.max_half_cycles, 0);
+  input.max_half_cycles = count(settings, "max-half-cycles", input.max_half_cycles, 0, 100'000);
   input.trajectory = settings.text("trajectory");
-  input.samples = count(settings, "samples", input.samples, 2);
+  input.samples = count(settings, "samples", input.samples, 2, 1'000'000);
   input.t_end = settings.number("t-end");
   for (const std::string_view name : {"samples", "t-end"}) {
     if (settings.has(name) && !input.trajectory) {

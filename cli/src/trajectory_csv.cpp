@@ -7,21 +7,19 @@
 
 #include <iterator>
 #include <numbers>
+#include <optional>
 
 namespace stillpoint::cli {
 
 namespace {
 
-double horizon(const SimulateInput& input, const Response& response) {
+/// Empty: to the end of the motion.
+std::optional<double> horizon(const SimulateInput& input, const Response& response) {
   constexpr double periods_of_endless_motion = 10;
-  const double period = 2 * std::numbers::pi / input.oscillator.p;
-  if (input.t_end) {
-    return *input.t_end;
+  if (input.t_end || response.stop_time) {
+    return input.t_end;
   }
-  if (!response.stop_time) {
-    return periods_of_endless_motion * period;
-  }
-  return *response.stop_time > 0 ? *response.stop_time : period;
+  return periods_of_endless_motion * 2 * std::numbers::pi / input.oscillator.p;
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ double stop_time(const PhaseClock<double>& clock, const FreeRun<double>& run, do
 Response free_response(const Oscillator<double>& oscillator, const Start<double>& start,
                        const Ask& ask) {
   require_valid(oscillator, start);
+  require_within("half_cycle_limit", ask.half_cycle_limit, 1, 1e15);
   const auto run_with = [&](auto&... watchers) {
     return free_run(oscillator, start, ask.half_cycle_limit, watchers...);
   };

@@ -28,6 +28,13 @@ TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)
                                      "allowed",
                                      bound, limit)) {}
 
+TooManyHalfCycles::TooManyHalfCycles(const std::string& message) : std::runtime_error(message) {}
+
+TooManyHalfCycles TooManyHalfCycles::in_trajectory(double limit) {
+  return TooManyHalfCycles(fmt::format(
+      "the trajectory has more than {:.6g} half-cycles: give it an earlier end (t_end)", limit));
+}
+
 void require_within(const char* field, double value, double low, double high) {
   if (std::isfinite(value) && value >= low && value <= high) {
     return;

@@ -26,9 +26,11 @@ void require_valid(const Oscillator<double>& oscillator) {
   require_within("p", oscillator.p, smallest_speed, largest_speed);
   require_within("f", oscillator.f, 0, largest_square);
   require_within("delta", oscillator.delta, 0, largest_square);
-  if (oscillator.f / oscillator.p > largest_speed) {
+  const double phi = oscillator.f / oscillator.p;
+  if (oscillator.f != 0 && !(phi >= smallest_friction_speed && phi <= largest_speed)) {
     throw InputError("f", oscillator.f,
-                     fmt::format("f / p must be at most {} (p = {})", largest_speed, oscillator.p));
+                     fmt::format("f / p must be 0 or from {} to {} (p = {})",
+                                 smallest_friction_speed, largest_speed, oscillator.p));
   }
 }
 
@@ -38,6 +40,13 @@ void require_valid(const Oscillator<double>& oscillator, const Start<double>& st
   require_within("v0", start.v0, -largest_speed, largest_speed);
   require_speed("v0", start.v0, start.v0, "v0");
   require_speed("x0", start.x0, oscillator.p * start.x0, "p * x0");
+  const double phi = oscillator.f / oscillator.p;
+  const double speed = std::abs(start.v0);
+  if (speed > 0 && phi > speed && speed * (speed / phi) < smallest_peak_speed) {
+    throw InputError("f", oscillator.f,
+                     fmt::format("v0^2 p / f must be at least {} (v0 = {}, p = {})",
+                                 smallest_peak_speed, start.v0, oscillator.p));
+  }
   if (start.x0 != 0 && oscillator.p * start.x0 == 0) {
     throw InputError("x0", start.x0,
                      fmt::format("p * x0 must not underflow (p = {})", oscillator.p));

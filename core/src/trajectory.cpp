@@ -28,24 +28,32 @@ std::string_view name(EventKind kind) noexcept {
 
 Trajectory::Trajectory(const Oscillator<double>& oscillator, const Start<double>& start,
                        const TrajectoryLimits& limits)
-    : p_(oscillator.p), horizon_(limits.horizon) {
-  require_within("horizon", limits.horizon, std::numeric_limits<double>::min(),
-                 std::numeric_limits<double>::max());
+    : p_(oscillator.p), horizon_(limits.horizon.value_or(0)) {
+  if (limits.horizon) {
+    require_within("horizon", *limits.horizon, std::numeric_limits<double>::min(),
+                   std::numeric_limits<double>::max());
+  }
   HalfCycleWalk walk(oscillator, start);
-  const bool caught = walk.leg().end == FirstLegEnd::caught;
-  add_event(EventKind::start, 0, start.x0, caught ? 0 : start.v0);
+  const bool moves =
+      walk.leg().end != FirstLegEnd::no_motion && walk.leg().end != FirstLegEnd::caught;
+  if (!limits.horizon && moves && walk.map().without_friction()) {
+    throw InputError::missing("horizon", "without friction the motion never ends");
+  }
+  add_event(EventKind::start, 0, start.x0, moves ? start.v0 : 0);
   double reached = 0;
-  while (reached < horizon_) {
+  while (!limits.horizon || reached < horizon_) {
     const std::optional<HalfCycle> next = walk.next();
     if (!next) {
       break;
     }
     if (next->index > limits.half_cycles) {
-      throw TooManyHalfCycles(std::numeric_limits<double>::infinity(),
-                              static_cast<double>(limits.half_cycles));
+      throw TooManyHalfCycles::in_trajectory(static_cast<double>(limits.half_cycles));
     }
     add(*next, walk);
     reached = next->end_time;
+  }
+  if (!limits.horizon) {
+    horizon_ = reached;
   }
   const auto past = [this](const auto& item) { return item.state.tau > horizon_; };
   std::erase_if(events_, past);
@@ -109,6 +117,12 @@ Eigen::ArrayX3d Trajectory::at(const Eigen::ArrayXd& tau) const {
 std::vector<State> Trajectory::sampled(std::int64_t samples) const {
   require_within("samples", static_cast<double>(samples), 2, 1e9);
   std::vector<State> states;
+  if (horizon_ == 0) {
+    for (const Event& event : events_) {
+      states.push_back(event.state);
+    }
+    return states;
+  }
   states.reserve(static_cast<std::size_t>(samples) + events_.size());
   auto event = events_.begin();
   for (std::int64_t i = 0; i < samples; ++i) {

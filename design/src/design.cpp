@@ -6,20 +6,26 @@ namespace stillpoint::design {
 
 DesignResult design(const DesignRequest& request) {
   const auto& [problem, limits, options] = request;
+  require_valid(options);
   DesignResult result{request, admissible_region(problem, limits), {}, {}, {}};
-  if (!result.region.feasible) {
+  const std::optional<SearchResult> found = search(problem, limits, options);
+  if (!found) {
+    if (result.region.feasible) {
+      result.region.feasible = false;
+      result.region.conflict = Conflict::narrower_than_rounding;
+      result.region.f_lower = result.region.f_upper = std::nullopt;
+    }
     result.reason = reason(result.region, problem, limits);
     result.mends = mends(problem, limits);
     return result;
   }
+  const auto& [point, record] = *found;
   Finding finding;
-  const SearchResult found = search(problem, limits, result.region, options);
-  finding.point = found.point;
-  finding.search = found.record;
-  finding.constraints = constraints(problem, found.point.f, found.point.delta);
-  finding.response = free_response({problem.p, found.point.f, found.point.delta}, {0, problem.v0});
-  finding.cross_check =
-      cross_check(predict(problem, found.point.f), problem, found.point.f, found.point.delta);
+  finding.point = point;
+  finding.search = record;
+  finding.constraints = constraints(problem, point.f, point.delta);
+  finding.response = free_response({problem.p, point.f, point.delta}, {0, problem.v0});
+  finding.cross_check = cross_check(predict(problem, point.f), problem, point.f, point.delta);
   result.finding = finding;
   return result;
 }

@@ -76,9 +76,8 @@ std::vector<double> to_vector(const Eigen::VectorXd& x) {
 const std::vector<NloptAlgorithm>& nlopt_algorithms() {
   using enum ConstraintSupport;
   static const std::vector<NloptAlgorithm> list{
-      {"LD_SLSQP", yes},  {"LD_MMA", yes},       {"LD_CCSAQ", yes},
-      {"LN_COBYLA", yes}, {"GN_DIRECT_L", no},   {"GN_CRS2_LM", no},
-      {"LN_SBPLX", no},   {"LN_NELDERMEAD", no}, {"LN_BOBYQA", no},
+      {"LD_SLSQP", yes},   {"LD_MMA", yes},    {"LD_CCSAQ", yes}, {"LN_COBYLA", yes},
+      {"GN_DIRECT_L", no}, {"GN_CRS2_LM", no}, {"LN_SBPLX", no},  {"LN_NELDERMEAD", no},
   };
   return list;
 }

@@ -37,9 +37,13 @@ Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& l
   return Conflict::none;
 }
 
-/// V0/(sqrt(2) p), (10), as the least double with f2 <= f3: rounded to nearest it might fall below.
+/// V0/(sqrt(2) p), (10), as the least double that leaves an f between the rounded edges.
 double least_beta(Problem problem) {
+  constexpr int ulps_below = 4;
   problem.beta = static_cast<double>(problem.v0 / (std::numbers::sqrt2_v<long double> * problem.p));
+  for (int i = 0; i < ulps_below; ++i) {
+    problem.beta = std::nextafter(problem.beta, 0.0);
+  }
   while (!amplitude_fits_return(edges(problem, {}), {})) {
     problem.beta = std::nextafter(problem.beta, HUGE_VAL);
   }
@@ -67,15 +71,15 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
   const Edges edge = edges(problem, limits);
   Region region;
   region.f1 = problem.beta * problem.p * problem.p;
-  region.f2 = static_cast<double>(edge.f2);
-  region.f3 = static_cast<double>(edge.f3);
+  region.f2 = edge.f2;
+  region.f3 = edge.f3;
   region.delta2 = problem.v0 * problem.v0 / 2;
   region.beta_min = least_beta(problem);
   region.conflict = conflict_of(problem, edge, limits);
   region.feasible = region.conflict == Conflict::none;
   if (region.feasible) {
     const double upper = highest_centre(edge.f_cap, limits.tolerance);
-    const double lower = std::max(lowest_centre(std::max(region.f2, 0.0), limits.tolerance),
+    const double lower = std::max(lowest_centre(region.f2, limits.tolerance),
                                   lower_end_from_stop(problem, edge, limits.tolerance));
     region.f_upper = upper;
     region.f_lower = std::min(lower, upper);  // both may be one point, rounded two ways
@@ -103,6 +107,9 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
           "{}{}",
           least, most, box);
     }
+    case Conflict::narrower_than_rounding:
+      return "what the constraints leave lies between neighbouring doubles: no damper is that "
+             "exact";
     case Conflict::stop_against_start:
     case Conflict::stop_against_delta_max:
       break;
@@ -131,7 +138,7 @@ double delta1_published(const Problem& problem, double f) {
 std::optional<double> delta1_exact(const Problem& problem, double f) {
   require_valid(problem);
   require_within("f", f, 0, largest_square);
-  if (f > static_cast<double>(edges(problem, {}).f3)) {
+  if (f > edges(problem, {}).f3) {
     return std::nullopt;
   }
   const double a = std::min(unit_friction(problem, f), unit::a3);

@@ -9,15 +9,33 @@
 
 namespace stillpoint::design {
 
+namespace {
+
+double rounded_up(long double value) {
+  const auto nearest = static_cast<double>(value);
+  return nearest < value ? std::nextafter(nearest, HUGE_VAL) : nearest;
+}
+
+double rounded_down(long double value) {
+  const auto nearest = static_cast<double>(value);
+  return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
+}
+
+bool fits(double floor, double cap, double tolerance) {
+  return lowest_centre(floor, tolerance) <= highest_centre(cap, tolerance);
+}
+
+}  // namespace
+
 Edges edges(const Problem& problem, const Limits& limits) {
   const long double v0 = problem.v0;
   const long double p = problem.p;
   const long double beta = problem.beta;
   const long double speed = beta * p;
   Edges result{};
-  result.f2 = (v0 - speed) * (v0 + speed) / (2 * beta);
-  result.f3 = v0 * p / (2 * std::numbers::sqrt2_v<long double>);
-  result.f_cap = static_cast<double>(result.f3);
+  result.f2 = rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
+  result.f3 = rounded_down(v0 * p / (2 * std::numbers::sqrt2_v<long double>));
+  result.f_cap = result.f3;
   if (limits.f_max) {
     result.f_cap = std::min(result.f_cap, *limits.f_max);
   }
@@ -29,13 +47,11 @@ Edges edges(const Problem& problem, const Limits& limits) {
 }
 
 bool amplitude_fits_return(const Edges& edges, const Limits& limits) {
-  const long double tolerance = limits.tolerance;
-  return edges.f2 * (1 + tolerance) <= edges.f3 * (1 - tolerance);
+  return fits(edges.f2, edges.f3, limits.tolerance);
 }
 
 bool amplitude_fits_f_max(const Edges& edges, const Limits& limits) {
-  const long double tolerance = limits.tolerance;
-  return !limits.f_max || edges.f2 * (1 + tolerance) <= *limits.f_max * (1 - tolerance);
+  return !limits.f_max || fits(edges.f2, *limits.f_max, limits.tolerance);
 }
 
 bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits) {
@@ -53,6 +69,9 @@ double highest_centre(double cap, double tolerance) {
 }
 
 double lowest_centre(double floor, double tolerance) {
+  if (floor <= 0) {
+    return 0;
+  }
   double f = floor / (1 - tolerance);
   while (f * (1 - tolerance) < floor) {
     f = std::nextafter(f, HUGE_VAL);

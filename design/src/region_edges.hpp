@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edges of the admissible region and the two questions that decide whether it is empty.
+// The edges of the admissible region and the questions that decide whether it is empty.
 
 #include <stillpoint/design/problem.hpp>
 
 namespace stillpoint::design {
 
-/// The paper's f2 and f3 in long double: at beta = V0/(sqrt(2) p) they meet, and one ulp of beta
-/// moves f2 by three, which their rounding to double could hide.
+/// The edges as doubles that lie on or inside of them: computed in long double, f2 rounded up and
+/// f3 down. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three, which
+/// rounding to nearest could hide.
 struct Edges {
-  long double f2;
-  long double f3;
+  double f2;
+  double f3;
   double f_cap;      ///< min(f3, f_max)
   double delta_cap;  ///< min(Delta2, delta_max)
 };
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
 
-/// f2 (1 + R) <= f3 (1 - R) and f2 (1 + R) <= f_max (1 - R). More beta or p, or less v0, only
-/// helps.
+/// There is an f whose box lies between f2 and f3, or f2 and f_max. More beta or p, or less v0,
+/// only helps.
 [[nodiscard]] bool amplitude_fits_return(const Edges& edges, const Limits& limits);
 [[nodiscard]] bool amplitude_fits_f_max(const Edges& edges, const Limits& limits);
 

@@ -101,6 +101,7 @@ IntegratedMotion integrate_free_motion(const Oscillator<double>& oscillator, dou
   const Integrator integrator(a, tolerance);
   IntegratedMotion motion;
   double peak = 0;
+  double acceleration = 0;
   double time = 0;
   State state{0, 1};
   const auto stop = [&](double position) {
@@ -116,6 +117,7 @@ IntegratedMotion integrate_free_motion(const Oscillator<double>& oscillator, dou
     const PieceEnd top = integrator.piece(time, state, std::copysign(1.0, state[1]));
     time = top.time;
     peak = std::max(peak, std::abs(top.state[0]));
+    acceleration = std::max(acceleration, std::abs(top.state[0]) + a);
     if (std::abs(top.state[0]) <= a) {
       stop(top.state[0]);
       break;
@@ -124,6 +126,9 @@ IntegratedMotion integrate_free_motion(const Oscillator<double>& oscillator, dou
         integrator.piece(time, {top.state[0], 0}, std::copysign(1.0, -top.state[0]));
     time = down.time;
     const double left = down.state[1] * down.state[1] - notch;
+    if (!down.turned) {
+      motion.arrival_speed = std::abs(down.state[1]) * v0;
+    }
     if (down.turned) {
       stop(down.state[0]);
     } else if (left <= 0) {
@@ -133,6 +138,7 @@ IntegratedMotion integrate_free_motion(const Oscillator<double>& oscillator, dou
     }
   }
   motion.peak_amplitude = peak * v0 / oscillator.p;
+  motion.peak_acceleration = acceleration * v0 * oscillator.p;
   motion.stop_time = time / oscillator.p;
   return motion;
 }

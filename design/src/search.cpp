@@ -6,6 +6,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/design/unit_problem.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,13 +27,14 @@ class Best {
   Best(const Problem& problem, const Limits& limits, Objective objective, DesignInterval interval)
       : problem_(problem), limits_(limits), objective_(objective), interval_(interval) {}
 
+  /// Ranks by (admissible, cost), with f moved into the interval and the best Delta for it.
   void consider(double f) {
     const double inside = std::clamp(f, interval_.low, interval_.high);
     const DesignPoint point = with_best_delta(problem_, limits_, inside);
     const double cost = objective_ == Objective::robust
                             ? -point.tolerance
                             : objective_value(objective_, inside / problem_.p / problem_.v0);
-    const bool fits = admissible(problem_, limits_, point.f, point.delta, limits_.tolerance);
+    const bool fits = admissible(problem_, limits_, point.f, point.delta);
     if (!any_ || (fits && !fits_) || (fits == fits_ && cost < cost_)) {
       any_ = true;
       fits_ = fits;
@@ -41,6 +43,7 @@ class Best {
     }
   }
 
+  [[nodiscard]] bool admissible_found() const { return fits_; }
   [[nodiscard]] const DesignPoint& point() const { return point_; }
 
  private:
@@ -95,13 +98,26 @@ std::span<const std::string_view> algorithm_names() {
   return names;
 }
 
-SearchResult search(const Problem& problem, const Limits& limits, const Region& region,
-                    const SearchOptions& options) {
+void require_valid(const SearchOptions& options) {
+  static_cast<void>(find_algorithm(options.algorithm));
+  if (options.max_evaluations < 1) {
+    throw InputError("max_evaluations", options.max_evaluations, "must be at least 1");
+  }
+  if (!(options.max_seconds > 0)) {
+    throw InputError("max_seconds", options.max_seconds, "must be greater than 0");
+  }
+}
+
+std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
+                                   const SearchOptions& options) {
   const auto started = std::chrono::steady_clock::now();
+  require_valid(options);
+  const Region region = admissible_region(problem, limits);
+  if (!region.feasible) {
+    return std::nullopt;
+  }
   const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
   const Edges edge = edges(problem, limits);
-  const double f_unit = problem.v0 * problem.p;
-  const double delta_unit = problem.v0 * problem.v0;
   const DesignInterval interval = design_interval(problem, region);
   Best best(problem, limits, options.objective, interval);
 
@@ -109,9 +125,9 @@ SearchResult search(const Problem& problem, const Limits& limits, const Region& 
   space.criterion = problem.criterion;
   space.objective = options.objective;
   space.tolerance = limits.tolerance;
-  space.a2 = static_cast<double>(edge.f2) / f_unit;
-  space.a_cap = edge.f_cap / f_unit;
-  space.d_cap = edge.delta_cap / delta_unit;
+  space.a2 = edge.f2 / problem.p / problem.v0;
+  space.a_cap = std::min(edge.f_cap / problem.p / problem.v0, unit::a3);
+  space.d_cap = edge.delta_cap / problem.v0 / problem.v0;
   space.visit = [&](double x, double /*y*/) { best.consider(x * edge.f_cap); };
 
   // Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP ends there in
@@ -130,11 +146,17 @@ SearchResult search(const Problem& problem, const Limits& limits, const Region& 
   const NloptOutcome outcome =
       minimise(posed, algorithm.name, {options.max_evaluations, options.max_seconds});
   best.consider(outcome.x[0] * edge.f_cap);
-
-  assert(admissible(problem, limits, best.point().f, best.point().delta));
+  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
+  // a monotone one is best, and the region's own are all there is of a degenerate region.
+  best.consider(interval.low);
+  best.consider(interval.high);
+  if (!best.admissible_found()) {
+    return std::nullopt;
+  }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
-  return {best.point(),
-          {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
+  return SearchResult{
+      best.point(),
+      {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
 }
 
 }  // namespace stillpoint::design

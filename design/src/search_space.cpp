@@ -14,7 +14,8 @@ namespace {
 /// t stays below 1, where the box would reach 0.
 constexpr double widest_box = 1 - 1e-6;
 
-double objective_slope(Objective objective, double a) {
+double objective_slope(Objective objective, double given) {
+  const double a = std::min(given, unit::a3);
   switch (objective) {
     case Objective::amplitude:
       return unit::peak_slope(a);
@@ -67,7 +68,8 @@ std::vector<Function> constraints_of(const SearchSpace& space) {
 
 }  // namespace
 
-double objective_value(Objective objective, double a) {
+double objective_value(Objective objective, double given) {
+  const double a = std::min(given, unit::a3);  // f3 divided by p and V0 may be an ulp above
   switch (objective) {
     case Objective::amplitude:
       return unit::peak(a);

@@ -22,13 +22,12 @@ DesignInterval design_interval(const Problem& problem, const Region& region) {
   if (low <= high) {
     return {low, high};
   }
-  const double middle = lower + (upper - lower) / 2;
-  return {middle, middle};
+  return {lower, upper};
 }
 
 DesignPoint with_best_delta(const Problem& problem, const Limits& limits, double f) {
   const Edges edge = edges(problem, limits);
-  const auto f2 = static_cast<double>(edge.f2);
+  const double f2 = edge.f2;
   const double cap = edge.delta_cap;
   const double box_of_f = std::clamp(std::min((f - f2) / f, (edge.f_cap - f) / f), 0.0, 1.0);
   const auto floor = [&](double tolerance) { return delta1(problem, f * (1 - tolerance)); };

@@ -34,10 +34,10 @@ double tolerance_of_stop(Criterion criterion, double a, double d) {
 
 }  // namespace
 
-bool admissible(const Problem& problem, const Limits& limits, double f, double delta,
-                double tolerance) {
-  const double low = 1 - tolerance;
-  const double high = 1 + tolerance;
+bool admissible(const Problem& problem, const Limits& limits, double f, double delta) {
+  require_valid(problem, limits);
+  const double low = 1 - limits.tolerance;
+  const double high = 1 + limits.tolerance;
   const auto met = [](const Constraint& constraint) { return constraint.satisfied; };
   const auto low_corner = constraints(problem, f * low, delta * low);
   const auto high_corner = constraints(problem, f * high, delta * high);
@@ -50,11 +50,16 @@ bool admissible(const Problem& problem, const Limits& limits, double f, double d
 
 std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits, double f,
                                         double delta) {
-  if (!admissible(problem, limits, f, delta)) {
+  const auto fits = [&](double tolerance) {
+    Limits box = limits;
+    box.tolerance = tolerance;
+    return admissible(problem, box, f, delta);
+  };
+  if (!fits(0)) {
     return std::nullopt;
   }
   const Edges edge = edges(problem, limits);
-  const auto f2 = static_cast<double>(edge.f2);
+  const double f2 = edge.f2;
   const double a = f / problem.p / problem.v0;
   const double d = delta / problem.v0 / problem.v0;
   double tolerance =
@@ -62,7 +67,7 @@ std::optional<double> largest_tolerance(const Problem& problem, const Limits& li
                 tolerance_of_stop(problem.criterion, std::min(a, unit::a3), d)});
   // Rounding may leave the box an ulp outside; a few steps of 1's ulp bring it in.
   tolerance = std::max(tolerance, 0.0);
-  while (tolerance > 0 && !admissible(problem, limits, f, delta, tolerance)) {
+  while (tolerance > 0 && !fits(tolerance)) {
     tolerance = std::max(0.0, tolerance - std::numeric_limits<double>::epsilon());
   }
   return tolerance;

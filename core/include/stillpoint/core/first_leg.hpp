@@ -75,7 +75,7 @@ FirstLeg<Real> first_leg(const HalfCycleMap<Real>& map, const Start<Real>& start
   using std::abs;
   const Real distance = map.p * abs(start.x0);
   const Real speed = abs(start.v0);
-  const int side = start.x0 != 0 ? (start.x0 > 0 ? 1 : -1) : (start.v0 > 0 ? 1 : -1);
+  const int side = start.x0 != 0 ? (start.x0 > 0 ? 1 : -1) : (start.v0 < 0 ? -1 : 1);
   const bool at_zero = distance == 0;
   if (speed == 0 && distance <= map.phi) {
     return {FirstLegEnd::no_motion,

@@ -13,8 +13,8 @@ struct Ask {
   bool times{true};   ///< stop_time: one arctangent a half-cycle
   bool margin{true};  ///< decision_margin: one division a half-cycle
   /// With both frictions the number of half-cycles is bounded before the run; a larger bound than
-  /// this is refused with TooManyHalfCycles. 1e8 take about a second. Motions with one friction or
-  /// none are closed forms and need no limit.
+  /// this is refused with TooManyHalfCycles. Motions with one friction or none are closed forms and
+  /// need no limit. In [1, 1e15]; each 1e8 take a few seconds.
   double half_cycle_limit{1e8};
 };
 

@@ -27,11 +27,18 @@ class InputError : public std::invalid_argument {
   std::string field_;
 };
 
-/// Both frictions are so small that the half-cycle map might take more steps than it may.
+/// The input is right, but there is so little friction that its motion has more half-cycles than
+/// may be stepped through.
 class TooManyHalfCycles : public std::runtime_error {
  public:
   /// The motion has at most `bound` half-cycles; `limit` are allowed.
   TooManyHalfCycles(double bound, double limit);
+
+  /// There are more than `limit` half-cycles up to the end of a trajectory.
+  [[nodiscard]] static TooManyHalfCycles in_trajectory(double limit);
+
+ private:
+  explicit TooManyHalfCycles(const std::string& message);
 };
 
 /// Throws InputError unless `value` is a finite number with low <= value <= high.

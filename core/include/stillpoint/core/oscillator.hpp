@@ -22,19 +22,23 @@ struct Start {
   Real v0{0};
 };
 
-/// Speeds v0, p * |x0| and f / p are 0 or within these bounds (f / p may be smaller), so that the
-/// kernel squares them and multiplies two of them without overflow and without a loss that matters.
+/// Speeds v0, p * |x0| and f / p are 0 or within these bounds, so that the kernel squares them and
+/// multiplies two of them without overflow and without a loss that matters.
 inline constexpr double largest_speed = 1e150;
 inline constexpr double smallest_speed = 1e-150;
+/// f / p may be smaller, since it is added to larger speeds.
+inline constexpr double smallest_friction_speed = 1e-307;
+/// p times the smallest peak, v0^2 p / f where friction overwhelms: anything less would underflow.
+inline constexpr double smallest_peak_speed = 1e-300;
 /// The largest delta and |x0|; the first is compared with squares of speeds.
 inline constexpr double largest_square = 1e300;
 
 /// Throws InputError, naming the field, unless
-///   p in [1e-150, 1e150], 0 <= f, f / p <= 1e150, 0 <= delta <= 1e300.
+///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300.
 void require_valid(const Oscillator<double>& oscillator);
 
 /// Throws InputError, naming the field, unless the oscillator is valid, v0 and p * x0 are 0 or have
-/// a magnitude in [1e-150, 1e150], and |x0| <= 1e300.
+/// a magnitude in [1e-150, 1e150], |x0| <= 1e300, and v0^2 p / f is 0 or at least 1e-300.
 void require_valid(const Oscillator<double>& oscillator, const Start<double>& start);
 
 }  // namespace stillpoint

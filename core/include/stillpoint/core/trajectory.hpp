@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -36,7 +37,9 @@ struct Event {
 
 /// How much of a motion a Trajectory holds.
 struct TrajectoryLimits {
-  double horizon{0};                    ///< tau up to which; must be > 0 and finite
+  /// tau up to which, > 0; empty: up to the end of the motion, which a motion without friction has
+  /// not.
+  std::optional<double> horizon;
   std::int64_t half_cycles{1'000'000};  ///< at most; a motion with more throws TooManyHalfCycles
 };
 
@@ -45,7 +48,8 @@ struct TrajectoryLimits {
 /// event's own, not the cosine's. After the rest the state stays.
 class Trajectory {
  public:
-  /// Throws InputError as free_response does, for limits out of range, and TooManyHalfCycles.
+  /// Throws InputError as free_response does, for limits out of range, for a missing horizon where
+  /// the motion never stops, and TooManyHalfCycles.
   Trajectory(const Oscillator<double>& oscillator, const Start<double>& start,
              const TrajectoryLimits& limits);
 
@@ -60,6 +64,7 @@ class Trajectory {
   [[nodiscard]] std::vector<State> sampled(std::int64_t samples) const;
 
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  /// As asked for, or the end of the motion; 0 where nothing moves.
   [[nodiscard]] double horizon() const { return horizon_; }
 
  private:

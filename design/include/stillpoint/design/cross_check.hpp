@@ -12,16 +12,21 @@ namespace stillpoint::design {
 /// One independent way to the same figures, and how far it is from the prediction.
 struct CheckMethod {
   std::string_view name;  ///< half_cycle_map or runge_kutta
-  /// The check passes where relative_error <= tolerance and half_cycles is the predicted number.
-  double tolerance{0};
+  double tolerance{0};    ///< for relative_error
   double peak_amplitude{0};
+  double peak_acceleration{0};
   double stop_time{0};
+  double arrival_speed{0};
   double half_cycles{0};
   double stop_position{0};
-  /// The largest of the relative errors of peak_amplitude and stop_time and of
-  /// |stop_position| / peak_amplitude.
+  /// The largest of |stop_position| / peak_amplitude, the error of arrival_speed over v0, and the
+  /// relative errors of the other three.
   double relative_error{0};
   double wall_time_s{0};
+  /// False where the design is so near to a tie that this method's own rounding decides whether the
+  /// mass passes x = 0; then the peak alone is judged, and relative_error is the peak's.
+  bool decided{true};
+  /// relative_error <= tolerance, and where decided the predicted half_cycles and a stop at x = 0.
   bool passed{false};
 };
 

@@ -18,6 +18,7 @@ enum class Conflict {
   amplitude_against_f_max,   ///< f2 > f_max
   stop_against_start,        ///< Delta1 > Delta2 over the tolerance box
   stop_against_delta_max,    ///< Delta1 > delta_max
+  narrower_than_rounding,    ///< what is left lies between neighbouring doubles
 };
 
 /// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2 and what the limits
@@ -38,8 +39,8 @@ struct Region {
   std::optional<double> f_upper;
 };
 
-/// Edges are computed in long double and rounded once, so that beta one ulp above and below
-/// V0/(sqrt(2) p) are told apart. Throws InputError (problem.hpp).
+/// Edges are computed in long double and rounded inwards, so that what is admissible in doubles is
+/// admissible. Throws InputError (problem.hpp).
 [[nodiscard]] Region admissible_region(const Problem& problem, const Limits& limits = {});
 
 /// Why the region is empty, as a sentence with the numbers; empty where it is not.
@@ -77,14 +78,13 @@ struct Constraint {
 /// 1e300].
 [[nodiscard]] std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta);
 
-/// All five constraints and the limits, over the box of relative half-width `tolerance` around
-/// (f, delta): its worst corner is (f (1 - tolerance), delta (1 - tolerance)) for the stop, because
-/// Delta1 falls with f. `limits.tolerance` is not used.
-[[nodiscard]] bool admissible(const Problem& problem, const Limits& limits, double f, double delta,
-                              double tolerance = 0);
+/// All five constraints and the limits, over the box of relative half-width `limits.tolerance`
+/// around (f, delta): its worst corner is (f (1 - tolerance), delta (1 - tolerance)) for the stop,
+/// because Delta1 falls with f.
+[[nodiscard]] bool admissible(const Problem& problem, const Limits& limits, double f, double delta);
 
-/// The largest tolerance for which the box around (f, delta) is admissible; empty where the point
-/// itself is not.
+/// The largest tolerance for which the box around (f, delta) is admissible, whatever
+/// `limits.tolerance` asks for; empty where the point itself is not.
 [[nodiscard]] std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits,
                                                       double f, double delta);
 

@@ -11,6 +11,8 @@ namespace stillpoint::design {
 struct IntegratedMotion {
   bool stopped{false};  ///< false: still moving after max_half_cycles
   double peak_amplitude{0};
+  double peak_acceleration{0};  ///< largest |x''| at the ends of the monotone pieces
+  double arrival_speed{0};      ///< at the last arrival at x = 0; 0 where there was none
   double stop_time{0};
   double stop_position{0};
   std::int64_t half_cycles{0};

@@ -34,12 +34,14 @@ struct SearchOptions {
   Objective objective{Objective::robust};
   /// An NLopt algorithm out of algorithm_names(); empty: LD_SLSQP.
   std::string algorithm;
-  int max_evaluations{20'000};
-  double max_seconds{10};
+  int max_evaluations{20'000};  ///< >= 1
+  double max_seconds{10};       ///< > 0
 };
 
-/// How the search went. `status` is NLopt's own word for it (SUCCESS, XTOL_REACHED,
-/// MAXEVAL_REACHED, ...); the point is admissible whatever it says, because it is rechecked.
+/// How the search went. `status` is NLopt's own word for it: XTOL_REACHED or SUCCESS where it
+/// converged; ROUNDOFF_LIMITED or FAILURE where the start was so good, or the region so small, that
+/// no step made sense to it; MAXEVAL_REACHED and MAXTIME_REACHED where the budget is spent, as
+/// global algorithms always do. The point is admissible whatever it says, because it is rechecked.
 struct SearchRecord {
   std::string algorithm;
   std::string status;
@@ -58,11 +60,15 @@ struct SearchResult {
 /// The version of NLopt that runs, "2.7.1" for instance.
 [[nodiscard]] std::string nlopt_version();
 
-/// The best (f, Delta) of a region that is feasible under `limits` (asserted). Where the objective
-/// leaves Delta free, the Delta in the middle of what the box of f leaves, which has the most
-/// tolerance. On an open edge the design stays a relative 1e-9 inside. Throws InputError for an
-/// algorithm that is not in the list. docs/theory.md section 8.
-[[nodiscard]] SearchResult search(const Problem& problem, const Limits& limits,
-                                  const Region& region, const SearchOptions& options = {});
+/// Throws InputError, naming the field, for an algorithm that is not in the list and a budget that
+/// is none.
+void require_valid(const SearchOptions& options);
+
+/// The best (f, Delta) of the region that the limits leave; empty where that is empty, or holds no
+/// point in doubles. Where the objective leaves Delta free, it is the Delta in the middle of what
+/// the box of f leaves, which has the most tolerance. On an open edge the design stays a relative
+/// 1e-9 inside. Throws InputError. docs/theory.md section 8.
+[[nodiscard]] std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
+                                                 const SearchOptions& options = {});
 
 }  // namespace stillpoint::design

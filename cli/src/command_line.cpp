@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "command_line.hpp"
+
+#include "version.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+struct CommandHelp {
+  Command command;
+  std::string_view summary;
+  std::string_view examples;
+};
+
+constexpr std::array command_helps{
+    CommandHelp{Command::design, "design a damper that stops at x = 0 on the first return",
+                "Examples:\n"
+                "  stillpoint design --v0 1 --p 1 --beta 0.8\n"
+                "  stillpoint design --velocity 0.4 --period 3 --max-displacement 0.16 --mass 2e5\n"
+                "  stillpoint design data/scenes/isolator.json --objective time --tolerance 0.1\n"
+                "  stillpoint design scene.json --json | jq .design\n"
+                "Exit codes: 0 done, 2 wrong input, 3 no admissible design, 4 cross-check failed."},
+    CommandHelp{Command::region, "the admissible region of f and delta, without a search",
+                "Examples:\n"
+                "  stillpoint region --v0 1 --p 1 --beta 0.8\n"
+                "  stillpoint region --v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.4\n"
+                "Exit codes: 0 done, 2 wrong input, 3 the region is empty."},
+    CommandHelp{Command::simulate, "one free motion: metrics, half-cycles, trajectory",
+                "Examples:\n"
+                "  stillpoint simulate --v0 1 --p 1 --f 0.02 --delta 0.02\n"
+                "  stillpoint simulate --v0 0 --x0 1 --p 1 --f 0.02 --delta 0\n"
+                "  stillpoint simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.01 \\\n"
+                "      --trajectory motion.csv --samples 500\n"
+                "Exit codes: 0 done, 2 wrong input."},
+};
+
+constexpr std::string_view about =
+    "Designs friction dampers: a linear oscillator with constant friction f and point friction "
+    "delta\n"
+    "at x = 0, set off with velocity v0, is to stop at x = 0 with a peak of at most beta.";
+
+constexpr std::string_view epilogue =
+    "A scene is a JSON file whose keys are the options' names; a flag overrides it. \"-\" reads it "
+    "from\nstandard input. \"stillpoint COMMAND --help\" lists the options of a command.";
+
+/// What CLI11 collects for one subcommand; texts, which are converted once the command is known.
+struct Collected {
+  std::string scene;
+  std::map<std::string_view, std::vector<std::string>> texts;
+  std::map<std::string_view, bool> flags;
+};
+
+void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
+  app.set_help_flag("-h,--help", "print this text");
+  app.add_flag_callback(
+         "--version", [] { throw CLI::CallForVersion(version_line(), 0); }, "print the version")
+      ->configurable(false);
+  app.add_option("scene", collected.scene, "scene file in JSON, or - for standard input")
+      ->type_name("");
+  for (const Option& option : options()) {
+    if (!option.serves(help.command)) {
+      continue;
+    }
+    const std::string flag = fmt::format("--{}", option.name);
+    CLI::Option* added =
+        option.kind == OptionKind::flag
+            ? app.add_flag(flag, collected.flags[option.name], std::string(option.help))
+            : app.add_option(flag, collected.texts[option.name], std::string(option.help))
+                  ->type_name(std::string(option.placeholder))
+                  ->expected(1)
+                  ->allow_extra_args(false)
+                  ->take_all();
+    added->group(std::string(option.group));
+  }
+  app.footer(std::string(help.examples));
+  app.allow_extras();
+}
+
+void refuse_extras(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining();
+  if (extras.empty()) {
+    return;
+  }
+  const std::string& first = extras.front();
+  if (!first.starts_with("-")) {
+    throw UsageError(fmt::format("{}: unexpected, only one scene can be given", first));
+  }
+  std::string_view bare = first;
+  bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
+  bare = bare.substr(0, bare.find('='));
+  const Option* known = find_option(bare);
+  throw UsageError(known != nullptr ? fmt::format("{}: is no option of {}", first, app.get_name())
+                                    : fmt::format("{}: unknown option{}", first, suggestion(bare)));
+}
+
+Settings from_flags(const CLI::App& app, const Collected& collected) {
+  Settings settings;
+  for (const Option& option : options()) {
+    const CLI::Option* given = app.get_option_no_throw(fmt::format("--{}", option.name));
+    if (given == nullptr || given->count() == 0) {
+      continue;
+    }
+    if (given->count() > 1) {
+      throw UsageError(fmt::format("--{} is given {} times: an option may stand only once",
+                                   option.name, given->count()));
+    }
+    if (option.kind == OptionKind::flag) {
+      settings.set(option, collected.flags.at(option.name));
+      continue;
+    }
+    const std::string& text = collected.texts.at(option.name).front();
+    if (option.kind == OptionKind::number) {
+      settings.set(option, parse_number(option.name, text));
+    } else if (option.kind == OptionKind::integer) {
+      settings.set(option, parse_integer(option.name, text));
+    } else {
+      settings.set(option, text);
+    }
+  }
+  return settings;
+}
+
+[[noreturn]] void refuse_command(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining();
+  throw UsageError(fmt::format("{}: must be design, region or simulate (stillpoint --help)",
+                               extras.empty() ? "no command" : "command " + extras.front()));
+}
+
+}  // namespace
+
+Invocation parse_command_line(int argc, const char* const* argv) {
+  CLI::App app{std::string(about), "stillpoint"};
+  app.set_help_flag("-h,--help", "print this text");
+  app.set_version_flag("--version", version_line())->description("print the version");
+  app.allow_extras();
+  app.footer(std::string(epilogue));
+  std::array<Collected, command_helps.size()> collected;
+  for (std::size_t i = 0; i < command_helps.size(); ++i) {
+    const CommandHelp& help = command_helps[i];
+    add_options(*app.add_subcommand(std::string(name(help.command)), std::string(help.summary)),
+                help, collected[i]);
+  }
+  Invocation invocation;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    invocation.reply = dynamic_cast<const CLI::CallForVersion*>(&asked) != nullptr
+                           ? fmt::format("{}\n", asked.what())
+                           : app.help();
+    return invocation;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (parsed.empty()) {
+    refuse_command(app);
+  }
+  if (parsed.size() > 1) {
+    throw UsageError(fmt::format("{} and {}: one command at a time", parsed[0]->get_name(),
+                                 parsed[1]->get_name()));
+  }
+  const CLI::App& chosen = *parsed.front();
+  const auto index = static_cast<std::size_t>(
+      std::ranges::find(command_helps, chosen.get_name(),
+                        [](const CommandHelp& help) { return name(help.command); }) -
+      command_helps.begin());
+  refuse_extras(chosen);
+  invocation.command = command_helps[index].command;
+  invocation.flags = from_flags(chosen, collected[index]);
+  invocation.scene = collected[index].scene;
+  return invocation;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "text_sections.hpp"
+
+#include "physical_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::cli {
+
+using fmt::format;
+
+using fmt::format;
+
+/// " = 12.1 mm" behind a dimensionless length, "" without physical input.
+std::string in_metres(const std::optional<PhysicalInput>& physical, double length) {
+  return physical && length != 0
+             ? format(" = {}", with_unit(length * physical->scales.length_m, "m"))
+             : "";
+}
+
+namespace {
+
+std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau) {
+  return physical ? format(" = {}", with_unit(tau * physical->scales.time_s, "s")) : "";
+}
+
+}  // namespace
+
+void add_title(Page& page, std::string_view what, const std::optional<std::string>& title) {
+  page.title(title ? format("{}: {}", what, printable(*title)) : std::string(what));
+}
+
+void add_physical_input(Page& page, const PhysicalInput& physical) {
+  const design::Scales& scales = physical.scales;
+  std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
+  if (scales.mass_kg) {
+    isolator += format(", mass {:.6g} kg, stiffness {}", *scales.mass_kg,
+                       with_unit(*scales.stiffness_n_per_m(), "N/m"));
+  }
+  page.row("isolator", isolator);
+  page.row("velocity", format("{:.6g} m/s", physical.velocity_m_per_s));
+  if (physical.max_displacement_m) {
+    page.row("max displacement", with_unit(*physical.max_displacement_m, "m"));
+  }
+  page.row("units",
+           format("length H = {}, time {}, gravity {:.6g} m/s2", with_unit(scales.length_m, "m"),
+                  with_unit(scales.time_s, "s"), scales.gravity_m_per_s2));
+}
+
+void add_problem(Page& page, const design::Problem& problem, const design::Limits& limits,
+                 const std::optional<PhysicalInput>& physical) {
+  page.section("Task");
+  if (physical) {
+    add_physical_input(page, *physical);
+  }
+  page.row("dimensionless",
+           format("v0 = {:.6g}   p = {:.6g}   beta = {:.6g}", problem.v0, problem.p, problem.beta));
+  page.row("criterion", format("{} Delta1", name(problem.criterion)));
+  std::string limit;
+  const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
+  if (limits.f_max) {
+    add(format("f <= {:.6g}", *limits.f_max));
+  }
+  if (limits.delta_max) {
+    add(format("delta <= {:.6g}{}", *limits.delta_max, in_metres(physical, *limits.delta_max)));
+  }
+  if (limits.tolerance > 0) {
+    add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
+  }
+  if (!limit.empty()) {
+    page.row("limits", limit);
+  }
+}
+
+void add_region(Page& page, const design::Region& region,
+                const std::optional<PhysicalInput>& physical) {
+  page.section("Admissible region");
+  page.row("amplitude",
+           format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
+  page.row("return", format("f <= f3 = {:.6g}", region.f3));
+  page.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
+  page.row("start",
+           format("delta <= delta2 = {:.6g}{}", region.delta2, in_metres(physical, region.delta2)));
+  page.row("least beta", format("{:.6g}{}", region.beta_min, in_metres(physical, region.beta_min)));
+  if (region.feasible) {
+    page.row("left for f", format("{:.6g} .. {:.6g}", *region.f_lower, *region.f_upper));
+  }
+}
+
+void add_emptiness(Page& page, const std::string& reason, const std::vector<design::Mend>& mends,
+                   const std::optional<PhysicalInput>& physical) {
+  page.section("No admissible design");
+  page.line(reason, Tone::bad);
+  if (mends.empty()) {
+    page.line("No change of a single input mends it.");
+    return;
+  }
+  page.line("Any one of these mends it; each is the least change of its input:");
+  for (const design::Mend& mend : mends) {
+    std::string physical_value;
+    if (physical) {
+      const PhysicalMend now = physical_mend(physical->scales, mend);
+      if (!now.unit.empty()) {
+        physical_value = format("   ({} at {} {} {})", now.name, now.upwards ? "least" : "most",
+                                limit_figure(now.value, now.upwards), now.unit);
+      }
+    }
+    page.row(mend.field, format("at {} {}{}", mend.upwards ? "least" : "most",
+                                limit_figure(mend.value, mend.upwards), physical_value));
+  }
+}
+
+void add_constraints(Page& page, std::span<const design::Constraint> constraints) {
+  page.section("Constraints");
+  std::vector<std::vector<std::string>> rows{{"", "", "value", "", "limit", "slack", ""}};
+  std::vector<Tone> tones{Tone::plain};
+  for (const design::Constraint& now : constraints) {
+    const bool is_delta = now.name == "start" || now.name == "stop";
+    rows.push_back({std::string(now.name), is_delta ? "delta" : "f", figure(now.value),
+                    std::string(now.relation), figure(now.limit), figure(now.slack),
+                    now.satisfied ? "ok" : "violated"});
+    tones.push_back(now.satisfied ? Tone::good : Tone::bad);
+  }
+  page.table(rows, tones);
+}
+
+void add_damper_physics(Page& page, const PhysicalInput& physical, double f, double delta) {
+  if (const auto force = physical.scales.friction_force_n(f)) {
+    page.row("friction force", with_unit(*force, "N"));
+  }
+  if (const auto energy = physical.scales.energy_per_passage_j(delta)) {
+    page.row("energy a passage", with_unit(*energy, "J"));
+  }
+}
+
+namespace {
+
+std::string outcome_sentence(const Response& response) {
+  switch (response.outcome) {
+    case Outcome::stopped_at_zero:
+      return "stops at x = 0";
+    case Outcome::stopped_in_dead_zone:
+      return "stops off x = 0, in the dead zone";
+    case Outcome::never_stops:
+      return "never stops: there is no friction";
+    case Outcome::caught_at_start:
+      return "never starts: v0^2 < 2 delta, the notch holds it";
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_response(Page& page, const Response& response,
+                  const std::optional<PhysicalInput>& physical) {
+  page.row("outcome", outcome_sentence(response));
+  page.row("peak", format("{:.6g}{}", response.peak_amplitude,
+                          in_metres(physical, response.peak_amplitude)));
+  page.row("peak acceleration",
+           physical ? format("{:.6g} g = {:.5g} m/s2", response.peak_acceleration,
+                             response.peak_acceleration * physical->scales.gravity_m_per_s2)
+                    : figure(response.peak_acceleration));
+  if (response.stop_time) {
+    page.row("stop time",
+             format("{:.6g}{}", *response.stop_time, in_seconds(physical, *response.stop_time)));
+    page.row("stop position", format("{:.6g}{}", *response.stop_position,
+                                     in_metres(physical, *response.stop_position)));
+  }
+  if (response.arrival_speed) {
+    page.row("arrival speed", format("{:.6g}, the last at x = 0", *response.arrival_speed));
+  }
+  if (response.half_cycles) {
+    page.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
+                              plural(response.zero_passages, "passage"),
+                              plural(response.turning_points, "turning point")));
+  }
+  if (response.decision_margin) {
+    page.row("decision margin",
+             format("{:.2g} %: about so far off may every input be before a count changes",
+                    100 * *response.decision_margin));
+  }
+}
+
+namespace {
+
+std::string verdict(const design::CheckMethod& method) {
+  if (!method.passed) {
+    return "disagrees";
+  }
+  return method.decided ? "agrees" : "agrees in the peak; too near a tie to tell more";
+}
+
+}  // namespace
+
+void add_checks(Page& page, const design::CrossCheck& check) {
+  page.section(check.passed ? "Cross-check: agrees" : "Cross-check: DISAGREES");
+  std::vector<std::vector<std::string>> rows{
+      {"", "peak", "stop time", "half-cycles", "relative error", "allowed", "time", ""}};
+  std::vector<Tone> tones{Tone::plain};
+  for (const design::CheckMethod& method : check.methods) {
+    rows.push_back({std::string(method.name), figure(method.peak_amplitude),
+                    figure(method.stop_time), format("{:.0f}", method.half_cycles),
+                    format("{:.1e}", method.relative_error), format("{:.1e}", method.tolerance),
+                    format("{:.1f} us", 1e6 * method.wall_time_s), verdict(method)});
+    tones.push_back(method.passed ? Tone::good : Tone::bad);
+  }
+  page.table(rows, tones);
+}
+
+void add_half_cycles(Page& page, const SimulateAnswer& answer) {
+  constexpr std::size_t most_listed = 12;
+  if (answer.half_cycles.empty()) {
+    return;
+  }
+  page.section("Half-cycles");
+  std::vector<std::vector<std::string>> rows{
+      {"", "starts", "leaves at", "peak at", "peak", "ends", "arrives at"}};
+  const std::size_t listed = std::min(most_listed, answer.half_cycles.size());
+  for (std::size_t i = 0; i < listed; ++i) {
+    const HalfCycle& now = answer.half_cycles[i];
+    rows.push_back({format("{}", now.index), figure(now.start_time), figure(now.departure_speed),
+                    figure(now.peak_time), figure(now.side * now.peak), figure(now.end_time),
+                    now.arrival_speed ? figure(*now.arrival_speed)
+                                      : format("rests at {}", figure(now.end_position))});
+  }
+  page.table(rows, std::vector<Tone>(rows.size(), Tone::plain));
+  if (const double all = answer.response.half_cycles.value_or(HUGE_VAL);
+      all > static_cast<double>(listed)) {
+    page.line("... the JSON report lists more, see --max-half-cycles", Tone::faint);
+  }
+}
+
+}  // namespace stillpoint::cli

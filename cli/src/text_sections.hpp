@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The sections of which the reports for people are made.
+
+#include "json_report.hpp"
+#include "page.hpp"
+#include "request.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// " = 12.1 mm" behind a dimensionless length; "" without physical input and for 0.
+[[nodiscard]] std::string in_metres(const std::optional<PhysicalInput>& physical, double length);
+
+void add_title(Page& page, std::string_view what, const std::optional<std::string>& title);
+void add_physical_input(Page& page, const PhysicalInput& physical);
+void add_problem(Page& page, const design::Problem& problem, const design::Limits& limits,
+                 const std::optional<PhysicalInput>& physical);
+void add_region(Page& page, const design::Region& region,
+                const std::optional<PhysicalInput>& physical);
+/// Why there is no admissible design and what would mend it.
+void add_emptiness(Page& page, const std::string& reason, const std::vector<design::Mend>& mends,
+                   const std::optional<PhysicalInput>& physical);
+void add_constraints(Page& page, std::span<const design::Constraint> constraints);
+/// Force and energy, where there is a mass.
+void add_damper_physics(Page& page, const PhysicalInput& physical, double f, double delta);
+void add_response(Page& page, const Response& response,
+                  const std::optional<PhysicalInput>& physical);
+void add_checks(Page& page, const design::CrossCheck& check);
+/// The first dozen.
+void add_half_cycles(Page& page, const SimulateAnswer& answer);
+
+}  // namespace stillpoint::cli
