@@ -152,30 +152,34 @@ ordered_json half_cycles_json(const std::vector<HalfCycle>& half_cycles) {
   return list;
 }
 
+/// The part of `input` that design and region share.
+ordered_json task_json(const design::Problem& problem, const design::Limits& limits) {
+  return {{"v0", number(problem.v0)},
+          {"p", number(problem.p)},
+          {"beta", number(problem.beta)},
+          {"criterion", name(problem.criterion)},
+          {"tolerance", number(limits.tolerance)},
+          {"f_max", number(limits.f_max)},
+          {"delta_max", number(limits.delta_max)}};
+}
+
 }  // namespace
 
 ordered_json design_json(const DesignInput& input, const design::DesignResult& result) {
   const auto& [problem, limits, search] = input.request;
-  ordered_json report{
-      {"schema", "stillpoint/design-report/1"},
-      {"program", program_json()},
-      {"input",
-       {{"v0", number(problem.v0)},
-        {"p", number(problem.p)},
-        {"beta", number(problem.beta)},
-        {"criterion", name(problem.criterion)},
-        {"objective", name(search.objective)},
-        {"tolerance", number(limits.tolerance)},
-        {"f_max", number(limits.f_max)},
-        {"delta_max", number(limits.delta_max)},
-        {"algorithm", input.algorithm ? ordered_json(*input.algorithm) : ordered_json(nullptr)}}},
-      {"region", region_fields(result.region, result.reason, result.mends)},
-      {"design", nullptr},
-      {"constraints", ordered_json::array()},
-      {"response", nullptr},
-      {"search", nullptr},
-      {"cross_check", nullptr},
-      {"physical", physical_json(design_quantities(input, result))}};
+  ordered_json task = task_json(problem, limits);
+  task["objective"] = name(search.objective);
+  task["algorithm"] = input.algorithm ? ordered_json(*input.algorithm) : ordered_json(nullptr);
+  ordered_json report{{"schema", "stillpoint/design-report/1"},
+                      {"program", program_json()},
+                      {"input", task},
+                      {"region", region_fields(result.region, result.reason, result.mends)},
+                      {"design", nullptr},
+                      {"constraints", ordered_json::array()},
+                      {"response", nullptr},
+                      {"search", nullptr},
+                      {"cross_check", nullptr},
+                      {"physical", physical_json(design_quantities(input, result))}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
     report["design"] = design_point_json(problem, finding.point);
@@ -188,20 +192,13 @@ ordered_json design_json(const DesignInput& input, const design::DesignResult& r
 }
 
 ordered_json region_json(const RegionInput& input, const RegionAnswer& answer) {
-  const auto& [problem, limits, f, delta, physical] = input;
+  ordered_json task = task_json(input.problem, input.limits);
+  task["f"] = number(input.f);
+  task["delta"] = number(input.delta);
   return {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},
-      {"input",
-       {{"v0", number(problem.v0)},
-        {"p", number(problem.p)},
-        {"beta", number(problem.beta)},
-        {"criterion", name(problem.criterion)},
-        {"tolerance", number(limits.tolerance)},
-        {"f_max", number(limits.f_max)},
-        {"delta_max", number(limits.delta_max)},
-        {"f", number(f)},
-        {"delta", number(delta)}}},
+      {"input", task},
       {"region", region_fields(answer.region, answer.reason, answer.mends)},
       {"delta1_published", number(answer.delta1_published)},
       {"delta1_exact", number(answer.delta1_exact)},
