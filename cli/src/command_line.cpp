@@ -50,6 +50,10 @@ constexpr std::string_view about =
     "at x = 0, set off with velocity v0, is to stop at x = 0 with a peak of at most beta.";
 
 constexpr std::string_view epilogue =
+    "Examples:\n"
+    "  stillpoint design --v0 1 --p 1 --beta 0.8\n"
+    "  stillpoint design data/scenes/isolator.json\n"
+    "  stillpoint simulate --v0 1 --p 1 --f 0.02 --delta 0.02\n\n"
     "A scene is a JSON file whose keys are the options' names; a flag overrides it. \"-\" reads it "
     "from\nstandard input. \"stillpoint COMMAND --help\" lists the options of a command.";
 
@@ -177,7 +181,9 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   refuse_extras(chosen);
   invocation.command = command_helps[index].command;
   invocation.flags = from_flags(chosen, collected[index]);
-  invocation.scene = collected[index].scene;
+  if (chosen.get_option("scene")->count() > 0) {
+    invocation.scene = collected[index].scene;
+  }
   return invocation;
 }
 

@@ -13,7 +13,7 @@ namespace stillpoint::cli {
 struct Invocation {
   Command command{Command::design};
   Settings flags;
-  std::string scene;                 ///< path, "-" or ""
+  std::optional<std::string> scene;  ///< path or "-"
   std::optional<std::string> reply;  ///< --help or --version: print this, and nothing else is asked
 };
 

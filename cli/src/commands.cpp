@@ -21,7 +21,7 @@ void report(const Settings& settings, const Json& json, const Text& text, Output
   const std::string report = print_json || path ? json().dump(indent) + "\n" : std::string();
   output.print(print_json ? report : text(settings.text("title"), style_for_standard_output()));
   if (path) {
-    output.write_file(*path, report);
+    output.write_file("output", *path, report);
   }
 }
 
@@ -74,7 +74,7 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   answer.response = free_response(input.oscillator, input.start, ask);
   answer.half_cycles = first_half_cycles(input.oscillator, input.start, input.max_half_cycles);
   if (input.trajectory) {
-    output.write_file(*input.trajectory, trajectory_csv(input, answer.response));
+    output.write_file("trajectory", *input.trajectory, trajectory_csv(input, answer.response));
   }
   report(
       settings, [&] { return simulate_json(input, answer); },

@@ -18,25 +18,43 @@ namespace stillpoint::cli {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, int error) {
-  throw UsageError(fmt::format("output {}: cannot be written: {}", path, std::strerror(error)));
+[[noreturn]] void refuse(std::string_view field, const std::string& path, int error) {
+  throw UsageError(fmt::format("{} {}: cannot be written: {}", field, path, std::strerror(error)));
 }
 
-/// Writes everything and closes; 0 or the error.
-int write_and_close(int descriptor, std::string_view text) {
-  int error = 0;
-  while (error == 0 && !text.empty()) {
+/// Writes everything; 0 or the error.
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written >= 0) {
       text.remove_prefix(static_cast<std::size_t>(written));
     } else if (errno != EINTR) {
-      error = errno;
+      return errno;
     }
   }
-  if (::close(descriptor) != 0 && error == 0) {
-    error = errno;
+  return 0;
+}
+
+int write_and_close(int descriptor, std::string_view text) {
+  const int error = write_all(descriptor, text);
+  return ::close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
+bool is_standard_output(const std::string& path) {
+  struct stat file {};
+  struct stat standard {};
+  return ::stat(path.c_str(), &file) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 &&
+         file.st_dev == standard.st_dev && file.st_ino == standard.st_ino;
+}
+
+/// Where a chain of links leads, to a file that may not exist yet.
+std::filesystem::path behind_links(std::filesystem::path path) {
+  constexpr int longest_chain = 40;
+  std::error_code none;
+  for (int i = 0; i < longest_chain && std::filesystem::is_symlink(path, none); ++i) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, none);
   }
-  return error;
+  return path;
 }
 
 /// What a new file would be allowed: mkstemp makes it readable by its owner alone.
@@ -55,46 +73,60 @@ Output::~Output() {
   }
 }
 
-void Output::write_file(const std::string& path, std::string_view text) {
+void Output::write_file(std::string_view field, const std::string& path, std::string_view text) {
   if (path.empty()) {
-    throw UsageError("output \"\": must be the name of a file");
-  }
-  if (!paths_.insert(path).second) {
-    throw UsageError(fmt::format("output {}: is wanted for two files at once", path));
+    throw UsageError(fmt::format("{} is empty: must be the name of a file", field));
   }
   std::error_code unknown;
   const auto status = std::filesystem::status(path, unknown);
   if (std::filesystem::is_directory(status)) {
-    refuse(path, EISDIR);
+    refuse(field, path, EISDIR);
   }
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    direct_.push_back({path, std::string(text)});
+  const bool standard = is_standard_output(path);
+  if (standard || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+    direct_.push_back({std::string(field), path, std::string(text), standard});
     return;
   }
   // A link stays a link: what it points to is replaced.
-  const std::filesystem::path target = std::filesystem::exists(status)
-                                           ? std::filesystem::canonical(path, unknown)
-                                           : std::filesystem::path(path);
+  const std::filesystem::path target = behind_links(path);
+  for (const Staged& other : staged_) {
+    if (std::filesystem::weakly_canonical(other.target) ==
+        std::filesystem::weakly_canonical(target)) {
+      throw UsageError(
+          fmt::format("{} and {} are both {}: give two files", other.field, field, path));
+    }
+  }
+  stage(field, target, text);
+}
+
+void Output::stage(std::string_view field, const std::filesystem::path& target,
+                   std::string_view text) {
   std::string temporary = target.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary.data());
   if (descriptor < 0) {
-    refuse(path, errno);
+    refuse(field, target.string(), errno);
   }
-  staged_.push_back({temporary, target});
+  staged_.push_back({std::string(field), temporary, target});
   const bool permitted = ::fchmod(descriptor, permissions_for_new_files()) == 0;
   const int refused = permitted ? 0 : errno;
   const int error = write_and_close(descriptor, text);
   if (error != 0 || refused != 0) {
-    refuse(path, error != 0 ? error : refused);
+    refuse(field, target.string(), error != 0 ? error : refused);
   }
 }
 
 void Output::commit() {
   for (const Direct& file : direct_) {
+    if (file.is_standard_output) {
+      if (const int error = write_all(STDOUT_FILENO, file.text); error != 0) {
+        refuse(file.field, file.target, error);
+      }
+      continue;
+    }
     const int descriptor = ::open(file.target.c_str(), O_WRONLY | O_CLOEXEC);
     const int error = descriptor < 0 ? errno : write_and_close(descriptor, file.text);
     if (error != 0) {
-      refuse(file.target, error);
+      refuse(file.field, file.target, error);
     }
   }
   if (std::fwrite(printed_.data(), 1, printed_.size(), stdout) != printed_.size() ||
@@ -102,10 +134,11 @@ void Output::commit() {
     throw UsageError(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
   }
   while (!staged_.empty()) {
+    const Staged& file = staged_.back();
     std::error_code error;
-    std::filesystem::rename(staged_.back().temporary, staged_.back().target, error);
+    std::filesystem::rename(file.temporary, file.target, error);
     if (error) {
-      refuse(staged_.back().target.string(), error.value());
+      refuse(file.field, file.target.string(), error.value());
     }
     staged_.pop_back();
   }

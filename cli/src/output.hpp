@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,23 +22,27 @@ class Output {
 
   void print(std::string_view text) { printed_ += text; }
 
-  /// Throws UsageError where the file cannot be written.
-  void write_file(const std::string& path, std::string_view text);
+  /// Throws UsageError, naming the field, where the file cannot be written.
+  void write_file(std::string_view field, const std::string& path, std::string_view text);
 
   /// Throws UsageError where anything cannot be written.
   void commit();
 
  private:
   struct Staged {
+    std::string field;
     std::filesystem::path temporary;
     std::filesystem::path target;
   };
   struct Direct {
+    std::string field;
     std::string target;
     std::string text;
+    bool is_standard_output;
   };
 
-  std::set<std::string> paths_;
+  void stage(std::string_view field, const std::filesystem::path& target, std::string_view text);
+
   std::string printed_;
   std::vector<Staged> staged_;
   std::vector<Direct> direct_;

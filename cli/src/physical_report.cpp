@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physical_report.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace stillpoint::cli {
@@ -8,6 +9,11 @@ namespace stillpoint::cli {
 namespace {
 
 using Quantities = std::vector<Quantity>;
+
+/// Without what is beyond a double.
+std::optional<double> finite(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
 
 std::optional<double> times(const std::optional<double>& value, double unit) {
   return value ? std::optional(*value * unit) : std::nullopt;
@@ -53,9 +59,9 @@ void add_damper(Quantities& list, const design::Scales& scales, const std::optio
                 const std::optional<double>& delta) {
   list.push_back({"f", f});
   list.push_back({"delta_m", times(delta, scales.length_m)});
-  list.push_back({"friction_force_n", f ? scales.friction_force_n(*f) : std::nullopt});
+  list.push_back({"friction_force_n", f ? finite(scales.friction_force_n(*f)) : std::nullopt});
   list.push_back(
-      {"energy_per_passage_j", delta ? scales.energy_per_passage_j(*delta) : std::nullopt});
+      {"energy_per_passage_j", delta ? finite(scales.energy_per_passage_j(*delta)) : std::nullopt});
 }
 
 void add_response(Quantities& list, const design::Scales& scales,

@@ -49,8 +49,8 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     return exit_done;
   }
   Settings settings = invocation.flags;
-  if (!invocation.scene.empty()) {
-    const Settings scene = read_scene(invocation.scene);
+  if (invocation.scene) {
+    const Settings scene = read_scene(*invocation.scene);
     note_unused(scene, invocation.command);
     settings.complete_with(scene);
   }

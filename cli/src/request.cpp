@@ -199,6 +199,9 @@ RegionInput region_input(const Settings& settings) {
   const Task given = task(settings);
   RegionInput input{given.problem, given.limits, settings.number("f"), {}, given.physical};
   input.delta = point_friction(settings, "delta", "delta-m", given.physical);
+  if (input.f) {
+    require_valid(Oscillator<double>{given.problem.p, *input.f, input.delta.value_or(0)});
+  }
   if (input.delta && !input.f) {
     throw InputError::missing("f", "delta alone is no point of the region, give --f as well");
   }

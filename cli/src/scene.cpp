@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <set>
 #include <vector>
@@ -57,6 +58,7 @@ class RepeatedKeys {
       seen_[level].clear();
     } else if (event == json::parse_event_t::key) {
       const auto key = parsed.get<std::string>();
+      last_ = key;
       if (!seen_.at(level - 1).insert(key).second) {
         refuse_twice(key);
       }
@@ -64,7 +66,11 @@ class RepeatedKeys {
     return true;
   }
 
+  /// The key that was read last; empty before the first.
+  [[nodiscard]] const std::string& last() const { return last_; }
+
  private:
+  std::string last_;
   std::vector<std::set<std::string>> seen_;
 };
 
@@ -72,8 +78,8 @@ json parse_json(std::string_view text, std::string_view source) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw UsageError(fmt::format("scene {}: is empty, must be a JSON object", source));
   }
+  RepeatedKeys watch;
   try {
-    RepeatedKeys watch;
     return json::parse(text, [&watch](int depth, json::parse_event_t event, const json& parsed) {
       return watch(depth, event, parsed);
     });
@@ -81,7 +87,8 @@ json parse_json(std::string_view text, std::string_view source) {
     const std::string_view message = error.what();
     const std::size_t prefix = message.find("] ");
     throw UsageError(
-        fmt::format("scene {}: is not valid JSON: {}", source,
+        fmt::format("scene {}: is not valid JSON{}: {}", source,
+                    watch.last().empty() ? "" : fmt::format(", at {}", watch.last()),
                     message.substr(prefix == std::string_view::npos ? 0 : prefix + 2)));
   }
 }
@@ -99,6 +106,10 @@ Settings::Value typed(const Option& option, const json& value) {
     case OptionKind::integer:
       if (!value.is_number_integer()) {
         throw wrong_type("a whole number");
+      }
+      if (value.is_number_unsigned() &&
+          value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max()) {
+        throw wrong_type("a whole number of at most 18 digits");
       }
       return value.get<std::int64_t>();
     case OptionKind::text:

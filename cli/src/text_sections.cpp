@@ -131,7 +131,8 @@ void add_damper_physics(Page& page, const PhysicalInput& physical, double f, dou
   if (const auto force = physical.scales.friction_force_n(f)) {
     page.row("friction force", with_unit(*force, "N"));
   }
-  if (const auto energy = physical.scales.energy_per_passage_j(delta)) {
+  if (const auto energy = physical.scales.energy_per_passage_j(delta);
+      energy && std::isfinite(*energy)) {
     page.row("energy a passage", with_unit(*energy, "J"));
   }
 }

@@ -68,7 +68,9 @@ double free_peak(const Oscillator<double>& oscillator, const Start<double>& star
   const HalfCycleMap<double> map(oscillator);
   const FirstLeg<double> leg = first_leg(map, start);
   double farthest = leg.farthest;
-  if (leg.end == FirstLegEnd::arrival) {
+  if (leg.end == FirstLegEnd::arrival && map.without_friction()) {
+    farthest = leg.radius;
+  } else if (leg.end == FirstLegEnd::arrival) {
     if (const double energy = map.departure(leg.energy); energy > 0) {
       farthest = std::max(farthest, map.peak(energy, map.radius(energy)));
     }

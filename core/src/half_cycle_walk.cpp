@@ -24,10 +24,6 @@ HalfCycleWalk::HalfCycleWalk(const Oscillator<double>& oscillator, const Start<d
       first_{leg_.energy, leg_.radius, leg_.farthest},
       crest_(first_) {}
 
-double HalfCycleWalk::first_virtual_phase() const {
-  return -std::atan2(leg_.speed, leg_.distance - map_.phi);
-}
-
 double HalfCycleWalk::next_departure_speed() const {
   return std::sqrt(crest_.energy);
 }

@@ -64,12 +64,14 @@ void Trajectory::add(const HalfCycle& now, const HalfCycleWalk& walk) {
   const double shift = walk.map().phi / p_;
   const bool inward = now.index == 1 && walk.leg().end != FirstLegEnd::peak;
   if (inward) {
-    arcs_.push_back({now.start_time, side * shift, side * (walk.leg().radius / p_),
-                     walk.first_virtual_phase() / p_});
+    arcs_.push_back(
+        {now.start_time, side * now.peak, -side * now.departure_speed, side * (now.peak - shift)});
   } else {
-    arcs_.push_back({now.start_time, -side * shift, side * (now.peak + shift), now.peak_time});
+    const double from = now.index == 1 ? walk.leg().distance / p_ : 0;
+    arcs_.push_back(
+        {now.start_time, side * from, side * now.departure_speed, side * (from + shift)});
     if (now.end_time > now.peak_time) {
-      arcs_.push_back({now.peak_time, side * shift, side * (now.peak - shift), now.peak_time});
+      arcs_.push_back({now.peak_time, side * now.peak, 0, side * (now.peak - shift)});
       add_event(EventKind::turn, now.peak_time, side * now.peak, 0);
     }
   }
@@ -101,8 +103,11 @@ State Trajectory::at(double tau) const {
       std::upper_bound(arcs_.begin(), arcs_.end(), tau,
                        [](double instant, const Arc& arc) { return instant < arc.begin; });
   const Arc& arc = *std::prev(arc_after);
-  const double phase = p_ * (tau - arc.peak_time);
-  return {tau, arc.centre + arc.amplitude * std::cos(phase), -p_ * arc.amplitude * std::sin(phase)};
+  const double phase = p_ * (tau - arc.begin);
+  const double sine = std::sin(phase);
+  const double half_sine = std::sin(phase / 2);
+  return {tau, arc.x + arc.v / p_ * sine - 2 * arc.lever * (half_sine * half_sine),
+          arc.v * std::cos(phase) - p_ * arc.lever * sine};
 }
 
 Eigen::ArrayX3d Trajectory::at(const Eigen::ArrayXd& tau) const {

@@ -39,9 +39,6 @@ class HalfCycleWalk {
   /// |x'| with which the next half-cycle leaves x = 0.
   [[nodiscard]] double next_departure_speed() const;
 
-  /// p tau at the virtual peak of a first half-cycle that starts inwards: negative or 0. The arc
-  /// x = phi + radius cos(p tau - phase) passes through the start.
-  [[nodiscard]] double first_virtual_phase() const;
   [[nodiscard]] const FirstLeg<double>& leg() const { return leg_; }
   [[nodiscard]] const HalfCycleMap<double>& map() const { return map_; }
 

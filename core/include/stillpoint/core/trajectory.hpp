@@ -44,8 +44,8 @@ struct TrajectoryLimits {
 };
 
 /// The state of a free motion at any instant in [0, horizon], and its events in order of time.
-/// Between events x = centre + amplitude cos(p (tau - peak_time)); at an event the state is the
-/// event's own, not the cosine's. After the rest the state stays.
+/// Between events each arc goes on from its own start, in a form that keeps the digits of a small x
+/// where its centre is far away; at an event the state is the event's own. After the rest it stays.
 class Trajectory {
  public:
   /// Throws InputError as free_response does, for limits out of range, for a missing horizon where
@@ -70,9 +70,9 @@ class Trajectory {
  private:
   struct Arc {
     double begin;
-    double centre;
-    double amplitude;
-    double peak_time;
+    double x;
+    double v;
+    double lever;  ///< x less the centre of the arc
   };
 
   void add(const HalfCycle& now, const HalfCycleWalk& walk);
