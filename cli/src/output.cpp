@@ -57,6 +57,13 @@ std::filesystem::path behind_links(std::filesystem::path path) {
   return path;
 }
 
+bool same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const auto resolved = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  };
+  return resolved(a) == resolved(b);
+}
+
 /// What a new file would be allowed: mkstemp makes it readable by its owner alone.
 mode_t permissions_for_new_files() {
   const mode_t mask = ::umask(0);
@@ -90,8 +97,7 @@ void Output::write_file(std::string_view field, const std::string& path, std::st
   // A link stays a link: what it points to is replaced.
   const std::filesystem::path target = behind_links(path);
   for (const Staged& other : staged_) {
-    if (std::filesystem::weakly_canonical(other.target) ==
-        std::filesystem::weakly_canonical(target)) {
+    if (same_place(other.target, target)) {
       throw UsageError(
           fmt::format("{} and {} are both {}: give two files", other.field, field, path));
     }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/runge_kutta.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace stillpoint::design {
 
@@ -47,11 +50,16 @@ void judge(CheckMethod& method, const Quality& quality, const Prediction& predic
   method.decided = same_end || margin > quality.resolution;
   method.relative_error = relative(method.peak_amplitude, prediction.peak_amplitude);
   if (method.decided) {
-    method.relative_error = std::max(
-        {method.relative_error, relative(method.peak_acceleration, prediction.peak_acceleration),
-         relative(method.stop_time, prediction.stop_time),
-         std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
-         std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude});
+    for (const double error :
+         {relative(method.peak_acceleration, prediction.peak_acceleration),
+          relative(method.stop_time, prediction.stop_time),
+          std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
+          std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude}) {
+      // Not std::max: that may pass over a NaN.
+      if (std::isnan(error) || error > method.relative_error) {
+        method.relative_error = error;
+      }
+    }
   }
   method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
 }
@@ -67,6 +75,7 @@ double timed(const Run& run) {
 
 CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
                        double delta) {
+  require_within("delta", delta, std::numeric_limits<double>::min(), largest_square);
   const Oscillator<double> oscillator{problem.p, f, delta};
   double margin = 0;
 

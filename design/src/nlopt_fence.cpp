@@ -36,6 +36,10 @@ double call(const std::vector<double>& x, std::vector<double>& gradient, void* d
   try {
     const Eigen::VectorXd point =
         Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+    if (!point.allFinite()) {  // SLSQP's step where its subproblem is degenerate
+      self.solver->force_stop();
+      return HUGE_VAL;
+    }
     Eigen::VectorXd slope(static_cast<Eigen::Index>(gradient.size()));
     const double value = (*self.function)(point, slope);
     assert(std::isfinite(value) && slope.allFinite());

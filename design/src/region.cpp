@@ -17,10 +17,35 @@ namespace stillpoint::design {
 
 namespace {
 
-/// f / (V0 p), without overflow where f is far above.
-double unit_friction(const Problem& problem, double f) {
-  return f / problem.p / problem.v0;
-}
+/// The bounds of Delta in long double, rounded once, so that their strict edge is right to the last
+/// bit. Speeds, as in core: phi = f/p, radius = S/p.
+class WideArc {
+ public:
+  WideArc(const Problem& problem, double f)
+      : v0_(problem.v0),
+        phi_(f / static_cast<long double>(problem.p)),
+        radius_(std::sqrt(v0_ * v0_ + phi_ * phi_)) {}
+
+  [[nodiscard]] double published() const {
+    const long double speed = radius_ - 2 * phi_;
+    return half_of(speed * speed);
+  }
+  [[nodiscard]] double exact() const {
+    const long double returns = (v0_ * v0_ - 8 * phi_ * phi_) / (radius_ + 3 * phi_);
+    return half_of((radius_ - phi_) * std::max(0.0L, returns));
+  }
+
+ private:
+  /// At f = 0 it is Delta2 itself, which is rounded as a product of doubles.
+  [[nodiscard]] double half_of(long double square) const {
+    const auto v0 = static_cast<double>(v0_);
+    return phi_ == 0 ? v0 * v0 / 2 : static_cast<double>(square / 2);
+  }
+
+  long double v0_;
+  long double phi_;
+  long double radius_;
+};
 
 Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& limits) {
   if (!amplitude_fits_return(edges, limits)) {
@@ -130,9 +155,7 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
 double delta1_published(const Problem& problem, double f) {
   require_valid(problem);
   require_within("f", f, 0, largest_square);
-  const double a = unit_friction(problem, f);
-  const double speed = (unit::radius(a) - 2 * a) * problem.v0;
-  return speed * speed / 2;
+  return WideArc(problem, f).published();
 }
 
 std::optional<double> delta1_exact(const Problem& problem, double f) {
@@ -141,8 +164,7 @@ std::optional<double> delta1_exact(const Problem& problem, double f) {
   if (f > edges(problem, {}).f3) {
     return std::nullopt;
   }
-  const double a = std::min(unit_friction(problem, f), unit::a3);
-  return unit::delta1(Criterion::exact, a) * problem.v0 * problem.v0;
+  return WideArc(problem, f).exact();
 }
 
 double delta1(const Problem& problem, double f) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <vector>
 
 namespace stillpoint::design {
@@ -29,6 +30,9 @@ class Best {
 
   /// Ranks by (admissible, cost), with f moved into the interval and the best Delta for it.
   void consider(double f) {
+    if (std::isnan(f)) {
+      return;  // SLSQP's answer where its subproblem is degenerate
+    }
     const double inside = std::clamp(f, interval_.low, interval_.high);
     const DesignPoint point = with_best_delta(problem_, limits_, inside);
     const double cost = objective_ == Objective::robust
@@ -150,13 +154,23 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
   // a monotone one is best, and the region's own are all there is of a degenerate region.
   best.consider(interval.low);
   best.consider(interval.high);
+  // Where the strip of Delta is so thin that NLopt's steps do not resolve it, `robust` is best
+  // where the room below f_cap is as wide as the strip.
+  const double floor = delta1(problem, interval.high);
+  best.consider(interval.high / (1 + (edge.delta_cap - floor) / (edge.delta_cap + floor)));
+  DesignPoint point = best.point();
   if (!best.admissible_found()) {
-    return std::nullopt;
+    // A region that only just allows the tolerance has one design, in the corner of the caps.
+    point.f = highest_centre(edge.f_cap, limits.tolerance);
+    point.delta = highest_centre(edge.delta_cap, limits.tolerance);
+    if (!admissible(problem, limits, point.f, point.delta)) {
+      return std::nullopt;
+    }
+    point.tolerance = largest_tolerance(problem, limits, point.f, point.delta).value_or(0);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
   return SearchResult{
-      best.point(),
-      {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
+      point, {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
 }
 
 }  // namespace stillpoint::design

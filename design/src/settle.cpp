@@ -16,9 +16,12 @@ DesignInterval design_interval(const Problem& problem, const Region& region) {
   assert(region.feasible);
   const double lower = *region.f_lower;
   const double upper = *region.f_upper;
-  const double high = upper * (1 - inset);
-  // With f below 1e-9 V0 p the strip of Delta is narrower than a relative 4e-9.
-  const double low = std::max(lower * (1 + inset), std::min(high, inset * problem.v0 * problem.p));
+  // f_max is no graze: only at f3 is there something to keep away from.
+  const double high = std::min(upper, region.f3 * (1 - inset));
+  // With f below 1e-9 V0 p the strip of Delta is narrower than a relative 4e-9; where f_max is even
+  // less, the tolerance still needs some room below it.
+  const double least = std::min(high / 2, inset * problem.v0 * problem.p);
+  const double low = std::max(lower * (1 + inset), least);
   if (low <= high) {
     return {low, high};
   }

@@ -9,6 +9,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -65,10 +66,16 @@ std::optional<double> largest_tolerance(const Problem& problem, const Limits& li
   double tolerance =
       std::min({f2 > 0 ? (f - f2) / f : 1, (edge.f_cap - f) / f, (edge.delta_cap - delta) / delta,
                 tolerance_of_stop(problem.criterion, std::min(a, unit::a3), d)});
-  // Rounding may leave the box an ulp outside; a few steps of 1's ulp bring it in.
+  // Rounding may leave the box a few ulps of 1 outside; as many steps bring it in.
+  constexpr int most_steps = 64;
   tolerance = std::max(tolerance, 0.0);
-  while (tolerance > 0 && !fits(tolerance)) {
+  for (int i = 0; i < most_steps && tolerance > 0 && !fits(tolerance); ++i) {
     tolerance = std::max(0.0, tolerance - std::numeric_limits<double>::epsilon());
+  }
+  assert(fits(tolerance));
+  // The root above is good to a few ulps only; what is asked for is tried as it is.
+  if (tolerance < limits.tolerance && fits(limits.tolerance)) {
+    return limits.tolerance;
   }
   return tolerance;
 }

@@ -38,7 +38,7 @@ struct CrossCheck {
 /// Holds the prediction against the half-cycle map (tolerance 1e-12) and against Runge-Kutta
 /// (1e-9; integrated at 1e-12). Where the arrival grazes x = 0, the stop time loses up to half of
 /// its digits in any arithmetic; both tolerances are multiplied by (31) of docs/theory.md, which is
-/// 1 away from there.
+/// 1 away from there. Throws InputError for delta = 0, which is no design.
 [[nodiscard]] CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
                                      double delta);
 

@@ -1,0 +1,528 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE design_command
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <stillpoint/design/search.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <regex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+
+Arguments design(double beta, const Arguments& more = {}) {
+  return joined({"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)}, more);
+}
+
+/// Asserts success and gives the JSON report.
+json report_of(const Sandbox& sandbox, const Arguments& arguments) {
+  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}));
+  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
+  BOOST_TEST(run.err.empty(), run.err);
+  check_only_finite(run.out);
+  return run.json();
+}
+
+/// The search keeps about 1e-9 away from the edges of the region.
+constexpr double off_edge = 1e-8;
+
+double number(const json& report, const char* part, const char* field) {
+  return report.at(part).at(field).get<double>();
+}
+
+const json& constraint(const json& report, const std::string& name) {
+  for (const json& now : report.at("constraints")) {
+    if (now.at("name") == name) {
+      return now;
+    }
+  }
+  throw std::out_of_range("no constraint " + name);
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(report, Sandbox)
+
+BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
+  const json report = report_of(*this, design(0.9));
+  check_fields(report, {"schema:text", "program:object", "input:object", "region:object",
+                        "design:object", "constraints:array", "response:object", "search:object",
+                        "cross_check:object", "physical:null"});
+  BOOST_TEST(report["schema"] == "stillpoint/design-report/1");
+  check_fields(report["program"], {"name:text", "version:text"});
+  BOOST_TEST(report["program"]["name"] == "stillpoint");
+  check_fields(report["input"],
+               {"v0:number", "p:number", "beta:number", "criterion:text", "objective:text",
+                "tolerance:number", "f_max:null", "delta_max:null", "algorithm:null"});
+  check_fields(report["region"], {"feasible:bool", "reason:null", "f1:number", "f2:number",
+                                  "f3:number", "f_lower:number", "f_upper:number", "delta2:number",
+                                  "beta_min:number", "mends:array"});
+  check_fields(report["design"], {"f:number", "delta:number", "tolerance:number",
+                                  "delta1_published:number", "delta1_exact:number"});
+  check_response_fields(report["response"]);
+  check_fields(report["search"], {"library:text", "algorithm:text", "status:text",
+                                  "evaluations:count", "wall_time_s:number"});
+  check_fields(report["cross_check"], {"passed:bool", "methods:array"});
+  std::set<std::string> methods;
+  for (const json& method : report["cross_check"]["methods"]) {
+    check_fields(method, {"name:text", "tolerance:number", "peak_amplitude:number",
+                          "stop_time:number", "half_cycles:count", "stop_position:number",
+                          "relative_error:number", "wall_time_s:number"});
+    methods.insert(method["name"]);
+  }
+  BOOST_TEST((methods == std::set<std::string>{"half_cycle_map", "runge_kutta"}));
+  std::vector<std::string> names;
+  for (const json& now : report["constraints"]) {
+    check_fields(now,
+                 {"name:text", "value:number", "limit:number", "slack:number", "satisfied:bool"});
+    BOOST_TEST(now["satisfied"] == true);
+    names.push_back(now["name"]);
+  }
+  BOOST_TEST(
+      (names == std::vector<std::string>{"dead_zone", "start", "amplitude", "return", "stop"}));
+}
+
+BOOST_AUTO_TEST_CASE(echoes_the_input) {
+  const json report = report_of(
+      *this, design(0.9, {"--criterion", "exact", "--objective", "time", "--tolerance", "0.1",
+                          "--f-max", "0.3", "--delta-max", "0.45", "--algorithm", "LN_COBYLA"}));
+  const json expected = {{"v0", 1},
+                         {"p", 1},
+                         {"beta", 0.9},
+                         {"tolerance", 0.1},
+                         {"criterion", "exact"},
+                         {"objective", "time"},
+                         {"f_max", 0.3},
+                         {"delta_max", 0.45},
+                         {"algorithm", "LN_COBYLA"}};
+  BOOST_TEST(report["input"] == expected);
+  BOOST_TEST(report["search"]["algorithm"] == "LN_COBYLA");
+}
+
+BOOST_AUTO_TEST_CASE(region_is_the_paper_s) {
+  const json report = report_of(*this, design(0.9));
+  BOOST_TEST(near(number(report, "region", "f1"), 0.9, 1e-15));
+  BOOST_TEST(near(number(report, "region", "f2"), 0.19 / 1.8, 1e-15));
+  BOOST_TEST(near(number(report, "region", "f3"), std::numbers::sqrt2 / 4, 1e-15));
+  BOOST_TEST(near(number(report, "region", "beta_min"), std::numbers::sqrt2 / 2, 1e-15));
+  BOOST_TEST(number(report, "region", "delta2") == 0.5);
+  BOOST_TEST(number(report, "region", "f_lower") == number(report, "region", "f2"));
+  BOOST_TEST(number(report, "region", "f_upper") == number(report, "region", "f3"));
+}
+
+BOOST_AUTO_TEST_CASE(motion_is_that_of_the_closed_forms) {
+  const json report = report_of(*this, design(0.9));
+  const double f = number(report, "design", "f");
+  const double radius = std::hypot(1, f);
+  // x'' = -f - x outwards, f - x inwards, with p = v0 = 1.
+  BOOST_TEST(near(number(report, "response", "peak_amplitude"), radius - f, 1e-14));
+  BOOST_TEST(near(number(report, "response", "peak_acceleration"), radius, 1e-14));
+  const double outwards = std::acos(f / radius);
+  const double inwards = std::numbers::pi - std::acos(f / (radius - 2 * f));
+  BOOST_TEST(near(number(report, "response", "stop_time"), outwards + inwards, 1e-14));
+  BOOST_TEST(near(number(report, "response", "arrival_speed"),
+                  std::sqrt((radius - f) * (radius - 3 * f)), 1e-13));
+  BOOST_TEST(report["response"]["half_cycles"] == 1);
+  BOOST_TEST(report["response"]["turning_points"] == 1);
+  BOOST_TEST(report["response"]["zero_passages"] == 0);
+  BOOST_TEST(report["response"]["stop_position"] == 0);
+  BOOST_TEST(report["response"]["stops_at_zero"] == true);
+  BOOST_TEST(report["response"]["outcome"] == "stopped_at_zero");
+  BOOST_TEST(near(number(report, "design", "delta1_published"),
+                  (radius - 2 * f) * (radius - 2 * f) / 2, 1e-13));
+  BOOST_TEST(
+      near(number(report, "design", "delta1_exact"), (radius - f) * (radius - 3 * f) / 2, 1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(constraints_are_value_limit_and_slack) {
+  const json report = report_of(*this, design(0.9));
+  const json& region = report["region"];
+  const std::map<std::string, std::pair<json, json>> expected{
+      {"dead_zone", {report["design"]["f"], region["f1"]}},
+      {"start", {report["design"]["delta"], region["delta2"]}},
+      {"amplitude", {report["design"]["f"], region["f2"]}},
+      {"return", {report["design"]["f"], region["f3"]}},
+      {"stop", {report["design"]["delta"], report["design"]["delta1_published"]}}};
+  for (const auto& [name, figures] : expected) {
+    const json& now = constraint(report, name);
+    BOOST_TEST(now["value"] == figures.first);
+    BOOST_TEST(now["limit"] == figures.second);
+    const double slack = std::abs(figures.first.get<double>() - figures.second.get<double>());
+    BOOST_TEST(near(now["slack"].get<double>(), slack, 1e-14));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cross_check_passes_within_its_tolerance) {
+  const json report = report_of(*this, design(0.9));
+  BOOST_TEST(report["cross_check"]["passed"] == true);
+  for (const json& method : report["cross_check"]["methods"]) {
+    BOOST_TEST(method["relative_error"].get<double>() <= method["tolerance"].get<double>());
+    BOOST_TEST(method["tolerance"].get<double>() <= 1e-8);
+    BOOST_TEST(near(method["peak_amplitude"].get<double>(),
+                    number(report, "response", "peak_amplitude"), 1e-8));
+    BOOST_TEST(
+        near(method["stop_time"].get<double>(), number(report, "response", "stop_time"), 1e-8));
+    BOOST_TEST(method["half_cycles"] == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
+  // Inputs that six, and even fifteen, digits would change.
+  const Arguments motion{"--v0", "1.0000000000000002", "--p", "0.30000000000000004"};
+  const json report = report_of(*this, joined({"design", "--beta", "3.3333333333333335"}, motion));
+  BOOST_TEST(number(report, "input", "v0") == 1.0000000000000002);
+  BOOST_TEST(number(report, "input", "p") == 0.30000000000000004);
+  BOOST_TEST(number(report, "input", "beta") == 3.3333333333333335);
+  const Arguments damper{"--f", in_full(number(report, "design", "f")), "--delta",
+                         in_full(number(report, "design", "delta"))};
+  const json simulated = report_of(*this, joined(joined({"simulate"}, motion), damper));
+  BOOST_TEST(simulated["response"] == report["response"]);
+}
+
+BOOST_AUTO_TEST_CASE(repeats_itself_apart_from_wall_times) {
+  const std::vector<Arguments> problems{
+      design(0.9),
+      design(0.9, {"--algorithm", "GN_CRS2_LM"}),
+      {"design", "--velocity", "0.4", "--period", "3", "--max-displacement", "0.16"}};
+  for (const Arguments& arguments : problems) {
+    BOOST_TEST(without_wall_times(report_of(*this, arguments)) ==
+               without_wall_times(report_of(*this, arguments)));
+    // Times change the width of their column too.
+    const auto text = [&] {
+      static const std::regex spaces(" +");
+      static const std::regex wall_time("[-+.e0-9]+ [um]?s( |\n)");
+      return std::regex_replace(std::regex_replace(run(arguments).out, spaces, " "), wall_time,
+                                "TIME$1");
+    };
+    BOOST_TEST(text() == text());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(for_people_names_every_part) {
+  const ProgramRun text = run(design(0.9, {"--title", "the bridge at noon"}));
+  BOOST_TEST(text.exit_code == 0);
+  BOOST_TEST(text.err.empty(), text.err);
+  check_only_finite(text.out);
+  for (const char* part :
+       {"the bridge at noon", "0.259325", "0.36674", "36.34 %", "dead_zone", "start", "amplitude",
+        "return", "stop", "half_cycle_map", "runge_kutta", "LD_SLSQP", "published", "robust"}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
+  }
+  BOOST_TEST(text.out.find('{') == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(goes_into_a_file_as_the_same_json) {
+  const ProgramRun text = run(design(0.9, {"--output", "report.json"}));
+  BOOST_TEST(text.exit_code == 0);
+  BOOST_TEST(text.out.starts_with("Damper design"));
+  const std::string written = read("report.json");
+  BOOST_TEST(without_wall_times(json::parse(written)) ==
+             without_wall_times(report_of(*this, design(0.9))));
+  BOOST_TEST(contents().size() == 1U);
+
+  const ProgramRun both = run(design(0.9, {"--json", "--output", "report.json"}));
+  BOOST_TEST(read("report.json") == both.out);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(search, Sandbox)
+
+BOOST_AUTO_TEST_CASE(robust_design_has_the_largest_tolerance) {
+  const auto tolerance = [&](double beta, const char* criterion) {
+    const json report = report_of(*this, design(beta, {"--criterion", criterion}));
+    return number(report, "design", "tolerance");
+  };
+  constexpr double digits = 5e-9;  // eight digits are known
+  BOOST_TEST(std::abs(tolerance(0.9, "published") - 0.36336281) <= digits);
+  BOOST_TEST(std::abs(tolerance(0.9, "exact") - 0.37608589) <= digits);
+  BOOST_TEST(std::abs(tolerance(0.8, "published") - 0.22219797) <= digits);
+  BOOST_TEST(std::abs(tolerance(0.8, "exact") - 0.22219797) <= digits);
+}
+
+BOOST_AUTO_TEST_CASE(each_objective_is_best_at_its_own) {
+  std::map<std::string, json> reports;
+  for (const char* objective : {"robust", "amplitude", "time", "acceleration"}) {
+    reports[objective] =
+        report_of(*this, design(0.9, {"--objective", objective, "--tolerance", "0.1"}));
+    BOOST_TEST(reports[objective]["input"]["objective"] == objective);
+    BOOST_TEST(number(reports[objective], "design", "tolerance") >= 0.1);
+    BOOST_TEST(reports[objective]["cross_check"]["passed"] == true);
+  }
+  // The box of 10 % lies against f3 or against f2 = 0.19/1.8.
+  const double highest = std::numbers::sqrt2 / 4 / 1.1;
+  const double lowest = 0.19 / 1.8 / 0.9;
+  BOOST_TEST(near(number(reports["amplitude"], "design", "f"), highest, off_edge));
+  BOOST_TEST(near(number(reports["time"], "design", "f"), lowest, off_edge));
+  BOOST_TEST(near(number(reports["acceleration"], "design", "f"), lowest, off_edge));
+  for (const auto& [name, report] : reports) {
+    BOOST_TEST(number(report, "response", "peak_amplitude") >=
+               number(reports["amplitude"], "response", "peak_amplitude"));
+    BOOST_TEST(number(report, "response", "stop_time") >=
+               number(reports["time"], "response", "stop_time") * (1 - 1e-9));
+    BOOST_TEST(number(report, "response", "peak_acceleration") >=
+               number(reports["acceleration"], "response", "peak_acceleration") * (1 - 1e-9));
+    BOOST_TEST(number(report, "design", "tolerance") <=
+               number(reports["robust"], "design", "tolerance"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(limits_hold_for_the_whole_box) {
+  const json by_f = report_of(*this, design(0.9, {"--f-max", "0.2"}));
+  double reach = 1 + number(by_f, "design", "tolerance");
+  BOOST_TEST(number(by_f, "design", "f") * reach <= 0.2 * (1 + 1e-12));
+  BOOST_TEST(number(by_f, "region", "f_upper") == 0.2);
+  const json by_delta = report_of(*this, design(0.9, {"--delta-max", "0.2"}));
+  reach = 1 + number(by_delta, "design", "tolerance");
+  BOOST_TEST(number(by_delta, "design", "delta") * reach <= 0.2 * (1 + 1e-12));
+  const json both = report_of(
+      *this, design(0.9, {"--f-max", "0.3", "--tolerance", "0.1", "--objective", "amplitude"}));
+  BOOST_TEST(near(number(both, "region", "f_upper"), 0.3 / 1.1, 1e-15));
+  BOOST_TEST(near(number(both, "design", "f"), 0.3 / 1.1, off_edge));
+}
+
+BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_robust_design) {
+  const auto names = stillpoint::design::algorithm_names();
+  BOOST_TEST(names.size() >= 5U);
+  for (const std::string_view name : names) {
+    const std::string algorithm(name);
+    BOOST_TEST_CONTEXT(algorithm) {
+      const json report = report_of(*this, design(0.9, {"--algorithm", algorithm}));
+      BOOST_TEST(report["search"]["algorithm"] == algorithm);
+      BOOST_TEST(report["search"]["library"] == "NLopt");
+      BOOST_TEST(report["search"]["evaluations"].get<int>() > 0);
+      BOOST_TEST(near(number(report, "design", "tolerance"), 0.36336281, 1e-6));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(infeasible, Sandbox)
+
+BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
+  const ProgramRun run_of_json = run(design(0.6, {"--json"}));
+  BOOST_TEST(run_of_json.exit_code == 3);
+  BOOST_TEST(run_of_json.err.empty(), run_of_json.err);
+  const json report = run_of_json.json();
+  BOOST_TEST(report["region"]["feasible"] == false);
+  const auto reason = report["region"]["reason"].get<std::string>();
+  for (const char* part : {"amplitude", "return", "f2 = 0.533333", "f3 = 0.353553"}) {
+    BOOST_TEST(reason.find(part) != std::string::npos, reason);
+  }
+  check_fields(report["region"], {"f1:number", "f2:number", "f3:number", "f_lower:null",
+                                  "f_upper:null", "delta2:number", "beta_min:number"});
+  check_fields(report, {"design:null", "constraints:array", "response:null", "search:null",
+                        "cross_check:null", "physical:null"});
+  BOOST_TEST(report["constraints"].empty());
+
+  const ProgramRun text = run(design(0.6));
+  BOOST_TEST(text.exit_code == 3);
+  BOOST_TEST(text.err.empty(), text.err);
+  for (const char* part : {"No admissible design", "amplitude and return exclude each other",
+                           "0.8485281374", "1.178511302", "0.7071067812"}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(each_mend_is_the_least_one) {
+  const json report = run(design(0.6, {"--json"})).json();
+  std::map<std::string, double> mends;
+  for (const json& mend : report["region"]["mends"]) {
+    mends[mend["input"]] = mend["value"].get<double>();
+  }
+  const double root = std::numbers::sqrt2;
+  const std::map<std::string, double> expected{
+      {"v0", 0.6 * root}, {"p", 1 / (0.6 * root)}, {"beta", 1 / root}};
+  const std::map<std::string, double> given{{"v0", 1}, {"p", 1}, {"beta", 0.6}};
+  BOOST_TEST_REQUIRE(mends.size() == expected.size());
+  for (const auto& [name, value] : expected) {
+    BOOST_TEST(near(mends.at(name), value, 1e-15));
+    const auto exit_code_at = [&, field = name](double mended) {
+      auto problem = given;
+      problem[field] = mended;
+      return run({"design", "--v0", in_full(problem["v0"]), "--p", in_full(problem["p"]), "--beta",
+                  in_full(problem["beta"])})
+          .exit_code;
+    };
+    BOOST_TEST(exit_code_at(mends.at(name)) == 0);
+    BOOST_TEST(exit_code_at(std::nextafter(mends.at(name), given.at(name))) == 3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {
+  const std::vector<std::pair<Arguments, std::string>> cases{{{"--f-max", "0.1"}, "f_max"},
+                                                             {{"--delta-max", "0.01"}, "delta_max"},
+                                                             {{"--tolerance", "0.4"}, "tolerance"}};
+  for (const auto& [limit, name] : cases) {
+    const ProgramRun answer = run(design(0.9, joined({"--json"}, limit)));
+    BOOST_TEST(answer.exit_code == 3);
+    const json region = answer.json()["region"];
+    BOOST_TEST(region["reason"].get<std::string>().find(name) != std::string::npos);
+    bool mended = false;
+    for (const json& mend : region["mends"]) {
+      mended = mended || mend["input"] == name;
+    }
+    BOOST_TEST(mended, name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(report_goes_into_a_file_all_the_same) {
+  BOOST_TEST(run(design(0.6, {"--output", "report.json"})).exit_code == 3);
+  BOOST_TEST(json::parse(read("report.json"))["region"]["feasible"] == false);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_comes_before_an_empty_region) {
+  BOOST_TEST(run(design(0.6, {"--objective", "best"})).exit_code == 2);
+  BOOST_TEST(run(design(0.6, {"--algorithm", "LD_BEST"})).exit_code == 2);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(physical, Sandbox)
+
+namespace {
+
+// An isolator of 3 s and 200 t that sets off with 0.4 m/s and has 0.16 m, worked out by hand:
+// omega = 2 pi / 3, H = 0.4 / omega, time sqrt(H/g), velocity sqrt(g H), k = m omega^2.
+constexpr double speed = 0.4;
+constexpr double mass = 2e5;
+constexpr double gravity = 9.80665;
+constexpr double omega = 2.0943951023931953;
+constexpr double length = 0.19098593171027440;
+constexpr double stiffness = 877298.16898572060;
+
+const Arguments isolator{"design", "--velocity", "0.4", "--max-displacement", "0.16"};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(scales_are_those_worked_out_by_hand) {
+  const json report = report_of(*this, joined(isolator, {"--period", "3", "--mass", "2e5"}));
+  const json& quantities = report["physical"];
+  check_fields(quantities, {"length_unit_m:number", "time_unit_s:number", "f:number",
+                            "delta_m:number", "energy_per_passage_j:number",
+                            "friction_force_n:number", "peak_m:number", "stop_time_s:number"});
+  BOOST_TEST(near(quantities["length_unit_m"], length, 1e-15));
+  BOOST_TEST(near(quantities["time_unit_s"], 0.13955337724887287, 1e-15));
+  BOOST_TEST(near(quantities["omega_rad_per_s"], omega, 1e-15));
+  BOOST_TEST(near(quantities["stiffness_n_per_m"], stiffness, 1e-15));
+  BOOST_TEST(near(quantities["max_displacement_min_m"], 0.13504744742356592, 1e-15));
+  BOOST_TEST(near(number(report, "input", "v0"), 0.29227990983246930, 1e-15));
+  BOOST_TEST(near(number(report, "input", "p"), 0.29227990983246930, 1e-15));
+  BOOST_TEST(near(number(report, "input", "beta"), 0.83775804095727800, 1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(damper_is_the_dimensionless_one_in_units) {
+  const json report = report_of(*this, joined(isolator, {"--period", "3", "--mass", "2e5"}));
+  // The same problem with v0 = p = 1: f goes with omega v, delta with v^2, both over g.
+  const json unit = report_of(*this, design(0.83775804095727800));
+  const double f = number(unit, "design", "f") * omega * speed / gravity;
+  const double delta_m = number(unit, "design", "delta") * speed * speed / gravity;
+  const json& quantities = report["physical"];
+  constexpr double digits = 1e-9;
+  BOOST_TEST(near(quantities["f"], f, digits));
+  BOOST_TEST(quantities["f"] == report["design"]["f"]);
+  BOOST_TEST(near(quantities["delta_m"], delta_m, digits));
+  BOOST_TEST(near(quantities["friction_force_n"], mass * gravity * f, digits));
+  BOOST_TEST(near(quantities["energy_per_passage_j"], mass * gravity * delta_m, digits));
+  BOOST_TEST(
+      near(quantities["peak_m"], number(unit, "response", "peak_amplitude") * length, digits));
+  BOOST_TEST(
+      near(quantities["stop_time_s"], number(unit, "response", "stop_time") / omega, digits));
+  BOOST_TEST(near(quantities["peak_acceleration_m_per_s2"],
+                  number(unit, "response", "peak_acceleration") * omega * speed, digits));
+  BOOST_TEST(quantities["peak_m"].get<double>() <= 0.16);
+}
+
+BOOST_AUTO_TEST_CASE(stiffness_and_mass_stand_for_a_period) {
+  const json by_period = report_of(*this, joined(isolator, {"--period", "3", "--mass", "2e5"}));
+  const json by_stiffness =
+      report_of(*this, joined(isolator, {"--stiffness", in_full(stiffness), "--mass", "2e5"}));
+  for (const auto& [name, value] : by_period["physical"].items()) {
+    if (value.is_number()) {
+      BOOST_TEST(near(by_stiffness["physical"][name], value, 1e-9), name);
+    } else {
+      BOOST_TEST(by_stiffness["physical"][name] == value);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(forces_and_energies_need_a_mass) {
+  const json quantities = report_of(*this, joined(isolator, {"--period", "3"}))["physical"];
+  check_fields(quantities, {"mass_kg:null", "stiffness_n_per_m:null", "friction_force_n:null",
+                            "energy_per_passage_j:null", "delta_m:number", "peak_m:number"});
+}
+
+BOOST_AUTO_TEST_CASE(gravity_changes_the_unit_of_f_alone) {
+  const json earth = report_of(*this, joined(isolator, {"--period", "3"}))["physical"];
+  const json moon =
+      report_of(*this, joined(isolator, {"--period", "3", "--gravity", "1.62"}))["physical"];
+  BOOST_TEST(near(moon["f"].get<double>() * 1.62, earth["f"].get<double>() * gravity, 1e-9));
+  BOOST_TEST(near(moon["peak_m"], earth["peak_m"], 1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(limits_may_be_in_metres) {
+  const json report =
+      report_of(*this, joined(isolator, {"--period", "3", "--delta-max-m", "0.004"}));
+  BOOST_TEST(near(number(report, "input", "delta_max"), 0.004 / length, 1e-15));
+  BOOST_TEST(report["physical"]["delta_m"].get<double>() < 0.004);
+}
+
+BOOST_AUTO_TEST_CASE(mends_are_in_units_too_and_mend) {
+  const auto problem = [](const std::string& velocity, const std::string& period,
+                          const std::string& room) {
+    return Arguments{"design", "--velocity",         velocity, "--period",
+                     period,   "--max-displacement", room};
+  };
+  const ProgramRun answer = run(joined(problem("0.4", "3", "0.13"), {"--mass", "2e5", "--json"}));
+  BOOST_TEST(answer.exit_code == 3);
+  const json quantities = answer.json()["physical"];
+  check_fields(quantities, {"f:null", "delta_m:null", "friction_force_n:null",
+                            "energy_per_passage_j:null", "peak_m:null", "stop_time_s:null"});
+  // Not the last digits: they are to the safe side, so that the mended problem has a design.
+  constexpr double digits = 1e-13;
+  const double root = std::numbers::sqrt2;
+  const double room = quantities["max_displacement_mend_m"];
+  const double velocity = quantities["velocity_mend_m_per_s"];
+  const double period = quantities["period_mend_s"];
+  BOOST_TEST(near(room, length / root, digits));
+  BOOST_TEST(near(velocity, 0.13 * root * omega, digits));
+  BOOST_TEST(near(period, 2 * std::numbers::pi * 0.13 * root / speed, digits));
+  BOOST_TEST(run(problem("0.4", "3", in_full(room))).exit_code == 0);
+  BOOST_TEST(run(problem(in_full(velocity), "3", "0.13")).exit_code == 0);
+  BOOST_TEST(run(problem("0.4", in_full(period), "0.13")).exit_code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(mends_of_the_text_mend_as_they_are_printed) {
+  const ProgramRun text =
+      run({"design", "--velocity", "0.4", "--period", "3", "--max-displacement", "0.13"});
+  const std::regex figure("max_displacement at least ([.0-9]+) m");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(text.out, found, figure), text.out);
+  BOOST_TEST(near(std::stod(found[1]), length / std::numbers::sqrt2, 1e-5));
+  BOOST_TEST(
+      run({"design", "--velocity", "0.4", "--period", "3", "--max-displacement", found[1].str()})
+          .exit_code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(text_has_units) {
+  const ProgramRun text = run(joined(isolator, {"--period", "3", "--mass", "2e5"}));
+  for (const char* part : {"period 3 s", "0.4 m/s", "160 mm", "190.99 mm", "44.527 kN", "11.483 kJ",
+                           "5.8546 mm", "146.86 mm", "1.6416 s"}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

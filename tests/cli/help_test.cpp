@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE help
+#include "options.hpp"
+#include "run_program.hpp"
+#include "version.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using stillpoint::cli::Command;
+
+constexpr std::array commands{Command::design, Command::region, Command::simulate};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(help, Sandbox)
+
+BOOST_AUTO_TEST_CASE(of_the_program_names_its_commands_with_examples) {
+  for (const char* flag : {"--help", "-h"}) {
+    const ProgramRun answer = run({flag});
+    BOOST_TEST(answer.exit_code == 0);
+    BOOST_TEST(answer.err.empty(), answer.err);
+    for (const Command command : commands) {
+      BOOST_TEST(contains(answer.out, std::string("  ") + std::string(name(command))));
+    }
+    BOOST_TEST(contains(answer.out, "stillpoint design "), "no example in\n" << answer.out);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_command_names_its_options_and_no_other) {
+  for (const Command command : commands) {
+    const ProgramRun answer = run({std::string(name(command)), "--help"});
+    BOOST_TEST(answer.exit_code == 0);
+    BOOST_TEST(answer.err.empty(), answer.err);
+    for (const stillpoint::cli::Option& option : stillpoint::cli::options()) {
+      const std::string start = "  --" + std::string(option.name) + " ";
+      BOOST_TEST(contains(answer.out, start) == option.serves(command), name(command)
+                                                                            << ": " << option.name);
+      if (option.serves(command)) {
+        BOOST_TEST(contains(answer.out, std::string(option.help)), option.name);
+      }
+    }
+    BOOST_TEST(contains(answer.out, "--help"));
+    BOOST_TEST(contains(answer.out, "--version"));
+    BOOST_TEST(contains(answer.out, "Exit codes: 0"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_the_options_of_the_contract) {
+  const auto serves = [](const char* option, bool design, bool region, bool simulate) {
+    const stillpoint::cli::Option* found = stillpoint::cli::find_option(option);
+    BOOST_TEST_REQUIRE(found != nullptr, option);
+    BOOST_TEST((!design || found->serves(Command::design)), option);
+    BOOST_TEST((!region || found->serves(Command::region)), option);
+    BOOST_TEST((!simulate || found->serves(Command::simulate)), option);
+  };
+  for (const char* option :
+       {"v0", "p", "velocity", "period", "stiffness", "mass", "gravity", "json", "output"}) {
+    serves(option, true, true, true);
+  }
+  for (const char* option : {"beta", "max-displacement", "criterion"}) {
+    serves(option, true, true, false);
+  }
+  for (const char* option : {"objective", "tolerance", "f-max", "delta-max", "algorithm"}) {
+    serves(option, true, false, false);
+  }
+  for (const char* option : {"f", "delta"}) {
+    serves(option, false, true, true);
+  }
+  for (const char* option :
+       {"x0", "trajectory", "samples", "max-half-cycles", "t-end", "delta-m"}) {
+    serves(option, false, false, true);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(examples_work) {
+  // The lines of "Examples:" that need no file; a line that ends in \ goes on.
+  int tried = 0;
+  for (const Command command : commands) {
+    std::string text = run({std::string(name(command)), "--help"}).out;
+    for (std::size_t fold = text.find("\\\n"); fold != std::string::npos;
+         fold = text.find("\\\n")) {
+      text.replace(fold, 2, "");
+    }
+    std::istringstream lines(text.substr(text.find("Examples:")));
+    for (std::string line; std::getline(lines, line);) {
+      const std::string program = "  stillpoint ";
+      if (!line.starts_with(program) || contains(line, ".json")) {
+        continue;
+      }
+      std::istringstream words(line.substr(program.size()));
+      Arguments arguments;
+      for (std::string word; words >> word;) {
+        arguments.push_back(word);
+      }
+      const ProgramRun answer = run(arguments);
+      BOOST_TEST(answer.exit_code == 0, line << "\n" << answer.err);
+      ++tried;
+    }
+  }
+  BOOST_TEST(tried >= 6);
+}
+
+BOOST_AUTO_TEST_CASE(wins_over_wrong_input) {
+  BOOST_TEST(run({"design", "--v0", "nonsense", "--help"}).exit_code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(version_is_one_line) {
+  const std::string expected = "stillpoint " + stillpoint::cli::program_version();
+  for (const Arguments& arguments : std::vector<Arguments>{{"--version"},
+                                                           {"design", "--version"},
+                                                           {"region", "--version"},
+                                                           {"simulate", "--version"}}) {
+    const ProgramRun answer = run(arguments);
+    BOOST_TEST(answer.exit_code == 0);
+    BOOST_TEST(answer.err.empty(), answer.err);
+    BOOST_TEST(answer.out.starts_with(expected));
+    BOOST_TEST(answer.out.find('\n') == answer.out.size() - 1);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::cli_test {
+
+/// Asserts that `object` has these fields. A field is "NAME:KIND", where KIND is number, count (a
+/// whole number), text, bool, object, array or null; "number?" may be null as well.
+void check_fields(const nlohmann::json& object, std::initializer_list<std::string_view> fields);
+
+/// Asserts the fields of `response`, which every motion that stops has.
+void check_response_fields(const nlohmann::json& response);
+
+/// Asserts that no word of a report is "nan" or "inf".
+void check_only_finite(std::string_view report);
+
+/// The report without its wall times, which are the only thing that differs from run to run.
+[[nodiscard]] nlohmann::json without_wall_times(nlohmann::json report);
+
+/// |a - b| <= tolerance * max(|a|, |b|)
+[[nodiscard]] bool near(double a, double b, double tolerance);
+
+}  // namespace stillpoint::cli_test

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "run_program.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace stillpoint::cli_test {
+
+namespace {
+
+void require(bool success, const char* what, int error = errno) {
+  if (!success) {
+    throw std::system_error(error, std::generic_category(), what);
+  }
+}
+
+/// Closes what it holds.
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
+  ~Descriptor() { close(); }
+
+  [[nodiscard]] int get() const { return descriptor_; }
+  void close() {
+    if (descriptor_ >= 0) {
+      ::close(descriptor_);
+      descriptor_ = -1;
+    }
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// What the parent reads and what the program writes to.
+struct Channel {
+  std::unique_ptr<Descriptor> reader;
+  std::unique_ptr<Descriptor> writer;
+};
+
+Channel channel(int reader, int writer) {
+  return {std::make_unique<Descriptor>(reader), std::make_unique<Descriptor>(writer)};
+}
+
+Channel pipe_channel() {
+  std::array<int, 2> ends{};
+  require(::pipe2(ends.data(), O_CLOEXEC) == 0, "pipe2");
+  return channel(ends[0], ends[1]);
+}
+
+Channel terminal_channel() {
+  int terminal = -1;
+  int shell = -1;
+  require(::openpty(&terminal, &shell, nullptr, nullptr, nullptr) == 0, "openpty");
+  require(::fcntl(terminal, F_SETFD, FD_CLOEXEC) == 0, "fcntl");
+  require(::fcntl(shell, F_SETFD, FD_CLOEXEC) == 0, "fcntl");
+  return channel(terminal, shell);
+}
+
+Channel file_channel(const std::string& path) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  require(file >= 0, path.c_str());
+  return channel(-1, file);
+}
+
+Channel output_channel(const Surroundings& surroundings) {
+  switch (surroundings.output) {
+    case StandardOutput::pipe:
+      break;
+    case StandardOutput::terminal:
+      return terminal_channel();
+    case StandardOutput::file:
+      return file_channel(surroundings.output_file);
+  }
+  return pipe_channel();
+}
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// A file without a name that holds `text`, at its beginning.
+File input_file(const std::string& text) {
+  File file(std::tmpfile(), &std::fclose);
+  require(file != nullptr, "tmpfile");
+  require(std::fwrite(text.data(), 1, text.size(), file.get()) == text.size(), "fwrite");
+  require(std::fflush(file.get()) == 0, "fflush");
+  require(::lseek(::fileno(file.get()), 0, SEEK_SET) == 0, "lseek");
+  return file;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> list;
+  list.reserve(texts.size() + 1);
+  for (std::string& text : texts) {
+    list.push_back(text.data());
+  }
+  list.push_back(nullptr);
+  return list;
+}
+
+std::vector<std::string> environment(const Surroundings& surroundings) {
+  // The first value of a name stays.
+  std::map<std::string, std::string> variables(surroundings.environment.begin(),
+                                               surroundings.environment.end());
+  variables.emplace("TERM", "xterm");
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string assignment = *entry;
+    const std::size_t sign = assignment.find('=');
+    const std::string name = assignment.substr(0, sign);
+    if (name != "NO_COLOR" && sign != std::string::npos) {
+      variables.emplace(name, assignment.substr(sign + 1));
+    }
+  }
+  std::vector<std::string> list;
+  for (const auto& [name, value] : variables) {
+    list.push_back(name);
+    list.back().append("=").append(value);
+  }
+  return list;
+}
+
+class FileActions {
+ public:
+  FileActions() { require(::posix_spawn_file_actions_init(&actions_) == 0, "posix_spawn"); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+  FileActions(FileActions&&) = delete;
+  FileActions& operator=(FileActions&&) = delete;
+  ~FileActions() { ::posix_spawn_file_actions_destroy(&actions_); }
+
+  void directory(const std::filesystem::path& path) {
+    require(::posix_spawn_file_actions_addchdir_np(&actions_, path.c_str()) == 0, "posix_spawn");
+  }
+  void connect(int from, int to) {
+    require(::posix_spawn_file_actions_adddup2(&actions_, from, to) == 0, "posix_spawn");
+  }
+  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// Reads both until the program has closed them; false where that takes too long.
+bool read_both(int out, int err, ProgramRun& run, std::chrono::seconds patience) {
+  using Clock = std::chrono::steady_clock;
+  const auto deadline = Clock::now() + patience;
+  std::array<pollfd, 2> watched{pollfd{out, POLLIN, 0}, pollfd{err, POLLIN, 0}};
+  const std::array<std::string*, 2> texts{&run.out, &run.err};
+  std::vector<char> buffer(std::size_t{1} << 16U);
+  while (watched[0].fd >= 0 || watched[1].fd >= 0) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) {
+      return false;
+    }
+    const int ready = ::poll(watched.data(), watched.size(), static_cast<int>(left));
+    require(ready >= 0 || errno == EINTR, "poll");
+    for (std::size_t i = 0; ready > 0 && i < watched.size(); ++i) {
+      if (watched[i].fd < 0 || watched[i].revents == 0) {
+        continue;
+      }
+      const ssize_t count = ::read(watched[i].fd, buffer.data(), buffer.size());
+      if (count > 0) {
+        texts[i]->append(buffer.data(), static_cast<std::size_t>(count));
+      } else if (count == 0 || errno != EINTR) {
+        watched[i].fd = -1;  // closed; a terminal says so with EIO
+      }
+    }
+  }
+  return true;
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0) {
+    require(errno == EINTR, "waitpid");
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+std::vector<std::string> ProgramRun::err_lines() const {
+  std::vector<std::string> lines;
+  std::istringstream stream(err);
+  for (std::string line; std::getline(stream, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+Sandbox::Sandbox() {
+  std::string wanted = (std::filesystem::temp_directory_path() / "stillpoint-XXXXXX").string();
+  require(::mkdtemp(wanted.data()) != nullptr, "mkdtemp");
+  path_ = std::filesystem::canonical(wanted);
+}
+
+Sandbox::~Sandbox() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surroundings) const {
+  std::vector<std::string> words = joined({STILLPOINT_PROGRAM}, arguments);
+  std::vector<std::string> variables = environment(surroundings);
+  const File input = input_file(surroundings.input);
+  const Channel out = output_channel(surroundings);
+  const Channel err = pipe_channel();
+  FileActions actions;
+  actions.directory(path_);
+  actions.connect(::fileno(input.get()), STDIN_FILENO);
+  actions.connect(out.writer->get(), STDOUT_FILENO);
+  actions.connect(err.writer->get(), STDERR_FILENO);
+  pid_t child = 0;
+  const int error = ::posix_spawn(&child, STILLPOINT_PROGRAM, actions.get(), nullptr,
+                                  pointers(words).data(), pointers(variables).data());
+  require(error == 0, STILLPOINT_PROGRAM, error);
+  out.writer->close();
+  err.writer->close();
+  ProgramRun result;
+  const bool in_time =
+      read_both(out.reader->get(), err.reader->get(), result, surroundings.patience);
+  if (!in_time) {
+    ::kill(child, SIGKILL);
+  }
+  result.exit_code = wait_for(child);
+  return result;
+}
+
+void Sandbox::write(std::string_view name, std::string_view text) const {
+  std::ofstream file(path(name), std::ios::binary);
+  file << text;
+  require(static_cast<bool>(file.flush()), "write");
+}
+
+std::string Sandbox::read(std::string_view name) const {
+  std::ifstream file(path(name), std::ios::binary);
+  if (!file) {
+    throw std::runtime_error("there is no file " + std::string(name));
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::map<std::string, std::string> Sandbox::contents() const {
+  constexpr std::uintmax_t large = std::uintmax_t{1} << 20U;
+  std::map<std::string, std::string> found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
+    const std::string name = entry.path().lexically_relative(path_).string();
+    if (entry.is_symlink()) {
+      found[name] = std::filesystem::read_symlink(entry.path()).string();
+    } else if (entry.is_directory()) {
+      found[name] = "/";
+    } else if (::access(entry.path().c_str(), R_OK) != 0) {
+      found[name] = "unreadable";
+    } else {
+      found[name] = entry.file_size() > large ? std::to_string(entry.file_size()) : read(name);
+    }
+  }
+  return found;
+}
+
+Arguments joined(Arguments head, const Arguments& tail) {
+  head.insert(head.end(), tail.begin(), tail.end());
+  return head;
+}
+
+std::string in_full(double value) {
+  std::array<char, 32> digits{};
+  char* const begin = digits.data();
+  return {begin, std::to_chars(begin, begin + digits.size(), value).ptr};
+}
+
+}  // namespace stillpoint::cli_test

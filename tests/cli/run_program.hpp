@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::cli_test {
+
+using Arguments = std::vector<std::string>;
+
+/// What a run left behind.
+struct ProgramRun {
+  int exit_code{-1};  ///< -1: it crashed, or was ended after its time
+  std::string out;
+  std::string err;
+
+  /// The standard output as JSON; throws where it is none.
+  [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out); }
+  /// The lines of standard error.
+  [[nodiscard]] std::vector<std::string> err_lines() const;
+};
+
+enum class StandardOutput { pipe, terminal, file };
+
+struct Surroundings {
+  std::string input{};  ///< on standard input
+  /// Beside what the tests themselves run in, less NO_COLOR, and with TERM=xterm.
+  std::vector<std::pair<std::string, std::string>> environment{};
+  StandardOutput output{StandardOutput::pipe};
+  std::string output_file{};  ///< appended to, with StandardOutput::file
+  std::chrono::seconds patience{120};
+};
+
+/// A directory that lives as long as the test and in which the program runs. A fixture.
+class Sandbox {
+ public:
+  Sandbox();
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+  Sandbox(Sandbox&&) = delete;
+  Sandbox& operator=(Sandbox&&) = delete;
+  ~Sandbox();
+
+  /// Runs the program with this directory as its own.
+  [[nodiscard]] ProgramRun run(const Arguments& arguments,
+                               const Surroundings& surroundings = {}) const;
+
+  [[nodiscard]] std::filesystem::path path(std::string_view name) const { return path_ / name; }
+  void write(std::string_view name, std::string_view text) const;
+  [[nodiscard]] std::string read(std::string_view name) const;
+
+  /// Every entry by name: the text of a file, the target of a link, "/" for a directory. Of files
+  /// over a mebibyte the size alone.
+  [[nodiscard]] std::map<std::string, std::string> contents() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// `head` with `tail` behind it.
+[[nodiscard]] Arguments joined(Arguments head, const Arguments& tail);
+
+/// A double as the program reads it back to the last bit.
+[[nodiscard]] std::string in_full(double value);
+
+}  // namespace stillpoint::cli_test

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE scene
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+
+Surroundings with_input(const std::string& text) {
+  Surroundings surroundings;
+  surroundings.input = text;
+  return surroundings;
+}
+
+const std::string plain = R"({"v0": 1, "p": 1, "beta": 0.9, "tolerance": 0.1})";
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(scene, Sandbox)
+
+BOOST_AUTO_TEST_CASE(from_a_file_or_from_standard_input_is_as_good_as_flags) {
+  write("scene.json", plain);
+  const json by_flags =
+      run({"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--tolerance", "0.1", "--json"})
+          .json();
+  const json by_file = run({"design", "scene.json", "--json"}).json();
+  const json by_input = run({"design", "-", "--json"}, with_input(plain)).json();
+  BOOST_TEST(without_wall_times(by_file) == without_wall_times(by_flags));
+  BOOST_TEST(without_wall_times(by_input) == without_wall_times(by_flags));
+}
+
+BOOST_AUTO_TEST_CASE(may_stand_before_or_behind_the_flags) {
+  write("scene.json", plain);
+  for (const Arguments& arguments :
+       std::vector<Arguments>{{"design", "scene.json", "--json", "--beta", "0.8"},
+                              {"design", "--beta", "0.8", "scene.json", "--json"},
+                              {"design", "--json", "--beta=0.8", "scene.json"}}) {
+    const ProgramRun answer = run(arguments);
+    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    BOOST_TEST(answer.json()["input"]["beta"] == 0.8);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(gives_way_to_flags) {
+  write(
+      "scene.json",
+      R"({"v0": 1, "p": 1, "beta": 0.9, "objective": "time", "f_max": 0.3, "criterion": "exact"})");
+  const json report = run({"design", "scene.json", "--objective", "amplitude", "--f-max", "0.25",
+                           "--criterion", "published", "--v0", "1.01", "--json"})
+                          .json();
+  BOOST_TEST(report["input"]["objective"] == "amplitude");
+  BOOST_TEST(report["input"]["f_max"] == 0.25);
+  BOOST_TEST(report["input"]["criterion"] == "published");
+  BOOST_TEST(report["input"]["v0"] == 1.01);
+  BOOST_TEST(report["input"]["p"] == 1);
+}
+
+BOOST_AUTO_TEST_CASE(takes_hyphens_and_underscores_alike) {
+  const std::string start = R"({"v0": 1, "p": 1, "beta": 0.9, )";
+  const json hyphen = run({"design", "-", "--json"}, with_input(start + R"("f-max": 0.2})")).json();
+  const json underscore =
+      run({"design", "-", "--json"}, with_input(start + R"("f_max": 0.2})")).json();
+  BOOST_TEST(hyphen["input"]["f_max"] == 0.2);
+  BOOST_TEST(without_wall_times(underscore) == without_wall_times(hyphen));
+}
+
+BOOST_AUTO_TEST_CASE(can_hold_every_kind_of_option) {
+  const std::string text = R"({"title": "by a scene", "v0": 1, "p": 1, "f": 0.02, "delta": 0.02,
+      "max_half_cycles": 2, "trajectory": "motion.csv", "samples": 3, "json": true,
+      "output": "report.json"})";
+  const ProgramRun answer = run({"simulate", "-"}, with_input(text));
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.json()["half_cycles_listed"] == 2);
+  BOOST_TEST(read("report.json") == answer.out);
+  BOOST_TEST(!read("motion.csv").empty());
+  const ProgramRun titled = run({"design", "-"}, with_input(R"({"title": "the old bridge", "v0": 1,
+      "p": 1, "beta": 0.9, "json": false})"));
+  BOOST_TEST(titled.out.starts_with("Damper design: the old bridge\n"));
+}
+
+BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
+  const ProgramRun answer =
+      run({"design", "-", "--json"},
+          with_input(R"({"v0": 1.0000000000000002, "p": 0.30000000000000004, "beta": 5e0})"));
+  const json input = answer.json()["input"];
+  BOOST_TEST(input["v0"].get<double>() == 1.0000000000000002);
+  BOOST_TEST(input["p"].get<double>() == 0.30000000000000004);
+  BOOST_TEST(input["beta"] == 5);
+}
+
+BOOST_AUTO_TEST_CASE(serves_several_commands_and_says_what_one_does_not_use) {
+  write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "objective": "time", "f": 0.3,
+      "delta": 0.4, "samples": 7})");
+  const ProgramRun design = run({"design", "scene.json", "--json"});
+  BOOST_TEST(design.exit_code == 0);
+  BOOST_TEST(design.json()["input"]["objective"] == "time");
+  BOOST_TEST(design.err_lines().size() == 3U);
+  for (const char* name : {"f ", "delta ", "samples "}) {
+    BOOST_TEST(design.err.find("note: " + std::string(name)) != std::string::npos, design.err);
+  }
+  const ProgramRun region = run({"region", "scene.json", "--json"});
+  BOOST_TEST(region.exit_code == 0);
+  BOOST_TEST(region.json()["admissible"] == true);
+  BOOST_TEST(region.err_lines().size() == 2U);
+  BOOST_TEST(region.err.find("objective") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
+    if (entry.path().extension() != ".json") {
+      continue;
+    }
+    ++scenes;
+    BOOST_TEST_CONTEXT(entry.path().filename()) {
+      const bool infeasible = entry.path().filename().string().starts_with("infeasible");
+      const ProgramRun design = run({"design", entry.path().string(), "--json"});
+      BOOST_TEST(design.exit_code == (infeasible ? 3 : 0));
+      BOOST_TEST(design.err.empty(), design.err);
+      check_only_finite(design.out);
+      const json report = design.json();
+      BOOST_TEST(report["region"]["feasible"] == !infeasible);
+      if (!infeasible) {
+        BOOST_TEST(report["cross_check"]["passed"] == true);
+        BOOST_TEST(report["design"]["tolerance"].get<double>() >=
+                   report["input"]["tolerance"].get<double>());
+      }
+      std::ifstream file(entry.path());
+      const json text = json::parse(file);
+      BOOST_TEST(report["physical"].is_object() == text.contains("velocity"));
+      const ProgramRun region = run({"region", entry.path().string()});
+      BOOST_TEST(region.exit_code == (infeasible ? 3 : 0));
+      BOOST_TEST(text.contains("title"));
+      BOOST_TEST(region.out.find(text.value("title", "no title")) != std::string::npos);
+    }
+  }
+  BOOST_TEST(scenes >= 6);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

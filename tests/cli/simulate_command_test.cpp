@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE simulate_command
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+
+Arguments simulate(const char* f, const char* delta, const Arguments& more = {}) {
+  return joined({"simulate", "--v0", "1", "--p", "1", "--f", f, "--delta", delta}, more);
+}
+
+/// What is instant has five seconds, also under sanitizers on a loaded machine.
+Surroundings impatient() {
+  Surroundings surroundings;
+  surroundings.patience = std::chrono::seconds(5);
+  return surroundings;
+}
+
+json report_of(const Sandbox& sandbox, const Arguments& arguments) {
+  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}), impatient());
+  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
+  BOOST_TEST(run.err.empty(), run.err);
+  check_only_finite(run.out);
+  return run.json();
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(simulate_command, Sandbox)
+
+BOOST_AUTO_TEST_CASE(report_has_every_field_of_the_contract) {
+  const json report = report_of(*this, simulate("0.02", "0.02"));
+  BOOST_TEST(report["schema"] == "stillpoint/simulation-report/1");
+  check_fields(
+      report, {"input:object", "response:object", "half_cycles:array", "half_cycles_listed:count"});
+  check_fields(report["input"], {"v0:number", "p:number", "f:number", "delta:number", "x0:number"});
+  check_response_fields(report["response"]);
+  for (const json& now : report["half_cycles"]) {
+    check_fields(now,
+                 {"index:count", "start_time:number", "departure_speed:number", "peak_time:number",
+                  "peak:number", "end_time:number", "arrival_speed:number?"});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(metrics_are_those_of_the_reference) {
+  const json response = report_of(*this, simulate("0.02", "0.02"))["response"];
+  BOOST_TEST(near(response["peak_amplitude"], 0.98019998000399900, 1e-15));
+  BOOST_TEST(near(response["stop_time"], 34.598868822426208, 1e-14));
+  BOOST_TEST(response["half_cycles"] == 11);
+  BOOST_TEST(response["turning_points"] == 11);
+  BOOST_TEST(response["zero_passages"] == 10);
+  BOOST_TEST(response["stops_at_zero"] == true);
+  BOOST_TEST(response["stop_position"] == 0);
+  BOOST_TEST(response["outcome"] == "stopped_at_zero");
+
+  const json longer = report_of(*this, simulate("1e-3", "1e-4"))["response"];
+  BOOST_TEST(near(longer["peak_amplitude"], 0.99900049999987500, 1e-15));
+  BOOST_TEST(near(longer["stop_time"], 1332.0849129162111, 1e-12));
+  BOOST_TEST(longer["half_cycles"] == 424);
+}
+
+BOOST_AUTO_TEST_CASE(half_cycles_follow_one_another) {
+  const json report = report_of(*this, simulate("0.02", "0.02"));
+  const json& list = report["half_cycles"];
+  BOOST_TEST_REQUIRE(list.size() == 11U);
+  BOOST_TEST(report["half_cycles_listed"] == 11);
+  double time = 0;
+  double speed = 1;
+  double largest = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const json& now = list[i];
+    BOOST_TEST(now["index"] == i + 1);
+    BOOST_TEST(now["start_time"] == time);
+    BOOST_TEST(near(now["departure_speed"], speed, 1e-14));
+    BOOST_TEST(now["peak_time"].get<double>() > time);
+    // (peak + f)^2 = departure^2 + f^2; arrival^2 = peak (peak - 2 f).
+    const double peak = now["peak"];
+    BOOST_TEST(near(peak + 0.02, std::hypot(speed, 0.02), 1e-14));
+    const double arrival = now["arrival_speed"];
+    BOOST_TEST(near(arrival * arrival, peak * (peak - 0.04), 1e-13));
+    speed = std::sqrt(std::max(0.0, arrival * arrival - 0.04));
+    time = now["end_time"];
+    largest = std::max(largest, peak);
+  }
+  BOOST_TEST(near(time, report["response"]["stop_time"], 1e-14));
+  BOOST_TEST(largest == report["response"]["peak_amplitude"].get<double>());
+}
+
+BOOST_AUTO_TEST_CASE(list_of_half_cycles_is_capped_as_asked) {
+  const json all = report_of(*this, simulate("0.02", "0.02"));
+  for (const int most : {0, 1, 4, 11, 12}) {
+    const json report =
+        report_of(*this, simulate("0.02", "0.02", {"--max-half-cycles", std::to_string(most)}));
+    const auto listed = static_cast<std::size_t>(std::min(most, 11));
+    BOOST_TEST(report["half_cycles"].size() == listed);
+    BOOST_TEST(report["half_cycles_listed"] == listed);
+    BOOST_TEST(report["response"] == all["response"]);
+    for (std::size_t i = 0; i < listed; ++i) {
+      BOOST_TEST(report["half_cycles"][i] == all["half_cycles"][i]);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rest_in_the_dead_zone_is_an_outcome) {
+  const json report = report_of(*this, simulate("0.3", "0.02"));
+  const json& response = report["response"];
+  BOOST_TEST(response["outcome"] == "stopped_in_dead_zone");
+  BOOST_TEST(response["stops_at_zero"] == false);
+  BOOST_TEST(response["half_cycles"] == 2);
+  BOOST_TEST(response["zero_passages"] == 1);
+  // Out and back, through the notch, out to the other side.
+  const double first = std::hypot(1, 0.3) - 0.3;
+  const double left = first * (first - 0.6) - 0.04;
+  BOOST_TEST(near(response["stop_position"], -(std::sqrt(left + 0.09) - 0.3), 1e-13));
+  check_fields(report["half_cycles"][1], {"arrival_speed:null"});
+}
+
+BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {
+  const json report = report_of(*this, simulate("0", "0", {"--max-half-cycles", "3"}));
+  const json& response = report["response"];
+  BOOST_TEST(response["outcome"] == "never_stops");
+  BOOST_TEST(response["peak_amplitude"] == 1);
+  BOOST_TEST(response["peak_acceleration"] == 1);
+  BOOST_TEST(response["stops_at_zero"] == false);
+  check_fields(response,
+               {"half_cycles:null", "turning_points:null", "zero_passages:null", "stop_time:null",
+                "stop_position:null", "arrival_speed:null", "decision_margin:null"});
+  BOOST_TEST(report["half_cycles_listed"] == 3);
+  const ProgramRun text = run(simulate("0", "0"));
+  BOOST_TEST(text.out.find("never stops") != std::string::npos, text.out);
+}
+
+BOOST_AUTO_TEST_CASE(notch_deeper_than_the_start_s_energy_holds_it) {
+  const json report = report_of(*this, simulate("0.1", "0.6"));
+  const json& response = report["response"];
+  BOOST_TEST(response["outcome"] == "caught_at_start");
+  BOOST_TEST(response["peak_amplitude"] == 0);
+  BOOST_TEST(response["stop_time"] == 0);
+  BOOST_TEST(response["stop_position"] == 0);
+  BOOST_TEST(response["half_cycles"] == 0);
+  check_fields(response, {"arrival_speed:null"});
+  BOOST_TEST(report["half_cycles"].empty());
+  BOOST_TEST(report["half_cycles_listed"] == 0);
+  // v0^2 = 2 delta to the last bit is let go.
+  BOOST_TEST(report_of(*this, simulate("0.1", "0.5"))["response"]["outcome"] == "stopped_at_zero");
+  BOOST_TEST(report_of(*this, simulate("0.1", "0.5000000000000001"))["response"]["outcome"] ==
+             "caught_at_start");
+}
+
+BOOST_AUTO_TEST_CASE(nothing_that_moves_rests_where_it_is) {
+  const Arguments still{"simulate", "--v0", "0", "--p", "1", "--f", "0.1", "--delta", "0.1"};
+  const json response = report_of(*this, still)["response"];
+  BOOST_TEST(response["half_cycles"] == 0);
+  BOOST_TEST(response["stop_time"] == 0);
+  BOOST_TEST(response["stop_position"] == 0);
+  const ProgramRun text = run(still);
+  BOOST_TEST(text.out.find("-0\n") == std::string::npos, text.out);
+}
+
+BOOST_AUTO_TEST_CASE(may_start_off_the_centre) {
+  // From rest at x0 = 1: back to x = 0 with v^2 = x0 (x0 - 2 f) and no peak but the start.
+  const Arguments from_rest{"simulate", "--p", "1", "--f", "0.1", "--delta", "0.5", "--x0", "1"};
+  const json report = report_of(*this, from_rest);
+  BOOST_TEST(report["input"]["x0"] == 1);
+  BOOST_TEST(report["input"]["v0"] == 0);
+  const json& response = report["response"];
+  BOOST_TEST(response["peak_amplitude"] == 1);
+  BOOST_TEST(near(response["arrival_speed"], std::sqrt(0.8), 1e-14));
+  BOOST_TEST(response["outcome"] == "stopped_at_zero");
+  BOOST_TEST(near(response["stop_time"], std::acos(-0.1 / 0.9), 1e-14));
+
+  const json outwards = report_of(
+      *this, {"simulate", "--v0", "1", "--p", "1", "--f", "0.1", "--delta", "0.5", "--x0", "1"});
+  BOOST_TEST(near(outwards["response"]["peak_amplitude"], std::hypot(1, 1.1) - 0.1, 1e-14));
+  const json mirrored = report_of(
+      *this, {"simulate", "--v0", "-1", "--p", "1", "--f", "0.1", "--delta", "0.5", "--x0", "-1"});
+  BOOST_TEST(mirrored["response"] == outwards["response"]);
+}
+
+BOOST_AUTO_TEST_CASE(a_million_million_half_cycles_take_no_time) {
+  // v^2 falls by 9.8e-13 at each passage: 1/9.8e-13 = 1020408163265.3 of them.
+  const json notch = report_of(*this, simulate("0", "4.9e-13"))["response"];
+  BOOST_TEST(notch["half_cycles"] == 1020408163266);
+  BOOST_TEST(near(notch["stop_time"], 1020408163266 * std::numbers::pi, 1e-12));
+  BOOST_TEST(notch["outcome"] == "stopped_at_zero");
+  // Peaks fall by 9.8e-13 each from 1 - 4.9e-13.
+  const json friction = report_of(*this, simulate("4.9e-13", "0"))["response"];
+  BOOST_TEST(friction["half_cycles"] == 1020408163265);
+  BOOST_TEST(near(friction["stop_time"], 1020408163265 * std::numbers::pi, 1e-11));
+  BOOST_TEST(friction["outcome"] == "stopped_in_dead_zone");
+  BOOST_TEST(std::abs(friction["stop_position"].get<double>()) <= 4.9e-13);
+}
+
+BOOST_AUTO_TEST_CASE(counts_beyond_the_integers_of_a_double_are_numbers) {
+  const json response = report_of(*this, simulate("0", "1e-20"))["response"];
+  BOOST_TEST(near(response["half_cycles"], 5e19, 1e-12));
+  BOOST_TEST(near(response["stop_time"], 5e19 * std::numbers::pi, 1e-12));
+  const ProgramRun text = run(simulate("0", "1e-20"), impatient());
+  BOOST_TEST(text.out.find("5e+19 half-cycles") != std::string::npos, text.out);
+  // A count that a double holds exactly is written as an integer.
+  const ProgramRun exact = run(simulate("0", "4.9e-13", {"--json"}), impatient());
+  BOOST_TEST(exact.out.find("\"half_cycles\": 1020408163266,") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(limit_of_half_cycles_can_be_set) {
+  BOOST_TEST(run(simulate("1e-5", "1e-9", {"--half-cycle-limit", "1000"})).exit_code == 2);
+  const json report = report_of(*this, simulate("1e-5", "1e-9", {"--half-cycle-limit", "1e6"}));
+  BOOST_TEST(report["response"]["half_cycles"].get<double>() > 10'000);
+}
+
+BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
+  const json report =
+      report_of(*this, {"simulate", "--velocity", "0.4", "--stiffness", "877298.1689857206",
+                        "--mass", "2e5", "--f", "0.02", "--delta-m", "0.001"});
+  const json& quantities = report["physical"];
+  const double omega = 2 * std::numbers::pi / 3;
+  BOOST_TEST(near(quantities["period_s"], 3, 1e-14));
+  BOOST_TEST(near(quantities["friction_force_n"], 2e5 * 9.80665 * 0.02, 1e-14));
+  BOOST_TEST(near(quantities["energy_per_passage_j"], 2e5 * 9.80665 * 0.001, 1e-14));
+  // m omega^2 x = spring, m f g = friction: the peak in metres by hand.
+  const double offset = 0.02 * 9.80665 / (omega * omega);
+  BOOST_TEST(near(quantities["peak_m"], std::hypot(0.4 / omega, offset) - offset, 1e-13));
+  const double time_unit = quantities["time_unit_s"];
+  BOOST_TEST(near(quantities["stop_time_s"],
+                  report["response"]["stop_time"].get<double>() * time_unit, 1e-15));
+
+  const json displaced = report_of(
+      *this, {"simulate", "--period", "3", "--x0-m", "0.1", "--f", "0.02", "--delta-m", "0.001"});
+  BOOST_TEST(near(displaced["physical"]["peak_m"], 0.1, 1e-15));
+  check_fields(displaced["physical"], {"friction_force_n:null", "energy_per_passage_j:null"});
+}
+
+BOOST_AUTO_TEST_CASE(figures_beyond_a_double_are_refused_or_left_out_but_never_infinite) {
+  const Arguments enormous{"simulate", "--velocity", "1",         "--period", "1",
+                           "--mass",   "1e30",       "--gravity", "1e30",     "--f",
+                           "1",        "--delta-m",  "1e260"};
+  check_only_finite(run(enormous).out);
+  const ProgramRun answer = run(joined(enormous, {"--json"}));
+  BOOST_TEST((answer.exit_code == 0 || answer.exit_code == 2));
+}
+
+BOOST_AUTO_TEST_CASE(text_lists_the_first_half_cycles) {
+  const ProgramRun text = run(simulate("0.02", "0.02"));
+  BOOST_TEST(text.exit_code == 0);
+  for (const char* part : {"Free motion", "stops at x = 0", "0.9802", "34.5989",
+                           "11 half-cycles, 10 passages, 11 turning points", "Half-cycles"}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

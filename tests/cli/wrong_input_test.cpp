@@ -1,0 +1,528 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE wrong_input
+#include "options.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+namespace cli = stillpoint::cli;
+namespace data = boost::unit_test::data;
+namespace fs = std::filesystem;
+
+using Texts = std::vector<std::string>;
+
+/// One way to go wrong, and what the message must hold: the field, the value, the bound.
+struct Wrong {
+  const char* name;
+  Arguments arguments;
+  Texts says;
+  std::string input{};
+};
+
+std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
+  return stream << wrong.name;
+}
+
+/// Asserts exit code 2, one line on standard error with all of `says`, nothing else anywhere.
+void check_refusal(const ProgramRun& run, const Texts& says) {
+  BOOST_TEST(run.exit_code == 2);
+  BOOST_TEST(run.out.empty(), run.out.substr(0, 200));
+  BOOST_TEST(run.err_lines().size() == 1U, run.err);
+  BOOST_TEST(run.err.starts_with("stillpoint: "), run.err);
+  BOOST_TEST(run.err.ends_with('\n'), run.err);
+  for (const std::string& part : says) {
+    BOOST_TEST(run.err.find(part) != std::string::npos, "no " << part << " in " << run.err);
+  }
+}
+
+bool has(const Arguments& arguments, const char* word) {
+  return std::ranges::find(arguments, word) != arguments.end();
+}
+
+/// The same for a run in `sandbox`, where an old report must survive.
+void check_refused(const Sandbox& sandbox, const Wrong& wrong,
+                   const Surroundings& surroundings = {}) {
+  sandbox.write("old.json", "an old report\n");
+  const auto before = sandbox.contents();
+  Surroundings now = surroundings;
+  now.input = wrong.input;
+  check_refusal(sandbox.run(wrong.arguments, now), wrong.says);
+  BOOST_TEST((sandbox.contents() == before));
+  if (!wrong.arguments.empty() && !has(wrong.arguments, "--output")) {
+    Arguments with_output = wrong.arguments;
+    const Arguments output{"--output", "old.json"};
+    with_output.insert(with_output.begin() + 1, output.begin(), output.end());
+    check_refusal(sandbox.run(with_output, now), wrong.says);
+    BOOST_TEST((sandbox.contents() == before));
+  }
+}
+
+Arguments design(const Arguments& more = {}) {
+  return joined({"design", "--v0", "1", "--p", "1", "--beta", "0.9"}, more);
+}
+
+Arguments region(const Arguments& more = {}) {
+  return joined({"region", "--v0", "1", "--p", "1", "--beta", "0.9"}, more);
+}
+
+Arguments simulate(const Arguments& more = {}) {
+  return joined({"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"}, more);
+}
+
+Arguments physical(const Arguments& more = {}) {
+  return joined({"design", "--velocity", "0.4", "--max-displacement", "0.16"}, more);
+}
+
+/// `arguments` with the value of `option` replaced.
+Arguments with(Arguments arguments, const char* option, const char* value) {
+  const auto found = std::ranges::find(arguments, option);
+  *(found + 1) = value;
+  return arguments;
+}
+
+const Surroundings to_a_full_device = [] {
+  Surroundings surroundings;
+  surroundings.output = StandardOutput::file;
+  surroundings.output_file = "/dev/full";
+  return surroundings;
+}();
+
+}  // namespace
+
+// ---- values
+
+namespace {
+
+const std::vector<Wrong> values{
+    {"v0_zero", with(design(), "--v0", "0"), {"v0 = 0", "from 1e-150"}},
+    {"v0_negative", with(design(), "--v0", "-1"), {"v0 = -1", "from 1e-150"}},
+    {"v0_too_large", with(design(), "--v0", "1e151"), {"v0 = 1e+151", "to 1e+150"}},
+    {"p_zero", with(design(), "--p", "0"), {"p = 0", "from 1e-150"}},
+    {"p_negative", with(region(), "--p", "-2"), {"p = -2", "from 1e-150"}},
+    {"p_of_simulate_zero", with(simulate(), "--p", "0"), {"p = 0", "from 1e-150"}},
+    {"beta_zero", with(design(), "--beta", "0"), {"beta = 0", "from 1e-300"}},
+    {"beta_negative", with(region(), "--beta", "-0.9"), {"beta = -0.9", "from 1e-300"}},
+    {"beta_far_from_v0", with(design(), "--beta", "1e-120"), {"beta = 1e-120", "1e-100"}},
+    {"v0_of_simulate_too_small", with(simulate(), "--v0", "1e-200"), {"v0 = 1e-200", "1e-150"}},
+    {"x0_too_large", simulate({"--x0", "1e301"}), {"x0 = 1e+301", "1e+300"}},
+    {"f_negative", with(simulate(), "--f", "-0.1"), {"f = -0.1", "from 0"}},
+    {"delta_negative", with(simulate(), "--delta", "-0.1"), {"delta = -0.1", "from 0"}},
+    {"f_of_region_negative", region({"--f", "-1"}), {"f = -1", "from 0"}},
+    {"delta_of_region_negative", region({"--f", "0.3", "--delta", "-1"}), {"delta = -1", "from 0"}},
+    {"f_max_zero", design({"--f-max", "0"}), {"f_max = 0", "from 1e-300"}},
+    {"f_max_negative", design({"--f-max", "-1"}), {"f_max = -1", "from 1e-300"}},
+    {"delta_max_zero", design({"--delta-max", "0"}), {"delta_max = 0", "from 1e-300"}},
+    {"tolerance_one", design({"--tolerance", "1"}), {"tolerance = 1", "less than 1"}},
+    {"tolerance_negative", design({"--tolerance", "-0.1"}), {"tolerance = -0.1", "at least 0"}},
+    {"tolerance_of_region", region({"--tolerance", "2"}), {"tolerance = 2", "less than 1"}},
+    {"velocity_zero",
+     with(physical({"--period", "3"}), "--velocity", "0"),
+     {"velocity = 0", "from 1e-30"}},
+    {"velocity_negative",
+     with(physical({"--period", "3"}), "--velocity", "-0.4"),
+     {"velocity = -0.4", "from 1e-30"}},
+    {"max_displacement_zero",
+     with(physical({"--period", "3"}), "--max-displacement", "0"),
+     {"max-displacement = 0"}},
+    {"max_displacement_negative",
+     with(physical({"--period", "3"}), "--max-displacement", "-0.1"),
+     {"max-displacement = -0.1"}},
+    {"period_zero", physical({"--period", "0"}), {"period = 0", "from 1e-30"}},
+    {"period_negative", physical({"--period", "-3"}), {"period = -3", "from 1e-30"}},
+    {"stiffness_negative",
+     physical({"--stiffness", "-1", "--mass", "1"}),
+     {"stiffness = -1", "from 1e-30"}},
+    {"mass_zero", physical({"--period", "3", "--mass", "0"}), {"mass = 0", "from 1e-30"}},
+    {"gravity_zero", physical({"--period", "3", "--gravity", "0"}), {"gravity = 0", "from 1e-30"}},
+    {"gravity_negative", physical({"--period", "3", "--gravity", "-9.8"}), {"gravity = -9.8"}},
+    {"delta_m_negative",
+     {"simulate", "--velocity", "1", "--period", "3", "--f", "0.1", "--delta-m", "-1"},
+     {"delta-m = -1", "from 0"}},
+    {"samples_one",
+     simulate({"--trajectory", "t.csv", "--samples", "1"}),
+     {"samples = 1", "from 2 to 1000000"}},
+    {"samples_too_many",
+     simulate({"--trajectory", "t.csv", "--samples", "10000001"}),
+     {"samples = 10000001", "from 2 to 1000000"}},
+    {"samples_not_whole",
+     simulate({"--trajectory", "t.csv", "--samples", "3.5"}),
+     {"samples = \"3.5\"", "whole number"}},
+    {"max_half_cycles_negative",
+     simulate({"--max-half-cycles", "-1"}),
+     {"max-half-cycles = -1", "from 0"}},
+    {"half_cycle_limit_zero",
+     simulate({"--half-cycle-limit", "0"}),
+     {"half-cycle-limit = 0", "from 1"}},
+    {"t_end_zero", simulate({"--trajectory", "t.csv", "--t-end", "0"}), {"t-end = 0"}},
+    {"t_end_negative", simulate({"--trajectory", "t.csv", "--t-end", "-1"}), {"t-end = -1"}},
+    {"objective_unknown",
+     design({"--objective", "best"}),
+     {"objective = best", "robust, amplitude, time or acceleration"}},
+    {"objective_empty", design({"--objective", ""}), {"objective = ", "robust"}},
+    {"criterion_unknown",
+     region({"--criterion", "Exact"}),
+     {"criterion = Exact", "published or exact"}},
+    {"algorithm_unknown", design({"--algorithm", "LD_BEST"}), {"algorithm = LD_BEST", "LD_SLSQP"}},
+    {"algorithm_of_another_kind",
+     design({"--algorithm", "AUGLAG"}),
+     {"algorithm = AUGLAG", "LN_COBYLA"}},
+    {"algorithm_empty", design({"--algorithm", ""}), {"algorithm", "NLopt"}},
+    {"too_many_half_cycles",
+     {"simulate", "--v0", "1", "--p", "1", "--f", "1e-200", "--delta", "1e-200"},
+     {"f and delta", "half-cycles", "at most 1e+08"}},
+    {"too_many_half_cycles_for_its_own_limit",
+     simulate({"--half-cycle-limit", "5"}),
+     {"f and delta", "half-cycles", "at most 5"}},
+    {"too_many_half_cycles_for_a_trajectory",
+     {"simulate", "--v0", "1", "--p", "1", "--f", "0", "--delta", "1e-13", "--trajectory", "t.csv"},
+     {"half-cycles", "1e+06"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, value, data::make(values), wrong) {
+  check_refused(*this, wrong);
+}
+
+namespace {
+
+void check_no_number(const Sandbox& sandbox, std::string_view command, std::string_view option,
+                     const std::string& text) {
+  BOOST_TEST_CONTEXT(command << " --" << option << " " << text) {
+    const std::string name(option);
+    check_refusal(sandbox.run({std::string(command), "--" + name, text}),
+                  {name + " = ", text, "must "});
+  }
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(no_text_is_taken_for_a_number, Sandbox) {
+  const Texts texts{"",    "abc", "nan", "NAN", "inf",  "-inf", "infinity", "1,5",   "1 2",
+                    "0x3", "1e",  "--",  " 1",  "1.5m", "∞",    "1e400",    "-1e400"};
+  for (const std::string& text : texts) {
+    check_no_number(*this, "design", "v0", text);
+    check_no_number(*this, "simulate", "samples", text);
+  }
+  for (const char* text : {"1.0", "1e3", "99999999999999999999"}) {
+    check_no_number(*this, "simulate", "samples", text);
+  }
+  BOOST_TEST(contents().empty());
+}
+
+BOOST_FIXTURE_TEST_CASE(no_option_takes_a_text_for_a_number, Sandbox) {
+  for (const cli::Option& option : cli::options()) {
+    if (option.kind != cli::OptionKind::number && option.kind != cli::OptionKind::integer) {
+      continue;
+    }
+    for (const cli::Command command :
+         {cli::Command::design, cli::Command::region, cli::Command::simulate}) {
+      if (option.serves(command)) {
+        check_no_number(*this, cli::name(command), option.name, "nan");
+        check_no_number(*this, cli::name(command), option.name, "1e400");
+      }
+    }
+  }
+}
+
+// ---- missing and contradictory
+
+namespace {
+
+const std::vector<Wrong> combinations{
+    {"v0_missing", {"design", "--p", "1", "--beta", "1"}, {"v0 is missing", "--velocity"}},
+    {"p_missing", {"design", "--v0", "1", "--beta", "1"}, {"p is missing", "--period"}},
+    {"beta_missing",
+     {"design", "--v0", "1", "--p", "1"},
+     {"beta is missing", "--max-displacement"}},
+    {"beta_of_region_missing", {"region", "--v0", "1", "--p", "1"}, {"beta is missing"}},
+    {"everything_missing", {"design"}, {"v0 is missing"}},
+    {"f_missing", {"simulate", "--v0", "1", "--p", "1", "--delta", "1"}, {"f is missing"}},
+    {"delta_missing", {"simulate", "--v0", "1", "--p", "1", "--f", "1"}, {"delta is missing"}},
+    {"f_of_a_point_missing", region({"--delta", "0.4"}), {"f is missing", "--f"}},
+    {"velocity_missing",
+     {"design", "--period", "3", "--max-displacement", "1"},
+     {"velocity is missing", "m/s"}},
+    {"max_displacement_missing",
+     {"design", "--period", "3", "--velocity", "1"},
+     {"max-displacement is missing"}},
+    {"period_missing", physical(), {"period is missing", "stiffness"}},
+    {"mass_for_stiffness_missing", physical({"--stiffness", "1e6"}), {"mass is missing"}},
+    {"value_missing_at_the_end", {"design", "--v0"}, {"v0", "missing"}},
+    {"value_missing_before_a_flag", {"design", "--v0", "--p", "1"}, {"v0"}},
+    {"value_missing_behind_an_equals_sign", {"design", "--v0="}, {"v0"}},
+    {"v0_and_velocity", design({"--velocity", "2"}), {"v0 and velocity", "exclude each other"}},
+    {"p_and_period", design({"--period", "2"}), {"p and period", "exclude each other"}},
+    {"p_and_stiffness", design({"--stiffness", "2"}), {"p and stiffness", "exclude each other"}},
+    {"beta_and_max_displacement",
+     region({"--max-displacement", "2"}),
+     {"beta and max-displacement", "exclude each other"}},
+    {"period_and_stiffness",
+     physical({"--period", "3", "--stiffness", "1", "--mass", "1"}),
+     {"period and stiffness", "exclude each other"}},
+    {"delta_and_delta_m",
+     {"simulate", "--velocity", "1", "--period", "3", "--f", "0", "--delta", "1", "--delta-m", "1"},
+     {"delta and delta-m", "exclude each other"}},
+    {"delta_max_and_delta_max_m",
+     physical({"--period", "3", "--delta-max", "1", "--delta-max-m", "1"}),
+     {"delta-max and delta-max-m", "exclude each other"}},
+    {"x0_and_x0_m",
+     {"simulate", "--velocity", "1", "--period", "3", "--f", "0", "--delta", "0", "--x0", "1",
+      "--x0-m", "1"},
+     {"x0 and x0-m", "exclude each other"}},
+    {"dimensionless_and_mass", design({"--mass", "3"}), {"v0 and mass", "exclude each other"}},
+    {"dimensionless_and_gravity", design({"--gravity", "3"}), {"v0 and gravity", "exclude"}},
+    {"dimensionless_and_delta_max_m", design({"--delta-max-m", "1"}), {"v0 and delta-max-m"}},
+    {"physical_and_beta",
+     {"design", "--velocity", "1", "--period", "3", "--beta", "1"},
+     {"beta and velocity", "exclude each other"}},
+    {"physical_and_x0",
+     {"simulate", "--velocity", "1", "--period", "3", "--f", "0", "--delta", "0", "--x0", "1"},
+     {"x0 and velocity", "exclude each other"}},
+    {"samples_without_trajectory", simulate({"--samples", "10"}), {"samples", "--trajectory"}},
+    {"t_end_without_trajectory", simulate({"--t-end", "10"}), {"t-end", "--trajectory"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, combination, data::make(combinations), wrong) {
+  check_refused(*this, wrong);
+}
+
+// ---- the command line itself
+
+namespace {
+
+const std::vector<Wrong> command_lines{
+    {"no_command", {}, {"no command", "design, region or simulate"}},
+    {"unknown_command", {"dezign"}, {"command dezign", "design, region or simulate"}},
+    {"command_behind_another", design({"region"}), {"region"}},
+    {"unknown_option", design({"--betta", "2"}), {"--betta", "unknown option", "mean beta?"}},
+    {"unknown_option_without_a_neighbour", design({"--frobnicate"}), {"--frobnicate", "unknown"}},
+    {"unknown_option_with_a_value", design({"--vv0=2"}), {"--vv0=2", "mean v0?"}},
+    {"unknown_short_option", design({"-x"}), {"-x", "unknown option"}},
+    {"unknown_option_of_the_program", {"--frobnicate"}, {"--frobnicate"}},
+    {"abbreviated_option", design({"--tol", "0.1"}), {"--tol", "unknown option"}},
+    {"option_of_another_command", design({"--x0", "1"}), {"--x0", "no option of design"}},
+    {"option_of_design_for_simulate", simulate({"--beta", "1"}), {"--beta", "simulate"}},
+    {"option_of_design_for_region", region({"--objective", "time"}), {"--objective", "region"}},
+    {"option_twice", design({"--v0", "2"}), {"--v0", "2 times", "only once"}},
+    {"text_option_twice",
+     design({"--objective", "time", "--objective", "time"}),
+     {"--objective", "2 times"}},
+    {"output_twice", design({"--output", "a", "--output", "b"}), {"--output", "2 times"}},
+    {"flag_twice", design({"--json", "--json"}), {"--json", "2 times"}},
+    {"flag_with_a_value", design({"--json=maybe"}), {"--json", "maybe"}},
+    {"two_scenes", {"design", "old.json", "old.json"}, {"old.json", "only one scene"}},
+    {"value_with_a_line_break", design({"--objective", "a\nb"}), {"objective", "robust"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, command_line, data::make(command_lines), wrong) {
+  check_refused(*this, wrong);
+}
+
+// ---- scenes
+
+namespace {
+
+const std::string good = R"("v0": 1, "p": 1, "beta": 0.9)";
+
+Wrong scene(const char* name, const std::string& text, const Texts& says) {
+  return {name, {"design", "-"}, says, text};
+}
+
+const std::vector<Wrong> scenes{
+    scene("empty", "", {"standard input", "empty"}),
+    scene("blank", " \n\t\n", {"standard input", "empty"}),
+    scene("malformed", "{v0: 1}", {"standard input", "not valid JSON", "line 1"}),
+    scene("truncated", "{" + good, {"not valid JSON", "end of input"}),
+    scene("truncated_in_a_text", R"({"v0": 1, "title": "half)", {"not valid JSON", "line 1"}),
+    scene("more_behind_it", "{" + good + "} {}", {"not valid JSON", "end of input"}),
+    scene("comma_behind_the_last_value", "{" + good + ",}", {"not valid JSON"}),
+    scene("comment", "{" + good + " // why\n}", {"not valid JSON"}),
+    scene("not_utf8", "{\"title\": \"\xff\", " + good + "}", {"not valid JSON"}),
+    scene("deeply_nested", std::string(500'000, '['), {"not valid JSON"}),
+    scene("an_array", "[1, 2]", {"array", "must be an object"}),
+    scene("a_number", "17", {"number", "must be an object"}),
+    scene("null", "null", {"null", "must be an object"}),
+    scene("unknown_key", "{" + good + R"(, "colour": "red"})", {"colour = \"red\"", "not a key"}),
+    scene("unknown_key_with_a_neighbour", "{" + good + R"(, "tolerence": 0.1})",
+          {"tolerence = 0.1", "mean tolerance?"}),
+    scene("key_in_capitals", R"({"V0": 1, "p": 1, "beta": 0.9})", {"V0 = 1", "not a key"}),
+    scene("unknown_key_with_a_line_break", "{" + good + R"(, "a\nb": 1})", {"not a key"}),
+    scene("repeated_key", "{" + good + R"(, "v0": 1})", {"v0", "twice"}),
+    scene("repeated_key_in_two_spellings", "{" + good + R"(, "f_max": 1, "f-max": 1})",
+          {"f", "max", "twice"}),
+    scene("text_for_a_number", R"({"v0": "1", "p": 1, "beta": 1})", {"v0 = \"1\"", "a number"}),
+    scene("null_for_a_number", R"({"v0": null, "p": 1, "beta": 1})", {"v0 = null", "a number"}),
+    scene("truth_for_a_number", R"({"v0": true, "p": 1, "beta": 1})", {"v0 = true", "a number"}),
+    scene("array_for_a_number", R"({"v0": [1], "p": 1, "beta": 1})", {"v0 = [1]", "a number"}),
+    scene("number_for_a_text", "{" + good + R"(, "objective": 1})", {"objective = 1", "a text"}),
+    scene("text_for_a_flag", "{" + good + R"(, "json": "yes"})",
+          {"json = \"yes\"", "true or false"}),
+    scene("fraction_for_a_whole_number", "{" + good + R"(, "samples": 2.5})",
+          {"samples = 2.5", "a whole number"}),
+    scene("nan", R"({"v0": NaN, "p": 1, "beta": 1})", {"v0", "not valid JSON"}),
+    scene("infinity", R"({"v0": 1, "p": 1, "beta": Infinity})", {"beta", "not valid JSON"}),
+    scene("number_beyond_a_double", R"({"v0": 1, "p": 1, "beta": 1e400})", {"beta", "1e400"}),
+    scene("negative_value", R"({"v0": 1, "p": 1, "beta": -1})", {"beta = -1", "from 1e-300"}),
+    scene("contradiction", "{" + good + R"(, "velocity": 1})", {"v0 and velocity", "exclude"}),
+    scene("value_missing", R"({"v0": 1, "p": 1})", {"beta is missing"}),
+    {"whole_number_beyond_an_integer",
+     {"simulate", "-"},
+     {"samples = 18446744073709551615", "whole number"},
+     R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "trajectory": "t.csv",
+         "samples": 18446744073709551615})"},
+    {"contradiction_with_a_flag",
+     {"design", "-", "--velocity", "1"},
+     {"v0 and velocity", "exclude each other"},
+     "{" + good + "}"},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, scene_text, data::make(scenes), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_FIXTURE_TEST_SUITE(scene_file, Sandbox)
+
+BOOST_AUTO_TEST_CASE(that_does_not_exist) {
+  check_refused(*this, {"", {"design", "none.json"}, {"none.json", "No such file"}});
+}
+
+BOOST_AUTO_TEST_CASE(without_a_name) {
+  check_refused(*this, {"", design({""}), {"scene", "cannot be read"}});
+}
+
+BOOST_AUTO_TEST_CASE(that_is_a_directory) {
+  fs::create_directory(path("folder"));
+  check_refused(*this, {"", {"design", "folder"}, {"folder", "directory"}});
+}
+
+BOOST_AUTO_TEST_CASE(that_cannot_be_opened) {
+  write("secret.json", "{" + good + "}");
+  fs::permissions(path("secret.json"), fs::perms::none);
+  if (::access(path("secret.json").c_str(), R_OK) == 0) {
+    BOOST_TEST_MESSAGE("skipped: this user may read every file");
+    return;
+  }
+  check_refused(*this, {"", {"design", "secret.json"}, {"secret.json", "Permission denied"}});
+}
+
+BOOST_AUTO_TEST_CASE(whose_reading_fails) {
+  const char* unreadable = "/proc/self/mem";  // opens, but nothing lies at its beginning
+  if (!fs::exists(unreadable)) {
+    BOOST_TEST_MESSAGE("skipped: no " << unreadable);
+    return;
+  }
+  check_refused(*this, {"", {"design", unreadable}, {unreadable, "cannot be read"}});
+}
+
+BOOST_AUTO_TEST_CASE(of_a_hundred_megabytes) {
+  write("huge.json", "");
+  fs::resize_file(path("huge.json"), 100'000'000);
+  check_refused(*this, {"", {"design", "huge.json"}, {"huge.json", "too large", "1048576 bytes"}});
+}
+
+BOOST_AUTO_TEST_CASE(that_never_ends) {
+  check_refused(*this, {"", {"design", "/dev/zero"}, {"/dev/zero", "too large", "1048576 bytes"}});
+}
+
+BOOST_AUTO_TEST_CASE(that_is_empty_or_no_scene) {
+  write("empty.json", "");
+  check_refused(*this, {"", {"design", "empty.json"}, {"empty.json", "empty"}});
+  write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01", 6));
+  check_refused(*this, {"", {"design", "binary.json"}, {"binary.json", "not valid JSON"}});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// ---- output
+
+BOOST_FIXTURE_TEST_SUITE(output, Sandbox)
+
+BOOST_AUTO_TEST_CASE(standard_output_that_is_full) {
+  const std::vector<Arguments> all{design(), design({"--json"}), region(), simulate()};
+  for (const Arguments& arguments : all) {
+    check_refused(*this, {"", arguments, {"standard output", "No space left"}}, to_a_full_device);
+  }
+  check_refusal(run({"--help"}, to_a_full_device), {"standard output"});
+  check_refusal(run({"--version"}, to_a_full_device), {"standard output"});
+}
+
+BOOST_AUTO_TEST_CASE(standard_output_that_is_full_leaves_the_trajectory_alone) {
+  write("t.csv", "old");
+  check_refused(*this, {"", simulate({"--trajectory", "t.csv"}), {"standard output"}},
+                to_a_full_device);
+}
+
+BOOST_AUTO_TEST_CASE(file_on_a_full_device) {
+  check_refused(*this,
+                {"", design({"--output", "/dev/full"}), {"output", "/dev/full", "No space left"}});
+  check_refused(
+      *this,
+      {"", simulate({"--trajectory", "/dev/full"}), {"trajectory", "/dev/full", "No space"}});
+}
+
+BOOST_AUTO_TEST_CASE(file_in_no_directory) {
+  check_refused(*this, {"", design({"--output", "no/where.json"}), {"output", "no/where.json"}});
+  check_refused(*this, {"", design({"--output", "old.json/x"}), {"output", "old.json/x"}});
+  check_refused(*this, {"", design({"--output", "folder/"}), {"output", "folder/"}});
+  check_refused(*this,
+                {"", simulate({"--trajectory", "no/where.csv"}), {"trajectory", "no/where.csv"}});
+}
+
+BOOST_AUTO_TEST_CASE(file_without_a_name) {
+  check_refused(*this, {"", design({"--output", ""}), {"output"}});
+  check_refused(*this, {"", simulate({"--trajectory", ""}), {"trajectory"}});
+}
+
+BOOST_AUTO_TEST_CASE(file_that_is_a_directory) {
+  fs::create_directory(path("folder"));
+  check_refused(*this, {"", design({"--output", "folder"}), {"output", "folder", "directory"}});
+  check_refused(*this, {"", design({"--output", "."}), {"output", "directory"}});
+}
+
+BOOST_AUTO_TEST_CASE(file_in_a_directory_that_takes_none) {
+  // Not even root may create files there.
+  if (fs::exists("/proc/self")) {
+    check_refused(*this, {"", design({"--output", "/proc/report.json"}), {"/proc/report.json"}});
+  }
+  fs::create_directory(path("sealed"));
+  fs::permissions(path("sealed"), fs::perms::owner_read | fs::perms::owner_exec);
+  if (::access(path("sealed").c_str(), W_OK) == 0) {
+    BOOST_TEST_MESSAGE("skipped: this user may write everywhere");
+    return;
+  }
+  check_refused(*this,
+                {"", design({"--output", "sealed/new.json"}), {"output", "sealed/new.json"}});
+}
+
+BOOST_AUTO_TEST_CASE(one_of_two_files_that_cannot_be_written) {
+  write("t.csv", "old");
+  check_refused(*this, {"",
+                        simulate({"--trajectory", "t.csv", "--output", "no/where.json"}),
+                        {"output", "no/where.json"}});
+  check_refused(
+      *this,
+      {"", simulate({"--trajectory", "no/where.csv", "--output", "old.json"}), {"no/where.csv"}});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

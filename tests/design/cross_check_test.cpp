@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE cross_check
+#include "random_source.hpp"
+
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+constexpr double map_tolerance = 1e-12;
+constexpr double runge_kutta_tolerance = 1e-9;
+
+/// A design far from every edge: V0 = p = 1, f = 0.2, Delta = 0.3.
+const Problem problem{1, 1, 0.9};
+constexpr double f = 0.2;
+constexpr double delta = 0.3;
+
+/// What the check says of the good design when the prediction is changed.
+CrossCheck check_changed(const std::function<void(Prediction&)>& change) {
+  Prediction prediction = predict(problem, f);
+  change(prediction);
+  return cross_check(prediction, problem, f, delta);
+}
+
+/// That the change is noticed by both methods.
+void check_fires(const std::function<void(Prediction&)>& change) {
+  const CrossCheck check = check_changed(change);
+  BOOST_TEST(!check.passed);
+  for (const CheckMethod& method : check.methods) {
+    BOOST_TEST(!method.passed, method.name << " passes with an error of " << method.relative_error);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_right_prediction_passes_both_ways) {
+  const CrossCheck check = check_changed([](Prediction&) {});
+  BOOST_TEST(check.passed);
+  BOOST_REQUIRE(check.methods.size() == 2U);
+  BOOST_TEST(check.methods[0].name == "half_cycle_map");
+  BOOST_TEST(check.methods[1].name == "runge_kutta");
+  BOOST_TEST(check.methods[0].tolerance == map_tolerance);
+  BOOST_TEST(check.methods[1].tolerance == runge_kutta_tolerance);
+  for (const CheckMethod& method : check.methods) {
+    BOOST_TEST(method.passed);
+    BOOST_TEST(method.decided);
+    BOOST_TEST(method.half_cycles == 1);
+    BOOST_TEST(method.stop_position == 0);
+    BOOST_TEST(method.relative_error <= method.tolerance);
+    BOOST_TEST(method.wall_time_s >= 0);
+  }
+  // Independent ways do not agree to the last bit.
+  BOOST_TEST(check.methods[1].relative_error > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_peak_that_is_off_by_a_millionth_is_noticed) {
+  check_fires([](Prediction& wrong) { wrong.peak_amplitude *= 1 + 1e-6; });
+  check_fires([](Prediction& wrong) { wrong.peak_amplitude *= 1 - 1e-6; });
+}
+
+BOOST_AUTO_TEST_CASE(a_stop_time_that_is_off_by_a_millionth_is_noticed) {
+  check_fires([](Prediction& wrong) { wrong.stop_time *= 1 + 1e-6; });
+  check_fires([](Prediction& wrong) { wrong.stop_time *= 1 - 1e-6; });
+}
+
+BOOST_AUTO_TEST_CASE(an_acceleration_or_arrival_speed_that_is_off_by_a_millionth_is_noticed) {
+  check_fires([](Prediction& wrong) { wrong.peak_acceleration *= 1 + 1e-6; });
+  check_fires([](Prediction& wrong) { wrong.arrival_speed *= 1 + 1e-5; });
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_number_of_half_cycles_is_noticed) {
+  check_fires([](Prediction& wrong) { wrong.half_cycles = 2; });
+}
+
+BOOST_AUTO_TEST_CASE(a_stop_position_that_is_off_is_noticed) {
+  check_fires([](Prediction& wrong) { wrong.stop_position = 1e-6; });
+  check_fires([](Prediction& wrong) { wrong.stop_position = -1e-6; });
+}
+
+BOOST_AUTO_TEST_CASE(a_prediction_that_is_not_a_number_is_noticed) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  check_fires([](Prediction& wrong) { wrong.peak_amplitude = nan; });
+  check_fires([](Prediction& wrong) { wrong.peak_acceleration = nan; });
+  check_fires([](Prediction& wrong) { wrong.stop_time = nan; });
+  check_fires([](Prediction& wrong) { wrong.arrival_speed = nan; });
+  check_fires([](Prediction& wrong) { wrong.stop_position = nan; });
+}
+
+BOOST_AUTO_TEST_CASE(each_method_keeps_its_own_tolerance) {
+  const CrossCheck check = check_changed([](Prediction& wrong) { wrong.stop_time *= 1 + 1e-10; });
+  BOOST_TEST(!check.methods[0].passed);
+  BOOST_TEST(check.methods[1].passed);
+  BOOST_TEST(!check.passed);
+}
+
+BOOST_AUTO_TEST_CASE(a_design_that_does_not_stop_fails) {
+  const double enough = delta1_exact(problem, f).value();
+  BOOST_TEST(cross_check(predict(problem, f), problem, f, enough * (1 + 1e-6)).passed);
+  for (const double too_little : {enough * (1 - 1e-6), enough * 0.9, enough * 0.1}) {
+    const CrossCheck check = cross_check(predict(problem, f), problem, f, too_little);
+    for (const CheckMethod& method : check.methods) {
+      BOOST_TEST(!method.passed);
+      BOOST_TEST(method.half_cycles >= 2);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_design_that_does_not_start_fails) {
+  const CrossCheck check = cross_check(predict(problem, f), problem, f, 0.51);
+  for (const CheckMethod& method : check.methods) {
+    BOOST_TEST(!method.passed);
+    BOOST_TEST(method.half_cycles == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_design_of_another_problem_fails) {
+  const CrossCheck check = cross_check(predict({1.001, 1, 0.9}, f), problem, f, delta);
+  for (const CheckMethod& method : check.methods) {
+    BOOST_TEST(!method.passed);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_design_that_is_found_passes) {
+  RandomSource random(901);
+  double worst_map = 0;
+  double worst_integrated = 0;
+  int count = 0;
+  for (int round = 0; round < 30; ++round) {
+    for (const Objective objective :
+         {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+      for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
+        DesignRequest request;
+        request.problem = random_feasible_problem(random);
+        request.problem.criterion = criterion;
+        request.search.objective = objective;
+        const Region region = admissible_region(request.problem);
+        if (region.f2 < 0 && random.pick(2) == 0) {  // a thin strip
+          request.limits.f_max = region.f3 * random.log_uniform(1e-12, 1);
+        }
+        const DesignResult result = design::design(request);
+        BOOST_REQUIRE(result.finding.has_value());
+        const CrossCheck& check = result.finding->cross_check;
+        const CheckMethod& map = check.methods.at(0);
+        const CheckMethod& integrated = check.methods.at(1);
+        BOOST_TEST(check.passed, name(objective) << ": errors " << map.relative_error << " and "
+                                                 << integrated.relative_error);
+        // Where the arrival grazes, no more than half of the digits is given up.
+        BOOST_TEST(map.tolerance <= 1.01 * std::sqrt(map_tolerance));
+        BOOST_TEST(integrated.tolerance <= 1.01 * std::sqrt(runge_kutta_tolerance));
+        worst_map = std::max(worst_map, map.relative_error / map.tolerance);
+        worst_integrated =
+            std::max(worst_integrated, integrated.relative_error / integrated.tolerance);
+        ++count;
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE(count << " designs; the worst error is " << worst_map << " and "
+                           << worst_integrated << " of its tolerance");
+}
+
+BOOST_AUTO_TEST_CASE(a_grazing_design_passes_and_a_wrong_prediction_of_it_does_not) {
+  for (const double distance : {0.0, 1e-15, 1e-12, 1e-9, 1e-6}) {
+    const double grazing = admissible_region(problem).f3 * (1 - distance);
+    const Prediction prediction = predict(problem, grazing);
+    BOOST_TEST_CONTEXT("a relative " << distance << " below f3") {
+      BOOST_TEST(cross_check(prediction, problem, grazing, 0.1).passed);
+      Prediction wrong = prediction;
+      wrong.peak_amplitude *= 1 + 1e-4;
+      BOOST_TEST(!cross_check(wrong, problem, grazing, 0.1).passed);
+    }
+  }
+}

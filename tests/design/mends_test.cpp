@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE mends
+#include "random_source.hpp"
+
+#include <stillpoint/design/region.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// Of closed forms in V0, p and beta, relative: their own three roundings and the mend's last bit.
+constexpr double value_tolerance = 8e-16;
+/// How much smaller a change must not do, relative to the change.
+constexpr double smaller = 1e-9;
+
+struct Case {
+  Problem problem;
+  Limits limits;
+
+  [[nodiscard]] bool feasible() const { return admissible_region(problem, limits).feasible; }
+
+  double& field(std::string_view name) {
+    if (name == "v0") {
+      return problem.v0;
+    }
+    if (name == "p") {
+      return problem.p;
+    }
+    if (name == "beta") {
+      return problem.beta;
+    }
+    if (name == "f_max") {
+      return *limits.f_max;
+    }
+    if (name == "delta_max") {
+      return *limits.delta_max;
+    }
+    BOOST_REQUIRE(name == "tolerance");
+    return limits.tolerance;
+  }
+
+  [[nodiscard]] Case with(std::string_view name, double value) const {
+    Case changed = *this;
+    changed.field(name) = value;
+    return changed;
+  }
+};
+
+std::map<std::string, double> mends_of(const Case& now) {
+  std::map<std::string, double> list;
+  for (const Mend& mend : mends(now.problem, now.limits)) {
+    BOOST_TEST(list.emplace(mend.field, mend.value).second);
+  }
+  return list;
+}
+
+void check_value(const Case& now, const std::string& field, double expected, double tolerance) {
+  const auto list = mends_of(now);
+  BOOST_REQUIRE(list.contains(field));
+  BOOST_TEST(std::abs(list.at(field) / expected - 1) <= tolerance,
+             field << " = " << list.at(field) << " instead of " << expected);
+}
+
+Case random_case(RandomSource& random) {
+  Case now{random_problem(random, 0.3, 3), {}};
+  const Region region = admissible_region(now.problem);
+  if (random.pick(2) == 0) {
+    now.limits.f_max = region.f3 * random.log_uniform(1e-3, 2);
+  }
+  if (random.pick(2) == 0) {
+    now.limits.delta_max = region.delta2 * random.log_uniform(1e-3, 2);
+  }
+  if (random.pick(2) == 0) {
+    now.limits.tolerance = random.uniform(0, 0.6);
+  }
+  return now;
+}
+
+std::vector<std::string> fields_of(const Case& now) {
+  std::vector<std::string> list{"v0", "p", "beta"};
+  if (now.limits.f_max) {
+    list.emplace_back("f_max");
+  }
+  if (now.limits.delta_max) {
+    list.emplace_back("delta_max");
+  }
+  if (now.limits.tolerance > 0) {
+    list.emplace_back("tolerance");
+  }
+  return list;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(condition_10_is_mended_in_closed_form) {
+  RandomSource random(1101);
+  for (int i = 0; i < 500; ++i) {
+    const Case now{random_problem(random, 0.01, 0.7), {}};
+    const auto& [v0, p, beta, criterion] = now.problem;
+    check_value(now, "v0", std::numbers::sqrt2 * p * beta, value_tolerance);
+    check_value(now, "p", v0 / (std::numbers::sqrt2 * beta), value_tolerance);
+    check_value(now, "beta", v0 / (std::numbers::sqrt2 * p), value_tolerance);
+    BOOST_TEST(mends_of(now).size() == 3U);
+    BOOST_TEST(mends_of(now).at("beta") == admissible_region(now.problem).beta_min);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(f_max_is_mended_to_f2_and_its_box) {
+  // f2 = 0.225 with V0 = p = 1, beta = 0.8.
+  check_value({{1, 1, 0.8}, {0.2, std::nullopt, 0}}, "f_max", 0.225, value_tolerance);
+  check_value({{1, 1, 0.8}, {0.2, std::nullopt, 0.1}}, "f_max", 0.225 * 1.1 / 0.9, value_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(delta_max_is_mended_to_the_least_delta1) {
+  // At f3 the published bound is 1/16.
+  check_value({{1, 1, 2}, {std::nullopt, 0.01, 0}}, "delta_max", 1.0 / 16, 4e-15);
+}
+
+BOOST_AUTO_TEST_CASE(the_tolerance_is_mended_to_the_largest_there_is) {
+  // (f3 - f2)/(f3 + f2) where f alone binds; the most tolerant design otherwise.
+  constexpr double known_digits = 2e-8;
+  check_value({{1, 1, 0.8}, {std::nullopt, std::nullopt, 0.5}}, "tolerance", 0.22219797,
+              known_digits);
+  check_value({{1, 1, 0.9}, {std::nullopt, std::nullopt, 0.5}}, "tolerance", 0.36336281,
+              known_digits);
+  check_value({{1, 1, 0.9, Criterion::exact}, {std::nullopt, std::nullopt, 0.5}}, "tolerance",
+              0.37608589, known_digits);
+}
+
+BOOST_AUTO_TEST_CASE(a_region_that_is_not_empty_needs_no_mend) {
+  BOOST_TEST(mends({1, 1, 0.8}, {}).empty());
+  BOOST_TEST(mends({1, 1, 0.8}, {0.3, 0.4, 0.1}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
+  RandomSource random(1102);
+  std::map<std::string, int> met;
+  for (int i = 0; i < 2000; ++i) {
+    const Case now = random_case(random);
+    const auto list = mends_of(now);
+    BOOST_TEST((list.empty() || !now.feasible()));
+    for (const auto& [field, value] : list) {
+      ++met[field];
+      const double old = Case(now).field(field);
+      BOOST_TEST_CONTEXT(field << " from " << old << " to " << value) {
+        BOOST_TEST(now.with(field, value).feasible());
+        const double less = value + (old - value) * smaller;
+        BOOST_TEST((less == value || !now.with(field, less).feasible()));
+        BOOST_TEST(!now.with(field, std::nextafter(value, old)).feasible());
+        for (int k = 1; k < 30; ++k) {
+          BOOST_TEST(!now.with(field, old + (value - old) * k / 30).feasible());
+        }
+      }
+    }
+  }
+  for (const char* field : {"v0", "p", "beta", "f_max", "delta_max", "tolerance"}) {
+    BOOST_TEST(met[field] > 50, field << " met " << met[field] << " times");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_listed_cannot_mend_alone) {
+  RandomSource random(1103);
+  int unlisted = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Case now = random_case(random);
+    if (now.feasible()) {
+      continue;
+    }
+    const auto list = mends_of(now);
+    for (const std::string& field : fields_of(now)) {
+      if (list.contains(field)) {
+        continue;
+      }
+      ++unlisted;
+      const double old = Case(now).field(field);
+      for (int k = -200; k <= 200; ++k) {
+        const double value = field == "tolerance" ? (k + 200) / 401.0 : old * std::pow(1.05, k);
+        BOOST_TEST(!now.with(field, value).feasible(), field << " = " << value << " would mend");
+      }
+    }
+  }
+  BOOST_TEST(unlisted > 100);
+}
+
+BOOST_AUTO_TEST_CASE(p_is_mended_between_its_two_sides) {
+  // Amplitude wants more p, the stop under f_max = 0.3 less: with 18 % both are met in a window.
+  RandomSource random(1104);
+  int lowered = 0;
+  int raised = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Case now{random_problem(random, 0.6, 1.5), {}};
+    now.limits.f_max = admissible_region(now.problem).f3 * random.uniform(0.5, 1);
+    now.limits.tolerance = random.uniform(0.05, 0.3);
+    const auto list = mends_of(now);
+    if (const auto found = list.find("p"); found != list.end()) {
+      BOOST_TEST(now.with("p", found->second).feasible());
+      (found->second < now.problem.p ? lowered : raised) += 1;
+    }
+  }
+  BOOST_TEST(lowered > 20);
+  BOOST_TEST(raised > 20);
+}

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE nlopt_fence
+#include "nlopt_fence.hpp"
+
+#include "random_source.hpp"
+#include "search_space.hpp"
+
+#include <stillpoint/design/unit_problem.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+using Eigen::VectorXd;
+
+constexpr NloptBudget plenty{20'000, 10};
+/// Of x at a minimum, where the objective is flat.
+constexpr double x_tolerance = 1e-6;
+
+struct OwnError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// (x - 0.3)^2 + (y - 0.6)^2 in the unit square.
+NloptProblem bowl() {
+  NloptProblem problem;
+  problem.lower = Eigen::Vector2d(0, 0);
+  problem.upper = Eigen::Vector2d(1, 1);
+  problem.start = Eigen::Vector2d(0.9, 0.1);
+  problem.objective = [](const VectorXd& at, VectorXd& gradient) {
+    const Eigen::Vector2d away = at - Eigen::Vector2d(0.3, 0.6);
+    gradient = (2 * away).head(gradient.size()).eval();
+    return away.squaredNorm();
+  };
+  return problem;
+}
+
+/// The bowl cut by x + y <= 0.5: least at (0.1, 0.4).
+NloptProblem cut_bowl() {
+  NloptProblem problem = bowl();
+  problem.constraints.emplace_back([](const VectorXd& at, VectorXd& gradient) {
+    gradient.setOnes();
+    return at.sum() - 0.5;
+  });
+  return problem;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_bottom_of_a_bowl) {
+  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+    const NloptOutcome outcome = minimise(bowl(), algorithm.name, plenty);
+    BOOST_TEST_CONTEXT(algorithm.name << ": " << outcome.status) {
+      BOOST_TEST((outcome.x - Eigen::Vector2d(0.3, 0.6)).norm() < x_tolerance);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(algorithms_that_take_constraints_come_by_the_constrained_minimum) {
+  // Come by, not return: SLSQP returns the best point that is feasible to the last bit, which may
+  // be far worse than one that is outside by 1e-17. So the caller keeps its own best.
+  const Eigen::Vector2d least(0.1, 0.4);
+  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+    if (algorithm.constraints == ConstraintSupport::yes) {
+      double nearest = 1;
+      NloptProblem problem = cut_bowl();
+      problem.start = Eigen::Vector2d(0.2, 0.1);
+      problem.objective = [&nearest, least, inner = problem.objective](const VectorXd& at,
+                                                                       VectorXd& gradient) {
+        nearest = std::min(nearest, (at - least).norm());
+        return inner(at, gradient);
+      };
+      const NloptOutcome outcome = minimise(problem, algorithm.name, plenty);
+      BOOST_TEST_CONTEXT(algorithm.name << ": " << outcome.status) {
+        BOOST_TEST(nearest < 10 * x_tolerance);
+        BOOST_TEST(outcome.x.sum() <= 0.5 + x_tolerance);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_of_the_objective_arrives_as_itself) {
+  const auto is_the_one = [](const OwnError& error) { return std::string(error.what()) == "mine"; };
+  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+    for (const int calls : {1, 3}) {
+      NloptProblem problem = bowl();
+      problem.objective = [left = calls, inner = problem.objective](const VectorXd& at,
+                                                                    VectorXd& gradient) mutable {
+        if (--left == 0) {
+          throw OwnError("mine");
+        }
+        return inner(at, gradient);
+      };
+      BOOST_TEST_CONTEXT(algorithm.name << ", call " << calls) {
+        BOOST_CHECK_EXCEPTION((void)minimise(problem, algorithm.name, plenty), OwnError,
+                              is_the_one);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_of_a_constraint_arrives_as_itself) {
+  NloptProblem problem = cut_bowl();
+  problem.constraints.emplace_back(
+      [](const VectorXd&, VectorXd&) -> double { throw OwnError("mine"); });
+  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+    if (algorithm.constraints == ConstraintSupport::yes) {
+      BOOST_TEST_CONTEXT(algorithm.name) {
+        BOOST_CHECK_THROW((void)minimise(problem, algorithm.name, plenty), OwnError);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_thrown_need_not_be_an_exception_of_the_standard_library) {
+  NloptProblem problem = bowl();
+  problem.objective = [](const VectorXd&, VectorXd&) -> double { throw 42; };
+  BOOST_CHECK_THROW((void)minimise(problem, "LD_SLSQP", plenty), int);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_an_ulp_outside_of_the_bounds_is_moved_in) {
+  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+    NloptProblem problem = bowl();
+    problem.start = Eigen::Vector2d(std::nextafter(1.0, 2.0), -1e-17);
+    BOOST_TEST_CONTEXT(algorithm.name) {
+      const NloptOutcome outcome = minimise(problem, algorithm.name, plenty);
+      BOOST_TEST((outcome.x - Eigen::Vector2d(0.3, 0.6)).norm() < x_tolerance);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_way_to_end_has_its_word) {
+  BOOST_TEST(minimise(bowl(), "LN_SBPLX", plenty).status == "XTOL_REACHED");
+  const NloptOutcome spent = minimise(bowl(), "LN_SBPLX", {7, 10});
+  BOOST_TEST(spent.status == "MAXEVAL_REACHED");
+  BOOST_TEST(spent.evaluations == 7);
+  BOOST_TEST(minimise(bowl(), "GN_CRS2_LM", {1'000'000, 1e-9}).status == "MAXTIME_REACHED");
+  NloptProblem crossed = bowl();
+  crossed.lower = Eigen::Vector2d(2, 2);  // above the upper bounds
+  BOOST_TEST(minimise(crossed, "LN_SBPLX", plenty).status.starts_with("FAILURE"));
+}
+
+BOOST_AUTO_TEST_CASE(evaluations_are_those_of_the_objective) {
+  int calls = 0;
+  NloptProblem problem = cut_bowl();
+  problem.objective = [&calls, inner = problem.objective](const VectorXd& at, VectorXd& gradient) {
+    ++calls;
+    return inner(at, gradient);
+  };
+  BOOST_TEST(minimise(problem, "LD_SLSQP", plenty).evaluations == calls);
+}
+
+BOOST_AUTO_TEST_CASE(nlopt_tells_its_version) {
+  const std::string version = nlopt_version();
+  BOOST_TEST(version.front() == '2');
+  BOOST_TEST(std::count(version.begin(), version.end(), '.') == 2);
+}
+
+BOOST_AUTO_TEST_CASE(every_gradient_of_the_search_is_the_slope_of_its_function) {
+  constexpr double step = 1e-6;
+  constexpr double slope_tolerance = 1e-7;  // of central differences with that step
+  RandomSource random(701);
+  for (int i = 0; i < 500; ++i) {
+    for (const Objective objective :
+         {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+      SearchSpace space;
+      space.criterion = random.pick(2) == 0 ? Criterion::published : Criterion::exact;
+      space.objective = objective;
+      space.tolerance = random.uniform(0, 0.3);
+      space.a_cap = random.uniform(0.1, 1) * unit::a3;
+      space.a2 = random.uniform(0.01, 1) * space.a_cap;
+      space.d_cap = random.uniform(0.1, 1) * unit::d2;
+      space.visit = [](double, double) {};
+      const NloptProblem problem = constrained(space, 0.5, 0.5);
+      BOOST_TEST(problem.constraints.size() == 4U);
+      std::vector<Function> functions = problem.constraints;
+      functions.push_back(problem.objective);
+      VectorXd at(problem.start.size());
+      for (double& x : at) {
+        x = random.uniform(0.05, 0.95);
+      }
+      for (std::size_t k = 0; k < functions.size(); ++k) {
+        VectorXd slope(at.size());
+        VectorXd none;
+        functions[k](at, slope);
+        for (Eigen::Index j = 0; j < at.size(); ++j) {
+          VectorXd below = at;
+          VectorXd above = at;
+          below[j] -= step;
+          above[j] += step;
+          const double measured =
+              (functions[k](above, none) - functions[k](below, none)) / (2 * step);
+          BOOST_TEST(std::abs(slope[j] - measured) <= slope_tolerance * (1 + std::abs(measured)),
+                     name(objective) << ", function " << k << ", variable " << j << ": " << slope[j]
+                                     << " instead of " << measured);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_penalty_is_above_every_value_inside) {
+  SearchSpace space;
+  space.a2 = 0.1;
+  space.a_cap = unit::a3;
+  space.d_cap = unit::d2;
+  space.visit = [](double, double) {};
+  for (const Objective objective :
+       {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+    space.objective = objective;
+    const NloptProblem problem = penalised(space, 0.5, 0.5, [](double, double) { return 0.25; });
+    BOOST_TEST(problem.constraints.empty());
+    VectorXd none;
+    for (const double x : {0.3, 0.6, 0.9, 1.0}) {  // a >= 0.106
+      BOOST_TEST(problem.objective(Eigen::Vector2d(x, 1), none) < 2);
+    }
+    for (const double x : {0.0, 0.1, 0.25}) {
+      BOOST_TEST(problem.objective(Eigen::Vector2d(x, 1), none) > 10);
+    }
+    BOOST_TEST(problem.objective(Eigen::Vector2d(0.9, 0), none) > 10);
+  }
+}

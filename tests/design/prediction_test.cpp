@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE prediction
+#include "random_source.hpp"
+#include "reference.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/unit_problem.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// Relative, of peak and acceleration: a few roundings.
+constexpr double rounding = 1.5e-15;
+/// Relative, of stop time and arrival speed, times 1 + f/(p v_-): how much more they turn with f
+/// where the arrival slows down.
+constexpr double turning = 1.5e-15;
+/// Where the arrival grazes, half of the digits are gone and no more.
+constexpr double grazing = 5e-8;
+
+/// Up to f3, some very near to it.
+double random_f(RandomSource& random, double f3) {
+  return random.pick(2) == 0 ? f3 * random.uniform(0, 1)
+                             : f3 * (1 - random.log_uniform(1e-14, 0.1));
+}
+
+double steepness(const Problem& problem, double f, const Precise& arrival) {
+  const double phi = f / problem.p;
+  return 1 + phi / std::max(static_cast<double>(arrival), grazing * phi);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(predictions_are_the_closed_forms_in_50_digits) {
+  RandomSource random(801);
+  for (int i = 0; i < 5000; ++i) {
+    const Problem problem = random_feasible_problem(random);
+    const double f = random_f(random, admissible_region(problem).f3);
+    const Reference reference(problem);
+    const Prediction prediction = predict(problem, f);
+    const Precise arrival = reference.arrival_speed(f);
+    const double steep = steepness(problem, f, arrival);
+    BOOST_TEST(close(prediction.peak_amplitude, reference.peak(f), rounding));
+    BOOST_TEST(close(prediction.peak_acceleration, reference.s(f), rounding));
+    BOOST_TEST(
+        close(prediction.stop_time, reference.stop_time(f), std::min(turning * steep, grazing)));
+    BOOST_TEST(within(prediction.arrival_speed, arrival, Precise(turning) * steep * problem.v0));
+    BOOST_TEST(prediction.half_cycles == 1);
+    BOOST_TEST(prediction.stop_position == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(predictions_are_what_the_simulation_shows) {
+  RandomSource random(802);
+  for (int i = 0; i < 5000; ++i) {
+    const Problem problem = random_feasible_problem(random);
+    const Region region = admissible_region(problem);
+    const double f = random_f(random, region.f3);
+    const Prediction prediction = predict(problem, f);
+    const Response response = free_response({problem.p, f, region.delta2}, {0, problem.v0});
+    const double steep = steepness(problem, f, *response.arrival_speed);
+    BOOST_TEST(close(response.peak_amplitude, prediction.peak_amplitude, rounding));
+    BOOST_TEST(close(response.peak_acceleration, prediction.peak_acceleration, rounding));
+    BOOST_TEST(
+        close(*response.stop_time, prediction.stop_time, std::min(turning * steep, grazing)));
+    BOOST_TEST(within(*response.arrival_speed, prediction.arrival_speed,
+                      Precise(turning) * steep * problem.v0));
+    BOOST_TEST(*response.half_cycles == prediction.half_cycles);
+    BOOST_TEST(*response.stop_position == prediction.stop_position);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_half_cycle_in_whole_numbers) {
+  // f = 7, V0 p = 24: S = 25, peak 18, v_-^2 = 18 * 4.
+  const Prediction prediction = predict({24, 1, 20}, 7);
+  BOOST_TEST(close(prediction.peak_amplitude, 18, rounding));
+  BOOST_TEST(close(prediction.peak_acceleration, 25, rounding));
+  BOOST_TEST(close(prediction.arrival_speed, std::sqrt(72.0), rounding));
+}
+
+BOOST_AUTO_TEST_CASE(without_constant_friction_half_a_period_passes) {
+  const Prediction prediction = predict({2, 4, 1}, 0);
+  BOOST_TEST(close(prediction.stop_time, std::numbers::pi / 4, rounding));
+  BOOST_TEST(prediction.peak_amplitude == 0.5);
+  BOOST_TEST(prediction.arrival_speed == 2);
+}
+
+BOOST_AUTO_TEST_CASE(at_f3_itself_the_motion_arrives_without_speed) {
+  RandomSource random(803);
+  for (int i = 0; i < 1000; ++i) {
+    const Problem problem = random_feasible_problem(random);
+    const double f3 = admissible_region(problem).f3;
+    const Prediction prediction = predict(problem, f3);
+    // Up atan(sqrt 8), down pi.
+    BOOST_TEST(close(prediction.stop_time * problem.p, std::numbers::pi + std::atan(std::sqrt(8.0)),
+                     grazing));
+    BOOST_TEST(prediction.arrival_speed <= grazing * problem.v0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_prediction_beyond_f3_or_below_zero) {
+  const Problem problem{1, 1, 0.9};
+  const auto names_f = [](const InputError& error) { return error.field() == "f"; };
+  for (const double f : {-1e-300, std::nextafter(admissible_region(problem).f3, 1.0), std::nan(""),
+                         double(HUGE_VAL)}) {
+    BOOST_CHECK_EXCEPTION((void)predict(problem, f), InputError, names_f);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_bounds_of_delta_invert) {
+  RandomSource random(804);
+  for (int i = 0; i < 5000; ++i) {
+    for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
+      const double a = random.uniform(0, unit::a3);
+      const double d = unit::delta1(criterion, a);
+      // The inverse turns a rounding of d into one of a; the slope is at least 1 in size.
+      BOOST_TEST(std::abs(unit::delta1_inverse(criterion, d) - a) <= rounding);
+    }
+  }
+  BOOST_TEST(unit::delta1_inverse(Criterion::published, 0.5) == 0);
+  BOOST_TEST(unit::delta1_inverse(Criterion::exact, 0.6) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_slope_of_the_stop_phase_is_cut_at_f3) {
+  BOOST_TEST(std::isfinite(unit::stop_phase_slope(unit::a3)));
+  BOOST_TEST(unit::stop_phase_slope(unit::a3) > 1e7);
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE region
+#include "random_source.hpp"
+#include "reference.hpp"
+
+#include <stillpoint/design/region.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// Of f1, f3, Delta2: a few roundings to nearest.
+constexpr double edge_tolerance = 3.4e-16;
+/// Of f2, relative to V0^2/(2 beta): the difference is taken in long double and rounded once.
+constexpr double f2_tolerance = 1e-18;
+/// Of Delta1, relative to V0^2: the error of f/(V0 p) reaches it at a slope of -2.
+constexpr double delta1_tolerance = 1e-15;
+
+constexpr int problems = 4000;
+
+/// Nine decades of each of the three on its own.
+Problem any_problem(RandomSource& random) {
+  return {random.log_uniform(3e-5, 3e4), random.log_uniform(3e-5, 3e4),
+          random.log_uniform(3e-5, 3e4), Criterion::published};
+}
+
+Constraint named(const Problem& problem, double f, double delta, std::string_view name) {
+  for (const Constraint& constraint : constraints(problem, f, delta)) {
+    if (constraint.name == name) {
+      return constraint;
+    }
+  }
+  throw std::logic_error("no such constraint");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_edges_are_those_of_the_paper_over_nine_decades) {
+  RandomSource random(101);
+  for (int i = 0; i < problems; ++i) {
+    const Problem problem = any_problem(random);
+    const Reference reference(problem);
+    const Region region = admissible_region(problem);
+    BOOST_TEST(close(region.f1, reference.f1(), edge_tolerance));
+    BOOST_TEST(close(region.f3, reference.f3(), edge_tolerance));
+    BOOST_TEST(close(region.delta2, reference.delta2(), edge_tolerance));
+    BOOST_TEST(close(region.beta_min, reference.beta_min(), edge_tolerance));
+    const Precise scale =
+        Precise(problem.v0) * problem.v0 / (2 * Precise(problem.beta)) + reference.f1();
+    BOOST_TEST(within(region.f2, reference.f2(),
+                      Precise(abs(reference.f2()) * edge_tolerance + scale * f2_tolerance)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_edges_of_f_are_rounded_inwards_and_no_further) {
+  constexpr double doubt = 1e-18;  // of long double, relative to V0^2/(2 beta) and to f3
+  RandomSource random(108);
+  for (int i = 0; i < problems; ++i) {
+    const Problem problem = random_problem(random, 0.1, 3);
+    const Reference reference(problem);
+    const Region region = admissible_region(problem);
+    const Precise f2_doubt = doubt * Precise(problem.v0) * problem.v0 / (2 * Precise(problem.beta));
+    const Precise f3_doubt = doubt * reference.f3();
+    BOOST_TEST((Precise(region.f2) >= reference.f2() - f2_doubt));
+    BOOST_TEST((Precise(std::nextafter(region.f2, -HUGE_VAL)) <= reference.f2() + f2_doubt));
+    BOOST_TEST((Precise(region.f3) <= reference.f3() + f3_doubt));
+    BOOST_TEST((Precise(std::nextafter(region.f3, HUGE_VAL)) >= reference.f3() - f3_doubt));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(both_lower_bounds_of_delta_are_their_formulas_over_nine_decades) {
+  RandomSource random(102);
+  for (int i = 0; i < problems; ++i) {
+    const Problem problem = any_problem(random);
+    const Reference reference(problem);
+    const double f3 = admissible_region(problem).f3;
+    const double f =
+        random.pick(2) == 0 ? f3 * random.uniform(0, 1) : f3 * (1 - random.log_uniform(1e-15, 0.5));
+    const Precise bound = Precise(delta1_tolerance) * problem.v0 * problem.v0;
+    BOOST_TEST(within(delta1_published(problem, f), reference.delta1_published(f), bound));
+    BOOST_TEST(within(delta1_exact(problem, f).value(), reference.delta1_exact(f), bound));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_exact_bound_keeps_its_digits_towards_f3) {
+  // There Delta1 vanishes like f3 - f: its relative error is that of f over the distance to f3.
+  for (const double distance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
+    const Problem problem{1, 1, 0.9};
+    const double f = admissible_region(problem).f3 * (1 - distance);
+    BOOST_TEST(close(delta1_exact(problem, f).value(), Reference(problem).delta1_exact(f),
+                     1e-15 + 3e-16 / distance));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_published_bound_is_too_large_by_f_squared_over_two_p_squared) {
+  RandomSource random(103);
+  for (int i = 0; i < problems; ++i) {
+    const Problem problem = any_problem(random);
+    const double f = admissible_region(problem).f3 * random.uniform(0, 1);
+    const double difference = delta1_published(problem, f) - delta1_exact(problem, f).value();
+    BOOST_TEST(within(difference, Precise(f) * f / (2 * Precise(problem.p) * problem.p),
+                      Precise(delta1_tolerance) * problem.v0 * problem.v0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_exact_bound_is_zero_at_f3_and_does_not_exist_beyond) {
+  RandomSource random(104);
+  for (int i = 0; i < problems; ++i) {
+    const Problem problem = any_problem(random);
+    const double f3 = admissible_region(problem).f3;
+    const double bound = delta1_exact(problem, f3).value();
+    BOOST_TEST(bound >= 0);
+    BOOST_TEST(bound <= delta1_tolerance * problem.v0 * problem.v0);
+    BOOST_TEST(!delta1_exact(problem, std::nextafter(f3, HUGE_VAL)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(delta1_follows_the_criterion) {
+  const Problem published{1, 1, 0.9, Criterion::published};
+  const Problem exact{1, 1, 0.9, Criterion::exact};
+  BOOST_TEST(delta1(published, 0.2) == delta1_published(published, 0.2));
+  BOOST_TEST(delta1(exact, 0.2) == delta1_exact(exact, 0.2).value());
+  BOOST_TEST(delta1(exact, 0.4) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_slack_is_positive_inside_and_negative_outside) {
+  const Problem problem{1, 1, 0.9};  // f2 = 0.1056, f3 = 0.3536, Delta1(0.2) = 0.1922
+  for (const Constraint& constraint : constraints(problem, 0.2, 0.3)) {
+    BOOST_TEST(constraint.satisfied);
+    BOOST_TEST(constraint.slack > 0);
+    BOOST_TEST(std::abs(constraint.value - constraint.limit) == constraint.slack);
+  }
+  const auto violated = [&](std::string_view name, double f, double delta) {
+    const Constraint constraint = named(problem, f, delta, name);
+    BOOST_TEST(!constraint.satisfied);
+    BOOST_TEST(constraint.slack < 0);
+    BOOST_TEST(std::abs(constraint.value - constraint.limit) == -constraint.slack);
+  };
+  violated("dead_zone", 0.95, 0.3);
+  violated("start", 0.2, 0.55);
+  violated("amplitude", 0.1, 0.4);
+  violated("return", 0.36, 0.3);
+  violated("stop", 0.2, 0.19);
+}
+
+BOOST_AUTO_TEST_CASE(the_constraints_come_in_the_promised_order_with_their_relations) {
+  const auto list = constraints({1, 1, 0.9}, 0.2, 0.3);
+  const char* const expected[][2] = {
+      {"dead_zone", "<"}, {"start", "<="}, {"amplitude", ">="}, {"return", "<="}, {"stop", ">"}};
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    BOOST_TEST(list[i].name == expected[i][0]);
+    BOOST_TEST(list[i].relation == expected[i][1]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(each_condition_tips_exactly_at_its_edge) {
+  RandomSource random(105);
+  for (int i = 0; i < problems; ++i) {
+    const Problem problem = random_problem(random, 0.72, 0.98);
+    const Region region = admissible_region(problem);
+    const double f = region.f3 * 0.9;
+    const double delta = region.delta2 * 0.9;
+    const auto holds = [&](std::string_view name, double at_f, double at_delta) {
+      return named(problem, at_f, at_delta, name).satisfied;
+    };
+    const auto below = [](double value) { return std::nextafter(value, 0.0); };
+    const auto above = [](double value) { return std::nextafter(value, HUGE_VAL); };
+    BOOST_TEST(holds("dead_zone", below(region.f1), delta));
+    BOOST_TEST(!holds("dead_zone", region.f1, delta));  // strict
+    BOOST_TEST(holds("start", f, region.delta2));
+    BOOST_TEST(!holds("start", f, above(region.delta2)));
+    BOOST_TEST(holds("amplitude", region.f2, delta));
+    BOOST_TEST(!holds("amplitude", below(region.f2), delta));
+    BOOST_TEST(holds("return", region.f3, delta));
+    BOOST_TEST(!holds("return", above(region.f3), delta));
+    const double lowest = delta1(problem, f);
+    BOOST_TEST(!holds("stop", f, lowest));  // strict
+    BOOST_TEST(holds("stop", f, above(lowest)));
+    BOOST_TEST(named(problem, f, lowest, "stop").slack == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_line_of_no_constant_friction_is_empty) {
+  RandomSource random(106);
+  for (int i = 0; i < problems; ++i) {
+    Problem problem = random_problem(random, 1, 3);
+    for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
+      problem.criterion = criterion;
+      const double delta2 = admissible_region(problem).delta2;
+      BOOST_TEST(delta1(problem, 0) == delta2);
+      BOOST_TEST(!admissible(problem, {}, 0, delta2));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(amplitude_does_not_bind_where_beta_p_reaches_v0) {
+  BOOST_TEST(admissible_region({2, 4, 0.5}).f2 == 0);
+  RandomSource random(107);
+  for (int i = 0; i < problems; ++i) {
+    const Problem problem = random_problem(random, 1 + 1e-12, 1e6);
+    const Region region = admissible_region(problem);
+    BOOST_TEST(region.f2 < 0);
+    BOOST_TEST(region.feasible);
+    BOOST_TEST(*region.f_lower >= 0);
+    BOOST_TEST(*region.f_lower <= 1e-15 * region.f3);
+  }
+}

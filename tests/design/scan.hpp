@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The best design by looking at every point of a grid: slow, but nothing to go wrong. In long
+// double and in the paper's own units, so that it shares no formula with the search.
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace stillpoint::design_test {
+
+class Scan {
+ public:
+  using Wide = long double;
+
+  Scan(const design::Problem& problem, const design::Limits& limits)
+      : v0_(problem.v0), p_(problem.p), criterion_(problem.criterion), asked_(limits.tolerance) {
+    const Wide beta = problem.beta;
+    f2_ = (v0_ * v0_ - beta * p_ * beta * p_) / (2 * beta);
+    f_cap_ = v0_ * p_ / std::sqrt(Wide(8));
+    delta_cap_ = v0_ * v0_ / 2;
+    if (limits.f_max) {
+      f_cap_ = std::min<Wide>(f_cap_, *limits.f_max);
+    }
+    if (limits.delta_max) {
+      delta_cap_ = std::min<Wide>(delta_cap_, *limits.delta_max);
+    }
+  }
+
+  [[nodiscard]] Wide delta1(Wide f) const {
+    const Wide s = radius(f);
+    return criterion_ == design::Criterion::published ? (s - 2 * f) * (s - 2 * f) / (2 * p_ * p_)
+                                                      : (s - f) * (s - 3 * f) / (2 * p_ * p_);
+  }
+
+  /// The largest R of a point, by bisection; negative outside of the region.
+  [[nodiscard]] Wide tolerance(Wide f, Wide delta) const {
+    const Wide linear =
+        std::min({f2_ > 0 ? 1 - f2_ / f : Wide(1), f_cap_ / f - 1, delta_cap_ / delta - 1});
+    const auto stops = [&](Wide r) { return delta * (1 - r) > delta1(f * (1 - r)); };
+    if (!stops(0)) {
+      return -1;
+    }
+    Wide low = 0;
+    Wide high = 1;
+    while (high - low > 1e-18L) {
+      const Wide middle = (low + high) / 2;
+      (stops(middle) ? low : high) = middle;
+    }
+    return std::min(linear, low);
+  }
+
+  /// The most tolerance of any Delta that goes with f.
+  [[nodiscard]] Wide best_tolerance(Wide f, int steps) const {
+    const Wide floor = std::max<Wide>(delta1(f), 0);
+    Wide best = -1;
+    for (int i = 1; i <= steps; ++i) {
+      best = std::max(best, tolerance(f, floor + (delta_cap_ - floor) * i / steps));
+    }
+    return best;
+  }
+
+  /// Whether some Delta goes with f at the tolerance that is asked for.
+  [[nodiscard]] bool serves(Wide f) const {
+    const Wide lowest = std::max<Wide>(delta1(f * (1 - asked_)), 0) / (1 - asked_);
+    return f * (1 - asked_) >= f2_ && f * (1 + asked_) <= f_cap_ &&
+           lowest < delta_cap_ / (1 + asked_);
+  }
+
+  /// What the objective makes small.
+  [[nodiscard]] Wide cost(design::Objective objective, Wide f, int delta_steps = 100) const {
+    const Wide s = radius(f);
+    switch (objective) {
+      case design::Objective::robust:
+        return -best_tolerance(f, delta_steps);
+      case design::Objective::amplitude:
+        return (s - f) / (p_ * p_);
+      case design::Objective::time:
+        return (std::atan2(v0_ * p_, f) + std::acos(std::max<Wide>(-1, -f / (s - 2 * f)))) / p_;
+      case design::Objective::acceleration:
+        return s;
+    }
+    return 0;
+  }
+
+  /// The least cost of all f of the grid that serve (for `robust`, the cost itself says whether one
+  /// does); HUGE_VAL where none does.
+  [[nodiscard]] Wide least_cost(design::Objective objective) const {
+    Wide best = HUGE_VAL;
+    const bool robust = objective == design::Objective::robust;
+    for (const Wide f : grid(robust ? 100 : 1000)) {
+      if (robust || serves(f)) {
+        best = std::min(best, cost(objective, f));
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] Wide radius(Wide f) const { return std::sqrt(f * f + v0_ * p_ * v0_ * p_); }
+
+  /// Evenly over the interval of f, and towards both of its ends by factors.
+  [[nodiscard]] std::vector<Wide> grid(int steps) const {
+    const Wide low = std::max<Wide>(f2_, 0);
+    const Wide width = f_cap_ - low;
+    std::vector<Wide> list;
+    for (int i = 0; i <= steps; ++i) {
+      const Wide part = Wide(i) / steps;
+      list.push_back(low + width * part);
+      const Wide near = width * std::pow(Wide(10), -12 * part);
+      list.push_back(low + near);
+      list.push_back(f_cap_ - near);
+    }
+    return list;
+  }
+
+  Wide v0_;
+  Wide p_;
+  design::Criterion criterion_;
+  Wide asked_;
+  Wide f2_;
+  Wide f_cap_;
+  Wide delta_cap_;
+};
+
+}  // namespace stillpoint::design_test

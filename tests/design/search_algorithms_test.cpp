@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE search_algorithms
+#include "random_source.hpp"
+#include "scan.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// How near every algorithm comes to the default one: of R absolute, of the others relative.
+constexpr double algorithm_tolerance = 1e-3;
+
+constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
+                                Objective::acceleration};
+
+struct Case {
+  Problem problem;
+  Limits limits;
+};
+
+std::vector<Case> cases() {
+  return {{{1, 1, 0.8}, {}},
+          {{1, 1, 1.1, Criterion::exact}, {std::nullopt, 0.3, 0.1}},
+          {{700, 0.02, 33e3, Criterion::published}, {3.5, std::nullopt, 0}},
+          {{2e-4, 30, 5.2e-6, Criterion::exact}, {std::nullopt, std::nullopt, 0.05}}};
+}
+
+SearchResult run(const Case& now, Objective objective, const std::string& algorithm) {
+  return search(now.problem, now.limits, {objective, algorithm, 20'000, 10}).value();
+}
+
+double cost(const Case& now, Objective objective, const DesignPoint& point) {
+  return objective == Objective::robust
+             ? -point.tolerance
+             : static_cast<double>(Scan(now.problem, now.limits).cost(objective, point.f));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_algorithm_comes_near_the_default_one) {
+  for (const Case& now : cases()) {
+    BOOST_REQUIRE(admissible_region(now.problem, now.limits).feasible);
+    for (const Objective objective : objectives) {
+      const double best = cost(now, objective, run(now, objective, "").point);
+      for (const std::string_view algorithm : algorithm_names()) {
+        BOOST_TEST_CONTEXT(algorithm << ", " << name(objective) << ", v0 = " << now.problem.v0) {
+          const SearchResult result = run(now, objective, std::string(algorithm));
+          const DesignPoint& point = result.point;
+          BOOST_TEST(result.record.algorithm == algorithm);
+          BOOST_TEST(result.record.evaluations > 0);
+          BOOST_TEST(result.record.evaluations <= 20'000);
+          BOOST_TEST(!result.record.status.starts_with("FAILURE"), result.record.status);
+          BOOST_TEST(admissible(now.problem, now.limits, point.f, point.delta));
+          const double unit = objective == Objective::robust ? 1 : std::abs(best);
+          BOOST_TEST(cost(now, objective, point) <= best + algorithm_tolerance * unit);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_search_repeats_bit_for_bit) {
+  const Case now = cases()[1];
+  for (const Objective objective : objectives) {
+    for (const std::string_view algorithm : algorithm_names()) {
+      const SearchResult first = run(now, objective, std::string(algorithm));
+      const SearchResult second = run(now, objective, std::string(algorithm));
+      BOOST_TEST(first.point.f == second.point.f);
+      BOOST_TEST(first.point.delta == second.point.delta);
+      BOOST_TEST(first.point.tolerance == second.point.tolerance);
+      BOOST_TEST(first.record.evaluations == second.record.evaluations);
+      BOOST_TEST(first.record.status == second.record.status);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_default_converges_in_a_few_evaluations) {
+  RandomSource random(601);
+  for (int i = 0; i < 200; ++i) {
+    const Problem problem = random_feasible_problem(random);
+    for (const Objective objective : objectives) {
+      const SearchRecord record = run({problem, {}}, objective, "").record;
+      BOOST_TEST(record.algorithm == "LD_SLSQP");
+      BOOST_TEST(record.evaluations <= 100);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_spent_budget_still_gives_an_admissible_point) {
+  for (const Case& now : cases()) {
+    for (const std::string_view algorithm : algorithm_names()) {
+      const DesignPoint point =
+          search(now.problem, now.limits, {Objective::robust, std::string(algorithm), 2, 10})
+              .value()
+              .point;
+      BOOST_TEST(admissible(now.problem, now.limits, point.f, point.delta));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_budget_that_is_none_is_refused) {
+  const auto refused = [](const SearchOptions& options, const std::string& field) {
+    const auto names_the_field = [&](const stillpoint::InputError& error) {
+      return error.field() == field;
+    };
+    BOOST_CHECK_EXCEPTION((void)search({1, 1, 0.9}, {}, options), stillpoint::InputError,
+                          names_the_field);
+  };
+  refused({Objective::robust, "", 0, 10}, "max_evaluations");
+  refused({Objective::robust, "", 100, 0}, "max_seconds");
+  refused({Objective::robust, "", 100, std::nan("")}, "max_seconds");
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_algorithm_is_refused_with_the_names_of_the_known_ones) {
+  const auto lists_the_names = [](const stillpoint::InputError& error) {
+    const std::string text = error.what();
+    BOOST_TEST(error.field() == "algorithm");
+    return text.starts_with("algorithm = LD_NOTHING") && text.find("LD_SLSQP") != text.npos &&
+           text.find("GN_DIRECT_L") != text.npos;
+  };
+  BOOST_CHECK_EXCEPTION(run(cases()[0], Objective::robust, "LD_NOTHING"), stillpoint::InputError,
+                        lists_the_names);
+}
+
+BOOST_AUTO_TEST_CASE(objectives_have_the_names_of_the_reports) {
+  BOOST_TEST(name(Objective::robust) == "robust");
+  BOOST_TEST(name(Objective::amplitude) == "amplitude");
+  BOOST_TEST(name(Objective::time) == "time");
+  BOOST_TEST(name(Objective::acceleration) == "acceleration");
+  BOOST_TEST(name(Criterion::published) == "published");
+  BOOST_TEST(name(Criterion::exact) == "exact");
+}
