@@ -145,7 +145,11 @@ BOOST_AUTO_TEST_CASE(that_is_the_standard_output_is_added_to_and_not_replaced) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_FIXTURE_TEST_SUITE(colour, Sandbox)
+boost::test_tools::assertion_result if_terminals(boost::unit_test::test_unit_id /*unit*/) {
+  return has_terminals();
+}
+
+BOOST_FIXTURE_TEST_SUITE(colour, Sandbox, *boost::unit_test::precondition(if_terminals))
 
 namespace {
 

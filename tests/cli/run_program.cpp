@@ -280,6 +280,17 @@ std::map<std::string, std::string> Sandbox::contents() const {
   return found;
 }
 
+bool has_terminals() {
+  int terminal = -1;
+  int shell = -1;
+  if (::openpty(&terminal, &shell, nullptr, nullptr, nullptr) != 0) {
+    return false;
+  }
+  ::close(terminal);
+  ::close(shell);
+  return true;
+}
+
 Arguments joined(Arguments head, const Arguments& tail) {
   head.insert(head.end(), tail.begin(), tail.end());
   return head;

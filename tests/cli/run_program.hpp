@@ -64,6 +64,9 @@ class Sandbox {
   std::filesystem::path path_;
 };
 
+/// Whether a pseudo-terminal can be had: a bare root without /dev/pts has none.
+[[nodiscard]] bool has_terminals();
+
 /// `head` with `tail` behind it.
 [[nodiscard]] Arguments joined(Arguments head, const Arguments& tail);
 
