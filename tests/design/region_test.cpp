@@ -7,7 +7,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 namespace {
 
@@ -150,11 +153,13 @@ BOOST_AUTO_TEST_CASE(every_slack_is_positive_inside_and_negative_outside) {
 
 BOOST_AUTO_TEST_CASE(the_constraints_come_in_the_promised_order_with_their_relations) {
   const auto list = constraints({1, 1, 0.9}, 0.2, 0.3);
-  const char* const expected[][2] = {
-      {"dead_zone", "<"}, {"start", "<="}, {"amplitude", ">="}, {"return", "<="}, {"stop", ">"}};
+  using Pair = std::pair<std::string_view, std::string_view>;
+  const std::array<Pair, 5> expected{Pair{"dead_zone", "<"}, Pair{"start", "<="},
+                                     Pair{"amplitude", ">="}, Pair{"return", "<="},
+                                     Pair{"stop", ">"}};
   for (std::size_t i = 0; i < list.size(); ++i) {
-    BOOST_TEST(list[i].name == expected[i][0]);
-    BOOST_TEST(list[i].relation == expected[i][1]);
+    BOOST_TEST(list[i].name == expected[i].first);
+    BOOST_TEST(list[i].relation == expected[i].second);
   }
 }
 

@@ -19,11 +19,13 @@ class Scan {
   using Wide = long double;
 
   Scan(const design::Problem& problem, const design::Limits& limits)
-      : v0_(problem.v0), p_(problem.p), criterion_(problem.criterion), asked_(limits.tolerance) {
-    const Wide beta = problem.beta;
-    f2_ = (v0_ * v0_ - beta * p_ * beta * p_) / (2 * beta);
-    f_cap_ = v0_ * p_ / std::sqrt(Wide(8));
-    delta_cap_ = v0_ * v0_ / 2;
+      : v0_(problem.v0),
+        p_(problem.p),
+        f2_((v0_ * v0_ - Wide(problem.beta) * p_ * problem.beta * p_) / (2 * Wide(problem.beta))),
+        f_cap_(v0_ * p_ / std::sqrt(Wide(8))),
+        delta_cap_(v0_ * v0_ / 2),
+        criterion_(problem.criterion),
+        asked_(limits.tolerance) {
     if (limits.f_max) {
       f_cap_ = std::min<Wide>(f_cap_, *limits.f_max);
     }
@@ -121,11 +123,11 @@ class Scan {
 
   Wide v0_;
   Wide p_;
-  design::Criterion criterion_;
-  Wide asked_;
   Wide f2_;
   Wide f_cap_;
   Wide delta_cap_;
+  design::Criterion criterion_;
+  Wide asked_;
 };
 
 }  // namespace stillpoint::design_test

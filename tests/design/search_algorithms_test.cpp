@@ -126,8 +126,9 @@ BOOST_AUTO_TEST_CASE(an_unknown_algorithm_is_refused_with_the_names_of_the_known
   const auto lists_the_names = [](const stillpoint::InputError& error) {
     const std::string text = error.what();
     BOOST_TEST(error.field() == "algorithm");
-    return text.starts_with("algorithm = LD_NOTHING") && text.find("LD_SLSQP") != text.npos &&
-           text.find("GN_DIRECT_L") != text.npos;
+    return text.starts_with("algorithm = LD_NOTHING") &&
+           text.find("LD_SLSQP") != std::string::npos &&
+           text.find("GN_DIRECT_L") != std::string::npos;
   };
   BOOST_CHECK_EXCEPTION(run(cases()[0], Objective::robust, "LD_NOTHING"), stillpoint::InputError,
                         lists_the_names);
