@@ -149,6 +149,8 @@ std::string outcome_sentence(const Response& response) {
       return "never stops: there is no friction";
     case Outcome::caught_at_start:
       return "never starts: v0^2 < 2 delta, the notch holds it";
+    case Outcome::running:
+      return "goes on at the end of the run";
   }
   return {};
 }

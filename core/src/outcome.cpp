@@ -15,6 +15,8 @@ std::string_view name(Outcome outcome) noexcept {
       return "never_stops";
     case Outcome::caught_at_start:
       return "caught_at_start";
+    case Outcome::running:
+      return "running";
   }
   assert(false && "an Outcome outside its enumeration");
   return "";

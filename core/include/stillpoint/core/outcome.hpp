@@ -11,6 +11,7 @@ enum class Outcome {
   stopped_in_dead_zone,  ///< rests at 0 < |x| <= f/p^2
   never_stops,           ///< no friction at all
   caught_at_start,       ///< v0^2 < 2 delta at x = 0: the notch never lets it go
+  running,               ///< forced motion only: not known to have stopped when the run ended
 };
 
 /// The name in reports: the enumerator's own.

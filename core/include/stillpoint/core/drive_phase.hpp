@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The phase psi = lambda tau + phase of a harmonic excitation, kept modulo 2 pi without loss:
+// docs/forced.md (F6).
+
+#include <stillpoint/core/exact_sum.hpp>
+#include <stillpoint/core/phase_clock.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace stillpoint {
+
+template <class Real>
+class DrivePhase {
+ public:
+  /// psi grows by lambda / p for each unit of p tau.
+  DrivePhase(const Real& lambda, const Real& p, const Real& phase)
+      : ratio_(lambda / p), psi_(phase) {
+    if constexpr (std::is_floating_point_v<Real>) {
+      ratio_rest_ = std::fma(-ratio_, p, lambda) / p;
+    }
+    reduce();
+  }
+
+  [[nodiscard]] const Real& ratio() const { return ratio_; }
+
+  /// In [-pi, pi], but for rounding.
+  [[nodiscard]] Real psi() const { return psi_.value(); }
+
+  void advance(const Real& h) {
+    psi_.add_product(ratio_, h);
+    if constexpr (std::is_floating_point_v<Real>) {
+      psi_.add(ratio_rest_ * h);
+    }
+    reduce();
+  }
+
+  /// sin psi and cos psi change their signs.
+  void turn_by_half() {
+    psi_.add(pi<Real>());
+    if constexpr (std::is_floating_point_v<Real>) {
+      psi_.add(two_pi_rest / 2);
+    }
+    reduce();
+  }
+
+  struct SinCos {
+    Real sine;
+    Real cosine;
+  };
+
+  [[nodiscard]] SinCos sin_cos() const {
+    using std::cos;
+    using std::sin;
+    const Real sine = sin(psi_.high());
+    const Real cosine = cos(psi_.high());
+    return {sine + psi_.low() * cosine, cosine - psi_.low() * sine};
+  }
+
+ private:
+  void reduce() {
+    using std::abs;
+    using std::floor;
+    if (!(abs(psi_.high()) > pi<Real>())) {
+      return;
+    }
+    const Real turns = floor(psi_.high() / (2 * pi<Real>()) + Real(0.5));
+    psi_.add_product(-turns, 2 * pi<Real>());
+    if constexpr (std::is_floating_point_v<Real>) {
+      psi_.add_product(-turns, two_pi_rest);
+    }
+  }
+
+  /// 2 pi less the double nearest to it.
+  static constexpr double two_pi_rest = 2.4492935982947064e-16;
+
+  Real ratio_;
+  Real ratio_rest_{0};  ///< lambda / p less its rounding
+  ExactSum<Real> psi_;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The excitations as the forced run meets them: what loads the mass now, the sliding piece ahead,
+// and the release from rest. In units where p = 1: w = W / p, h = p times a time.
+
+#include <stillpoint/core/drive_phase.hpp>
+#include <stillpoint/core/harmonic_piece.hpp>
+#include <stillpoint/core/linear_piece.hpp>
+#include <stillpoint/core/piece_end.hpp>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace stillpoint {
+
+/// A sliding state in its own direction (+1 or -1): y = direction * p x and so on.
+template <class Real>
+struct Sliding {
+  Real y;
+  Real v;
+  Real a;
+  int direction;
+};
+
+/// W = w + rate h.
+template <class Real>
+class LinearDrive {
+ public:
+  LinearDrive(Real w, Real rate) : w_(std::move(w)), rate_(std::move(rate)) {}
+
+  [[nodiscard]] Real load() const { return w_; }
+
+  void advance(const Real& h) { w_ += rate_ * h; }
+
+  [[nodiscard]] LinearPiece<Real> piece(const Sliding<Real>& from) const {
+    return {{from.y, from.v, from.a}, Real(from.direction) * rate_};
+  }
+
+  /// When |w + u| first exceeds phi, from where it does not; none where it never does.
+  [[nodiscard]] std::optional<Real> release(const Real& u, const Real& phi) const {
+    if (rate_ == 0) {
+      return std::nullopt;
+    }
+    const Real room = rate_ > 0 ? Real(phi - (w_ + u)) : Real(phi + (w_ + u));
+    return room / (rate_ > 0 ? rate_ : Real(-rate_));
+  }
+
+  /// Which way the mass goes after the release.
+  [[nodiscard]] int release_direction() const { return rate_ > 0 ? -1 : 1; }
+
+  /// The largest |w + u| ahead, where the drive lasts for ever.
+  [[nodiscard]] Real largest_load(const Real& u) const {
+    using std::abs;
+    return abs(Real(u + w_));
+  }
+
+ private:
+  Real w_;
+  Real rate_;
+};
+
+/// W = K sin psi; K >= 0.
+template <class Real>
+class HarmonicDrive {
+ public:
+  HarmonicDrive(const DrivePhase<Real>& phase, Real k, TippingMargin<Real>& margin)
+      : phase_(phase), k_(std::move(k)), margin_(margin), now_(phase.sin_cos()) {}
+
+  [[nodiscard]] Real load() const { return k_ * now_.sine; }
+
+  void advance(const Real& h) {
+    phase_.advance(h);
+    now_ = phase_.sin_cos();
+  }
+
+  [[nodiscard]] HarmonicPiece<Real> piece(const Sliding<Real>& from) {
+    const Real k = Real(from.direction) * k_;
+    const HarmonicPoint<Real> start{from.y, from.v, from.a, k * now_.sine, k * now_.cosine};
+    return {HarmonicFlow<Real>(phase_, start, k), k_, guesses_, margin_};
+  }
+
+  /// When |w + u| first exceeds phi, from where it does not: (F18).
+  [[nodiscard]] std::optional<Real> release(const Real& u, const Real& phi) {
+    const std::optional<Real> up = first_above(Real(phi - u), phase_.psi());
+    const std::optional<Real> down = first_above(Real(phi + u), Real(phase_.psi() + pi<Real>()));
+    direction_ = up && (!down || *up < *down) ? -1 : 1;
+    return direction_ < 0 ? up : down;
+  }
+
+  [[nodiscard]] int release_direction() const { return direction_; }
+
+  [[nodiscard]] Real largest_load(const Real& u) const {
+    using std::abs;
+    return abs(u) + k_;
+  }
+
+ private:
+  /// When K sin psi first exceeds `level` on its way up.
+  [[nodiscard]] std::optional<Real> first_above(const Real& level, const Real& psi) const {
+    using std::asin;
+    using std::floor;
+    using std::sqrt;
+    if (!(level < k_)) {
+      return std::nullopt;
+    }
+    const Real turn = 2 * pi<Real>();
+    // From the crossing up to the crest, with all digits where the crest hardly exceeds the level.
+    const Real below = (k_ - level) / (2 * k_);
+    const Real to_crest = below < 1 ? Real(2 * asin(sqrt(below))) : pi<Real>();
+    Real ahead = pi<Real>() / 2 - to_crest - psi;
+    ahead -= turn * floor(ahead / turn);
+    // The crossing lies behind, but the crest ahead: |w + u| = phi to the last bit, and growing.
+    if (turn - ahead < to_crest) {
+      return Real(0);
+    }
+    return ahead / phase_.ratio();
+  }
+
+  DrivePhase<Real> phase_;
+  Real k_;
+  TippingMargin<Real>& margin_;
+  typename DrivePhase<Real>::SinCos now_;
+  EventGuesses<Real> guesses_;
+  int direction_{1};
+};
+
+/// The piece that a drive makes of a sliding state.
+template <class Drive, class Real>
+using PieceOf = decltype(std::declval<Drive&>().piece(std::declval<const Sliding<Real>&>()));
+
+/// A piece on which x = 0 was passed without a notch: where, is found when somebody wants it.
+template <class Drive, class Real>
+struct Crossing {
+  PieceOf<Drive, Real> piece;
+  typename PieceOf<Drive, Real>::End end;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The rules of the motion under an excitation, docs/forced.md section 1, written once for double
+// and for a multiprecision scalar. In units where p = 1, as half_cycle_map.hpp:
+//
+// | here     | means                                                   |
+// |----------|---------------------------------------------------------|
+// | u        | p x                                                     |
+// | v        | x'                                                      |
+// | w        | W / p                                                   |
+// | phi      | f / p                                                   |
+// | notch    | 2 Delta                                                 |
+// | h, now   | p tau, of a piece and of the run                        |
+//
+// A drive (drives.hpp) is a stretch of the excitation without a kink. `through` takes the motion
+// through one; kinks are where the next begins. A watcher sees every event and every piece.
+
+#include <stillpoint/core/drives.hpp>
+#include <stillpoint/core/exact_sum.hpp>
+#include <stillpoint/core/forced_event.hpp>
+#include <stillpoint/core/forced_state.hpp>
+#include <stillpoint/core/half_cycle_map.hpp>
+#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/piece_end.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace stillpoint {
+
+template <class Real, class Watcher = NoWatcher>
+class ForcedRun {
+ public:
+  ForcedRun(const Oscillator<Real>& oscillator, const Start<Real>& start, Watcher& watcher,
+            Patience patience = {})
+      : map_(oscillator), watcher_(watcher), patience_(std::move(patience)) {
+    begin(start);
+  }
+
+  [[nodiscard]] const ForcedState<Real>& state() const { return s_; }
+  [[nodiscard]] ForcedState<Real>& state() { return s_; }
+  [[nodiscard]] const HalfCycleMap<Real>& map() const { return map_; }
+  [[nodiscard]] bool over() const { return s_.mode == ForcedMode::over; }
+  [[nodiscard]] bool cancelled() const { return patience_.ended(); }
+
+  /// Follows the motion for `length` under one drive; `for_ever` says that no other drive follows.
+  template <class Drive>
+  void through(Drive& drive, const ExactSum<Real>& length, bool for_ever) {
+    ExactSum<Real> left = length;
+    if (s_.mode == ForcedMode::sliding && s_.v == 0) {
+      s_.mode = ForcedMode::resting;  // a kink just when the mass set off: the new load decides
+    }
+    std::optional<Crossing<Drive, Real>> last;
+    while (!over() && left.value() > 0 && tick()) {
+      if (s_.mode == ForcedMode::resting) {
+        rest(drive, left, for_ever);
+      } else {
+        slide(drive, left, last);
+      }
+    }
+    if (last) {
+      s_.arrival_speed = last->piece.arrival_before(last->end).at.v;
+    }
+  }
+
+  /// Follows the motion under a drive that lasts until v = 0, and leaves the decision there open.
+  template <class Drive>
+  void slide_to_turn(Drive& drive) {
+    while (s_.mode == ForcedMode::sliding && s_.v != 0 && tick()) {
+      std::optional<Crossing<Drive, Real>> last;
+      ExactSum<Real> left(Real(8));  // more than 2 pi, where every piece ends
+      slide(drive, left, last);
+      if (last) {
+        s_.arrival_speed = last->piece.arrival_before(last->end).at.v;
+      }
+    }
+    if (!over()) {
+      s_.mode = ForcedMode::resting;
+    }
+  }
+
+  /// No excitation from here on: at rest inside the dead zone the mass stays for ever.
+  void settle() {
+    if (s_.mode == ForcedMode::resting && magnitude(s_.u) <= map_.phi) {
+      stop_where_it_rests();
+    }
+  }
+
+  /// Once a piece; false where the run is to end.
+  bool tick() {
+    if (patience_.lasts([this] { return static_cast<double>(Real(s_.now.value() / map_.p)); })) {
+      return true;
+    }
+    s_.mode = ForcedMode::over;
+    return false;
+  }
+
+  /// At rest for ever, since rest_begin.
+  void stop(Outcome outcome) {
+    s_.mode = ForcedMode::over;
+    s_.outcome = outcome;
+    event(ForcedEventKind::rest);
+  }
+
+  void event(ForcedEventKind kind) {
+    if constexpr (Watcher::watches) {
+      watcher_.event(kind, s_.now, s_.u, s_.v);
+    }
+  }
+
+  Watcher& watcher() { return watcher_; }
+
+  /// Rule 1, with a notch; the mass has come to x = 0 with s_.v.
+  void arrive() {
+    const Real energy = s_.v * s_.v;
+    const Real left = map_.departure(energy);
+    s_.u = Real(0);
+    s_.arrival_speed = magnitude(s_.v);
+    event(ForcedEventKind::arrival);
+    s_.margin.decide(magnitude(left), energy + map_.notch);
+    s_.margin.decide(energy, energy + s_.farthest * s_.farthest);  // or else a turn before x = 0
+    if (!(left > 0)) {
+      s_.v = Real(0);
+      s_.rest_begin = s_.now;
+      stop(Outcome::stopped_at_zero);
+      return;
+    }
+    using std::sqrt;
+    s_.v = Real(s_.direction) * sqrt(left);
+    ++s_.passages;
+    event(ForcedEventKind::passage);
+  }
+
+  /// v = 0 has been reached; what follows is for the load to decide, this one or that after a kink.
+  void turn() {
+    s_.v = Real(0);
+    s_.mode = ForcedMode::resting;
+    s_.fresh = true;
+    s_.rest_begin = s_.now;
+    if (s_.u != 0) {
+      ++s_.turning_points;
+    }
+    const Real distance = magnitude(s_.u);
+    s_.farthest = std::max(s_.farthest, distance);
+    s_.margin.decide(distance, s_.farthest);
+    event(ForcedEventKind::turn);
+  }
+
+  static Real magnitude(const Real& value) { return value < 0 ? Real(-value) : value; }
+
+ private:
+  void stop_where_it_rests() {
+    stop(s_.u == 0 ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone);
+  }
+
+  /// Rule 4.
+  void begin(const Start<Real>& start) {
+    s_.u = map_.p * start.x0;
+    s_.v = start.v0;
+    s_.farthest = magnitude(s_.u);
+    const Real energy = s_.v * s_.v;
+    const bool notched = s_.u == 0 && s_.v != 0 && map_.notch > 0;
+    if (notched) {
+      s_.margin.decide(magnitude(Real(energy - map_.notch)), energy + map_.notch);
+    }
+    if (notched && energy < map_.notch) {
+      s_.v = Real(0);
+      s_.mode = ForcedMode::over;
+      s_.outcome = Outcome::caught_at_start;
+    } else if (s_.v != 0) {
+      s_.mode = ForcedMode::sliding;
+      s_.direction = s_.v > 0 ? 1 : -1;
+      s_.moved = true;
+    }
+    event(ForcedEventKind::start);
+  }
+
+  /// Rule 2.
+  template <class Drive>
+  void rest(Drive& drive, ExactSum<Real>& left, bool for_ever) {
+    const Real load = s_.u + drive.load();
+    const Real size = magnitude(load);
+    if (s_.fresh) {
+      s_.margin.decide(magnitude(Real(size - map_.phi)),
+                       magnitude(s_.u) + magnitude(drive.load()) + map_.phi);
+    }
+    if (size > map_.phi) {
+      set_off(load > 0 ? -1 : 1, false);
+      return;
+    }
+    if (s_.fresh) {
+      s_.fresh = false;
+      event(ForcedEventKind::stick);
+    }
+    if (for_ever) {
+      const Real largest = drive.largest_load(s_.u);
+      s_.margin.decide(magnitude(Real(largest - map_.phi)), largest + map_.phi);
+      if (!(largest > map_.phi)) {
+        stop_where_it_rests();
+        return;
+      }
+    }
+    const std::optional<Real> wait = drive.release(s_.u, map_.phi);
+    if (!wait || !(*wait < left.value())) {
+      s_.now.add(left.high());
+      s_.now.add(left.low());
+      drive.advance(left.value());
+      left = ExactSum<Real>();
+      return;
+    }
+    pass_time(drive, left, *wait);
+    set_off(drive.release_direction(), true);
+  }
+
+  void set_off(int direction, bool released) {
+    const Real waited = s_.now.minus(s_.rest_begin);
+    if (waited > 0) {
+      ++s_.sticks;
+      s_.stick_time.add(waited);
+    }
+    s_.mode = ForcedMode::sliding;
+    s_.direction = direction;
+    s_.released = released;
+    s_.fresh = false;
+    s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0);
+    s_.moved = true;
+    if (waited > 0) {
+      event(ForcedEventKind::release);
+    }
+  }
+
+  template <class Drive>
+  void pass_time(Drive& drive, ExactSum<Real>& left, const Real& h) {
+    left.add(-h);
+    s_.now.add(h);
+    drive.advance(h);
+  }
+
+  /// Where the motion sets off or goes on, in its own direction.
+  template <class Drive>
+  [[nodiscard]] Sliding<Real> own_direction(const Drive& drive) const {
+    const Real sign(s_.direction);
+    const Real y = sign * s_.u;
+    const Real a = s_.released ? Real(0) : Real(-(y + sign * drive.load() + map_.phi));
+    return {y, sign * s_.v, a, s_.direction};
+  }
+
+  template <class Drive>
+  void slide(Drive& drive, ExactSum<Real>& left, std::optional<Crossing<Drive, Real>>& last) {
+    const Sliding<Real> from = own_direction(drive);
+    auto piece = drive.piece(from);
+    const bool inward = from.y < 0;
+    auto end = piece.first_event(left.value(), inward && map_.notch > 0);
+    if (end.event == PieceEvent::none && !(end.at.v > 0)) {
+      end.event = PieceEvent::turn;  // within rounding of the end of the drive
+    }
+    s_.acceleration = piece.largest_acceleration(end, s_.acceleration);
+    if constexpr (Watcher::watches) {
+      watcher_.piece(s_.now, from.direction, piece);
+    }
+    if (map_.notch == 0 && inward && (end.at.y > 0 || (end.at.y == 0 && end.at.v > 0))) {
+      ++s_.passages;
+      last.emplace(Crossing<Drive, Real>{piece, end});
+      watch_crossing(*last);
+    }
+    pass_time(drive, left, end.h);
+    s_.released = false;
+    s_.u = Real(from.direction) * end.at.y;
+    s_.v = Real(from.direction) * end.at.v;
+    if (end.event == PieceEvent::arrival) {
+      arrive();
+    } else if (end.event == PieceEvent::turn) {
+      turn();
+    }
+  }
+
+  template <class AnyCrossing>
+  void watch_crossing(const AnyCrossing& crossing) {
+    if constexpr (Watcher::watches) {
+      const auto at_zero = crossing.piece.arrival_before(crossing.end);
+      ExactSum<Real> when = s_.now;
+      when.add(at_zero.h);
+      const Real v = Real(s_.direction) * at_zero.at.v;
+      watcher_.event(ForcedEventKind::arrival, when, Real(0), v);
+      watcher_.event(ForcedEventKind::passage, when, Real(0), v);
+    }
+  }
+
+  HalfCycleMap<Real> map_;
+  Watcher& watcher_;
+  Patience patience_;
+  ForcedState<Real> s_;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A state under W = k sin(lambda tau + phase) and its motion over a short time, docs/forced.md
+// section 3. Mirrored so that the mass slides towards growing y; in units where p = 1.
+//
+// | here | means                             |
+// |------|-----------------------------------|
+// | y    | p x                               |
+// | v    | x'                                |
+// | a    | x'' / p                           |
+// | w    | W / p = K sin psi                 |
+// | q    | K cos psi, so that dw/dh = r q    |
+// | r    | lambda / p                        |
+// | h    | p times the time since the point  |
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace stillpoint {
+
+template <class Real>
+struct HarmonicPoint {
+  Real y;
+  Real v;
+  Real a;
+  Real w;
+  Real q;
+
+  /// a' : what v'' is.
+  [[nodiscard]] Real jerk(const Real& r) const { return -v - r * q; }
+};
+
+/// (F9): the point whose v is the jerk of this one, and so on; it obeys the same equation.
+template <class Real>
+HarmonicPoint<Real> twice_differentiated(const HarmonicPoint<Real>& point, const Real& r) {
+  const Real r2 = r * r;
+  return {point.a, point.jerk(r), r2 * point.w - point.a, -r2 * point.w, -r2 * point.q};
+}
+
+template <class Real>
+HarmonicPoint<Real> negated(const HarmonicPoint<Real>& point) {
+  return {-point.y, -point.v, -point.a, -point.w, -point.q};
+}
+
+/// 1 / n for the series; a table for what a double needs.
+template <class Real>
+Real inverse(int n) {
+  if constexpr (std::is_same_v<Real, double>) {
+    static constexpr std::array<double, 24> table{
+        0,        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,
+        1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15,
+        1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23};
+    return table[static_cast<std::size_t>(n)];
+  } else {
+    return Real(1) / n;
+  }
+}
+
+/// (F10): the state a time h later by its power series, for max(1, r) |h| <= 1. Its error is a few
+/// ulp of the terms themselves, so that a motion that begins like h^2 or h^3 keeps its digits.
+template <class Real>
+HarmonicPoint<Real> shifted(const HarmonicPoint<Real>& point, const Real& r, const Real& h) {
+  using std::abs;
+  using std::max;
+  const Real z = max(Real(1), r) * abs(h);
+  const Real hh = h * h;
+  const Real rr = r * r * hh;
+  // The terms of v and of q, n = 0, 1; then each from the last but one.
+  Real v0 = point.v;
+  Real v1 = point.a * h;
+  Real q0 = point.q;
+  Real q1 = -point.w * (r * h);
+  Real v = v0 + v1;
+  Real q = q0 + q1;
+  Real y = h * (v0 + v1 * inverse<Real>(2));
+  Real w = q0 + q1 * inverse<Real>(2);
+  // Neglected terms are below epsilon times the terms of order h^2 of the same series.
+  Real size{1};
+  for (int n = 2; n < 3 || size > std::numeric_limits<Real>::epsilon() / 16; n += 2) {
+    const Real even = inverse<Real>(n - 1) * inverse<Real>(n);
+    const Real odd = inverse<Real>(n) * inverse<Real>(n + 1);
+    v0 = -(v0 + r * q0) * (hh * even);
+    v1 = -(v1 + r * q1) * (hh * odd);
+    q0 = -q0 * (rr * even);
+    q1 = -q1 * (rr * odd);
+    v += v0 + v1;
+    q += q0 + q1;
+    y += h * (v0 * inverse<Real>(n + 1) + v1 * inverse<Real>(n + 2));
+    w += q0 * inverse<Real>(n + 1) + q1 * inverse<Real>(n + 2);
+    size *= z * z * even;
+  }
+  const Real grown = r * h * w;
+  return {point.y + y, v, point.a - y - grown, point.w + grown, q};
+}
+
+/// (F10) cut after h^2: nothing is lost where |h| is below cube_root_of_epsilon of the time scale
+/// and of the time since the start of the piece, where the state may have begun like h^3.
+template <class Real>
+HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const Real& r, const Real& h) {
+  const HarmonicPoint<Real> second = twice_differentiated(point, r);
+  const Real half = h / 2;
+  return {point.y + h * (point.v + half * second.y), point.v + h * (point.a + half * second.v),
+          point.a + h * (second.v + half * second.a),
+          point.w + h * r * (point.q - half * r * point.w),
+          point.q - h * r * (point.w + half * r * point.q)};
+}
+
+/// Steps so small that their cubes do not count.
+template <class Real>
+Real cube_root_of_epsilon() {
+  if constexpr (std::is_same_v<Real, double>) {
+    return 6e-6;
+  } else {
+    using std::pow;
+    static const Real value = pow(std::numeric_limits<Real>::epsilon(), Real(1) / 3);
+    return value;
+  }
+}
+
+/// (F11): Newton's method on c[0] + c[1] d + ... + c[5] d^5 from the zero of its first two terms; a
+/// short step needs one turn of it. Infinite where it does not settle. A zero of the polynomial is
+/// not yet one of the motion: the caller looks.
+template <class Real>
+Real polynomial_root(const std::array<Real, 6>& c, const Real& short_step) {
+  using std::abs;
+  Real d = -c[0] / c[1];
+  const bool is_short = abs(d) <= short_step;
+  for (int turn = 0; turn < 4; ++turn) {
+    const Real value = c[0] + d * (c[1] + d * (c[2] + d * (c[3] + d * (c[4] + d * c[5]))));
+    const Real slope = c[1] + d * (2 * c[2] + d * (3 * c[3] + d * (4 * c[4] + d * (5 * c[5]))));
+    const Real correction = value / slope;
+    d -= correction;
+    if (is_short || abs(correction) < abs(d) / 64) {
+      return d;
+    }
+  }
+  return std::numeric_limits<Real>::infinity();
+}
+
+/// How far from `point` v vanishes, by the first six derivatives.
+template <class Real>
+Real step_to_turn(const HarmonicPoint<Real>& point, const Real& r, const Real& short_step) {
+  const HarmonicPoint<Real> second = twice_differentiated(point, r);
+  const HarmonicPoint<Real> fourth = twice_differentiated(second, r);
+  const std::array<Real, 6> c{point.v,
+                              point.a,
+                              second.v * (Real(1) / 2),
+                              second.a * (Real(1) / 6),
+                              fourth.v * (Real(1) / 24),
+                              fourth.a * (Real(1) / 120)};
+  return polynomial_root(c, short_step);
+}
+
+/// How far from `point` y vanishes.
+template <class Real>
+Real step_to_arrival(const HarmonicPoint<Real>& point, const Real& r, const Real& short_step) {
+  const HarmonicPoint<Real> second = twice_differentiated(point, r);
+  const std::array<Real, 6> c{point.y,
+                              point.v,
+                              second.y * (Real(1) / 2),
+                              second.v * (Real(1) / 6),
+                              second.a * (Real(1) / 24),
+                              twice_differentiated(second, r).v * (Real(1) / 120)};
+  return polynomial_root(c, short_step);
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A sliding piece under an excitation that is linear in time: between two samples of a record, in a
+// rectangle pulse, and after the end of any excitation. docs/forced.md section 5.
+// Mirrored as in harmonic_point.hpp: y = p x, v = x', a = x''/p; `rate` = dw/dh, w = W / p.
+
+#include <stillpoint/core/phase_clock.hpp>
+#include <stillpoint/core/piece_end.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stillpoint {
+
+template <class Real>
+struct LinearPoint {
+  Real y;
+  Real v;
+  Real a;
+};
+
+/// sin h, 1 - cos h and h - sin h, each with all its digits for small h.
+template <class Real>
+struct LinearTerms {
+  Real sine;
+  Real versine;
+  Real lag;
+
+  explicit LinearTerms(const Real& h) {
+    using std::cos;
+    using std::sin;
+    const Real half_sine = sin(h / 2);
+    sine = 2 * half_sine * cos(h / 2);
+    versine = 2 * half_sine * half_sine;
+    if (!(h < 1)) {
+      lag = h - sine;
+      return;
+    }
+    Real term = h * h * h / 6;
+    lag = term;
+    for (int n = 4; !(term < lag * std::numeric_limits<Real>::epsilon() / 4) && term > 0; n += 2) {
+      term *= h * h / (n * (n + 1));
+      lag += (n % 4 == 0) ? Real(-term) : term;
+    }
+  }
+};
+
+template <class Real>
+class LinearPiece {
+ public:
+  using Point = LinearPoint<Real>;
+  using End = PieceEnd<Real, Point>;
+
+  LinearPiece(Point start, Real rate) : start_(std::move(start)), rate_(std::move(rate)) {}
+
+  /// (F16).
+  [[nodiscard]] Point at(const Real& h) const {
+    const LinearTerms<Real> terms(h);
+    const Point& s = start_;
+    return {s.y + (s.v * terms.sine + s.a * terms.versine - rate_ * terms.lag),
+            s.v + (s.a * terms.sine - (s.v + rate_) * terms.versine),
+            s.a - s.a * terms.versine - (s.v + rate_) * terms.sine};
+  }
+
+  [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
+    const Real turn = first_turn();
+    End end{PieceEvent::turn, turn, {}};
+    if (turn > 0 && turn <= limit) {
+      end.at = at(turn);
+      polish_turn(end, limit);
+    } else {
+      // No piece is so long that the rounding of its time matters.
+      end = {PieceEvent::none, std::min(limit, Real(2 * pi<Real>())), {}};
+      end.at = at(end.h);
+    }
+    if (want_arrival && !(end.at.y < 0)) {
+      return arrival_before(end);
+    }
+    return end;
+  }
+
+  /// Where y = 0 on a piece that ends with y >= 0, started from y < 0 and has v > 0 between.
+  [[nodiscard]] End arrival_before(const End& end) const {
+    Real low{0};
+    Real high = end.h;
+    Real h = end.h * (start_.y / (start_.y - end.at.y));
+    if (!(h > low && h < high)) {
+      h = low + (high - low) / 2;
+    }
+    while (true) {
+      const Point now = at(h);
+      (now.y < 0 ? low : high) = h;
+      Real next = h - now.y / now.v;
+      if (!(next > low && next < high)) {
+        next = low + (high - low) / 2;
+      }
+      if (!(next > low && next < high)) {
+        return {PieceEvent::arrival, high, at(high)};
+      }
+      const Real d = next - h;
+      h = next;
+      if ((d < 0 ? Real(-d) : d) <= 2 * std::numeric_limits<Real>::epsilon() * h) {
+        return {PieceEvent::arrival, h, at(h)};
+      }
+    }
+  }
+
+  /// The largest |a| up to `end`, or `so_far` where that is larger: (a, a') turns rigidly.
+  [[nodiscard]] Real largest_acceleration(const End& end, const Real& so_far) const {
+    using std::abs;
+    using std::max;
+    using std::sqrt;
+    const Real jerk = -(start_.v + rate_);
+    const Real end_jerk = -(end.at.v + rate_);
+    const Real most = max(so_far, max(Real(abs(start_.a)), Real(abs(end.at.a))));
+    const bool crest = end.h >= pi<Real>() || (jerk < 0) != (end_jerk < 0);
+    return crest ? max(most, Real(sqrt(start_.a * start_.a + jerk * jerk))) : most;
+  }
+
+ private:
+  /// (F17): the first h in (0, 2 pi] with v = 0, through tan(h/2); 0 where there is none.
+  [[nodiscard]] Real first_turn() const {
+    using std::sqrt;
+    const Point& s = start_;
+    if (s.v == 0 && s.a == 0) {
+      return rate_ == 0 ? Real(0) : Real(2 * pi<Real>());
+    }
+    const Real square = s.a * s.a + s.v * (s.v + 2 * rate_);
+    if (square < 0) {
+      return Real(0);
+    }
+    const Real sum = s.a < 0 ? Real(s.a - sqrt(square)) : Real(s.a + sqrt(square));
+    const Real first = angle(sum, Real(s.v + 2 * rate_));
+    const Real second = s.v == 0 ? first : angle(Real(-s.v), sum);
+    return std::min(first, second);
+  }
+
+  /// The h in (0, 2 pi] with tan(h/2) = rise / run.
+  static Real angle(const Real& rise, const Real& run) {
+    using std::atan2;
+    const Real half = run < 0 ? Real(atan2(Real(-rise), Real(-run))) : Real(atan2(rise, run));
+    return half > 0 ? Real(2 * half) : Real(2 * half + 2 * pi<Real>());
+  }
+
+  /// Takes back what the closed form lost; not where v only touches 0, which leaves nothing to
+  /// gain.
+  void polish_turn(End& end, const Real& limit) const {
+    const Real d = -end.at.v / end.at.a;
+    const Real h = end.h + d;
+    const Real size = d < 0 ? Real(-d) : d;
+    if (end.at.a < 0 && size < end.h / 1000 && h <= limit) {
+      end.h = h;
+      end.at = at(h);
+    }
+  }
+
+  Point start_;
+  Real rate_;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A forced run under a record: docs/forced.md section 5. Most intervals between samples hold no
+// event; there (F21) proves it from the values at both ends and the motion advances by eight
+// multiplications with coefficients that depend on the interval alone. The others go through
+// ForcedRun::through.
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/forced_run.hpp>
+#include <stillpoint/core/linear_piece.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace stillpoint {
+
+/// (F16) over a whole interval of length h, with dw = rate h in place of the rate.
+template <class Real>
+struct IntervalTerms {
+  Real h{0};
+  Real sine{0};
+  Real versine{0};
+  Real lag{0};     ///< (h - sin h) / h
+  Real bend{0};    ///< (1 - cos h) / h
+  Real eighth{0};  ///< h / 8
+  Real crest{0};  ///< 1 / cos(h/2), or more: between samples |a| is at most this times that at them
+  bool short_enough{false};
+
+  IntervalTerms() = default;
+  explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
+
+ private:
+  IntervalTerms(const Real& length, const LinearTerms<Real>& terms)
+      : h(length),
+        sine(terms.sine),
+        versine(terms.versine),
+        lag(terms.lag / length),
+        bend(terms.versine / length),
+        eighth(length / 8),
+        crest(1 / (1 - length * length / 8)),
+        short_enough(length < 1) {}
+};
+
+template <class Real>
+class RecordTimes {
+ public:
+  RecordTimes(const Record<Real>& record, const Real& p)
+      : record_(record), p_(p), even_(p * record.step) {}
+
+  /// p times the time of a sample.
+  [[nodiscard]] ExactSum<Real> at(std::size_t i) const {
+    return record_.times.empty() ? ExactSum<Real>::product(even_, Real(i))
+                                 : ExactSum<Real>::product(p_, record_.times[i]);
+  }
+
+  /// p times the length of the interval after it.
+  [[nodiscard]] Real length(std::size_t i) const {
+    return record_.times.empty() ? even_ : Real(p_ * (record_.times[i + 1] - record_.times[i]));
+  }
+
+ private:
+  const Record<Real>& record_;
+  Real p_;
+  Real even_;
+};
+
+template <class Real, class Watcher>
+class RecordRun {
+ public:
+  RecordRun(ForcedRun<Real, Watcher>& run, const Record<Real>& record)
+      : run_(run), record_(record), times_(record, run.map().p), inverse_p_(1 / run.map().p) {}
+
+  /// Through the record, or until p tau = `end`.
+  void through(const ExactSum<Real>& end) {
+    if (record_.values.size() < 2) {
+      return;
+    }
+    before_first_sample(end);
+    if (end.minus(times_.at(0)) > 0) {
+      between_samples(end);
+    }
+  }
+
+ private:
+  using Run = ForcedRun<Real, Watcher>;
+
+  void before_first_sample(const ExactSum<Real>& end) {
+    const ExactSum<Real> first = times_.at(0);
+    LinearDrive<Real> nothing(Real(0), Real(0));
+    run_.through(nothing, end.minus(first) < 0 ? end : first, false);
+  }
+
+  void between_samples(const ExactSum<Real>& end) {
+    const std::size_t last = whole_intervals(end);
+    std::size_t i = 0;
+    while (i < last && !run_.over() && run_.tick()) {
+      i = run_.state().mode == ForcedMode::sliding ? slide_from(i, last) : rest_from(i, last);
+      if (i < last) {
+        through_interval(i, ExactSum<Real>(times_.length(i)));
+        ++i;
+      }
+    }
+    if (run_.over()) {
+      return;
+    }
+    run_.state().now = times_.at(i);
+    if (i + 1 < record_.values.size()) {
+      through_interval(i, ExactSum<Real>(end.minus(times_.at(i))));
+    }
+  }
+
+  /// How many intervals end before p tau = `end` or there.
+  [[nodiscard]] std::size_t whole_intervals(const ExactSum<Real>& end) const {
+    std::size_t low = 0;
+    std::size_t high = record_.values.size() - 1;
+    while (low < high) {
+      const std::size_t middle = high - (high - low) / 2;
+      if (end.minus(times_.at(middle)) < 0) {
+        high = middle - 1;
+      } else {
+        low = middle;
+      }
+    }
+    return low;
+  }
+
+  [[nodiscard]] Real sample(std::size_t i) const { return record_.values[i] * inverse_p_; }
+
+  void through_interval(std::size_t i, const ExactSum<Real>& length) {
+    run_.state().now = times_.at(i);
+    const Real w = sample(i);
+    LinearDrive<Real> drive(w, Real((sample(i + 1) - w) / times_.length(i)));
+    run_.through(drive, length, false);
+  }
+
+  /// On from sample i while (F21) proves that no event comes; the sample from which it does not, or
+  /// a later one after a stretch that the hook should hear of.
+  std::size_t slide_from(std::size_t i, std::size_t last) {
+    ForcedState<Real>& s = run_.state();
+    const Real sign(s.direction);
+    const Real phi = run_.map().phi;
+    Real y = sign * s.u;
+    Real v = sign * s.v;
+    Real w = sign * sample(i);
+    Real a = -(y + phi + w);
+    Real largest = s.acceleration;
+    if (!(v > 0)) {
+      return i;
+    }
+    for (; i < last; ++i) {
+      if (const Real h = times_.length(i); h != terms_.h) {
+        terms_ = IntervalTerms<Real>(h);
+      }
+      const IntervalTerms<Real>& t = terms_;
+      const Real next_w = sign * sample(i + 1);
+      const Real rise = next_w - w;
+      const Real next_v = v - v * t.versine + a * t.sine - rise * t.bend;
+      const Real next_y = y + (v * t.sine + a * t.versine - rise * t.lag);
+      const Real fall = rise < 0 ? Real(-t.eighth * rise) : Real(0);
+      if (!(v > fall && next_v > fall && t.short_enough) || (y < 0 && next_y >= 0)) {
+        break;
+      }
+      const Real next_a = -(next_y + phi + next_w);
+      if (std::max(Run::magnitude(a), Run::magnitude(next_a)) * t.crest > largest) {
+        const LinearPiece<Real> piece({y, v, a}, Real(rise / t.h));
+        largest =
+            piece.largest_acceleration({PieceEvent::none, t.h, {next_y, next_v, next_a}}, largest);
+      }
+      if constexpr (Watcher::watches) {
+        run_.watcher().piece(times_.at(i), s.direction,
+                             LinearPiece<Real>({y, v, a}, Real(rise / t.h)));
+      }
+      y = next_y;
+      v = next_v;
+      a = next_a;
+      w = next_w;
+    }
+    s.acceleration = largest;
+    s.u = sign * y;
+    s.v = sign * v;
+    return i;
+  }
+
+  /// On from sample i while the load at both ends of each interval, and so between, is held.
+  std::size_t rest_from(std::size_t i, std::size_t last) {
+    const ForcedState<Real>& s = run_.state();
+    const Real phi = run_.map().phi;
+    if (s.fresh || Run::magnitude(Real(s.u + sample(i))) > phi) {
+      return i;
+    }
+    while (i < last && Run::magnitude(Real(s.u + sample(i + 1))) <= phi) {
+      ++i;
+    }
+    return i;
+  }
+
+  Run& run_;
+  const Record<Real>& record_;
+  RecordTimes<Real> times_;
+  IntervalTerms<Real> terms_;
+  Real inverse_p_;
+};
+
+}  // namespace stillpoint

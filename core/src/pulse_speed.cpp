@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/pulse_speed.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace stillpoint {
+
+namespace {
+
+/// A half-sine in units of k / lambda and k / lambda^2, t = lambda tau: the motion under load and
+/// friction alone, from where the load exceeds friction, sin t = ratio.
+struct Push {
+  double ratio{0};
+  double begin{std::asin(ratio)};
+  double cosine{std::sqrt((1 - ratio) * (1 + ratio))};
+
+  [[nodiscard]] double speed(double t) const { return cosine - std::cos(t) - ratio * (t - begin); }
+  [[nodiscard]] double distance(double t) const {
+    const double since = t - begin;
+    return cosine * since - std::sin(t) + ratio - ratio * since * since / 2;
+  }
+
+  /// The end of the pulse, or the turn where friction stops the mass before it.
+  [[nodiscard]] double end() const {
+    double low = std::numbers::pi - begin;  // where the load falls below friction
+    double high = std::numbers::pi;
+    if (speed(high) >= 0) {
+      return high;
+    }
+    for (double middle = low; low < high; (speed(middle) > 0 ? low : high) = middle) {
+      middle = low + (high - low) / 2;
+      if (middle == low || middle == high) {
+        break;
+      }
+    }
+    return high;
+  }
+};
+
+}  // namespace
+
+double equivalent_speed(const HalfSine<>& pulse, double f) {
+  require_valid(Excitation(pulse));
+  require_within("f", f, 0, largest_square);
+  const double k = std::abs(pulse.k);
+  if (k <= f) {
+    return 0;
+  }
+  const Push push{f / k};
+  const double end = push.end();
+  const double speed = push.speed(end);
+  // (F22)
+  const double square = speed * speed + 2 * push.ratio * push.distance(end);
+  return square > 0 ? k / pulse.lambda * std::sqrt(square) : 0;
+}
+
+double equivalent_speed(const Rectangle<>& pulse, double f) {
+  require_valid(Excitation(pulse));
+  require_within("f", f, 0, largest_square);
+  const double k = std::abs(pulse.k);
+  return k <= f ? 0 : std::numbers::pi / pulse.lambda * std::sqrt(k) * std::sqrt(k - f);
+}
+
+}  // namespace stillpoint
