@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "printable.hpp"
+
+namespace stillpoint::cli {
+
+namespace {
+
+bool is_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+/// The length of the UTF-8 sequence at the beginning of `text`, 0 where there is none.
+std::size_t sequence_length(std::string_view text) {
+  const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  const std::size_t length = first < 0x80U                      ? 1
+                             : first >= 0xC2U && first <= 0xDFU ? 2
+                             : first >= 0xE0U && first <= 0xEFU ? 3
+                             : first >= 0xF0U && first <= 0xF4U ? 4
+                                                                : 0;
+  if (length == 0 || length > text.size()) {
+    return 0;
+  }
+  for (std::size_t i = 1; i < length; ++i) {
+    if (!is_continuation(text[i])) {
+      return 0;
+    }
+  }
+  // Overlong forms, surrogates and what lies beyond U+10FFFF.
+  const bool wrong =
+      length > 2 && ((first == 0xE0U && byte(1) < 0xA0U) || (first == 0xEDU && byte(1) > 0x9FU) ||
+                     (first == 0xF0U && byte(1) < 0x90U) || (first == 0xF4U && byte(1) > 0x8FU));
+  return wrong ? 0 : length;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(text);
+    if (length == 0) {
+      return false;
+    }
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t longest) {
+  const bool keeps_beyond_ascii = is_utf8(text);
+  std::size_t length = text.size();
+  if (length > longest) {
+    length = longest;
+    while (length > 0 && is_continuation(text[length])) {
+      --length;  // no sequence is cut in two
+    }
+  }
+  std::string result(text.substr(0, length));
+  for (char& c : result) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20U || byte == 0x7FU || (byte >= 0x80U && !keeps_beyond_ascii)) {
+      c = '?';
+    }
+  }
+  return length < text.size() ? result + "..." : result;
+}
+
+}  // namespace stillpoint::cli
