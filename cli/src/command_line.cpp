@@ -35,13 +35,17 @@ constexpr std::array command_helps{
                 "  stillpoint region --v0 1 --p 1 --beta 0.8\n"
                 "  stillpoint region --v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.4\n"
                 "Exit codes: 0 done, 2 wrong input, 3 the region is empty."},
-    CommandHelp{Command::simulate, "one free motion: metrics, half-cycles, trajectory",
+    CommandHelp{Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory",
                 "Examples:\n"
                 "  stillpoint simulate --v0 1 --p 1 --f 0.02 --delta 0.02\n"
                 "  stillpoint simulate --v0 0 --x0 1 --p 1 --f 0.02 --delta 0\n"
+                "  stillpoint simulate --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic \\\n"
+                "      --k 0.2 --lambda 0.35 --t-end 200\n"
+                "  stillpoint simulate --period 2.8 --f 0.02 --delta-m 0.001 --record "
+                "data/records/near_fault_pulse.txt\n"
                 "  stillpoint simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.01 \\\n"
                 "      --trajectory motion.csv --samples 500\n"
-                "Exit codes: 0 done, 2 wrong input."},
+                "Exit codes: 0 done, 2 wrong input, 130 interrupted."},
 };
 
 constexpr std::string_view about =

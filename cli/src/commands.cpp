@@ -2,11 +2,15 @@
 #include "commands.hpp"
 
 #include "json_report.hpp"
+#include "progress.hpp"
 #include "request.hpp"
 #include "text_report.hpp"
 #include "trajectory_csv.hpp"
 
+#include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
 
 namespace stillpoint::cli {
 
@@ -23,6 +27,39 @@ void report(const Settings& settings, const Json& json, const Text& text, Output
   if (path) {
     output.write_file("output", *path, report);
   }
+}
+
+SimulateAnswer free_answer(const SimulateInput& input) {
+  Ask ask;
+  ask.half_cycle_limit = input.half_cycle_limit;
+  SimulateAnswer answer;
+  answer.response = free_response(input.oscillator, input.start, ask);
+  answer.half_cycles = first_half_cycles(input.oscillator, input.start, input.max_half_cycles);
+  return answer;
+}
+
+SimulateAnswer forced_answer(const SimulateInput& input) {
+  const Excitation& excitation = input.excitation->excitation;
+  Progress progress(input.t_end.value_or(0));
+  ForcedAsk ask;
+  ask.t_end = input.t_end;
+  ask.half_cycle_limit = input.half_cycle_limit;
+  ask.go_on = [&progress](double tau) { return progress.goes_on(tau); };
+  SimulateAnswer answer;
+  answer.forced = forced_response(input.oscillator, input.start, excitation, ask);
+  if (answer.forced->cancelled) {
+    throw Interrupted(fmt::format("interrupted at tau = {:.6g}, nothing is written",
+                                  answer.forced->end_time.value_or(0)));
+  }
+  const Response& what_any_motion_has = *answer.forced;
+  answer.response = what_any_motion_has;
+  answer.half_cycles =
+      forced_half_cycles(input.oscillator, input.start, excitation, forced_horizon(input, answer),
+                         input.max_half_cycles, ask.go_on);
+  if (Progress::interrupted()) {
+    throw Interrupted("interrupted while listing half-cycles, nothing is written");
+  }
+  return answer;
 }
 
 }  // namespace
@@ -68,13 +105,9 @@ ExitCode run_region(const Settings& settings, Output& output) {
 
 ExitCode run_simulate(const Settings& settings, Output& output) {
   const SimulateInput input = simulate_input(settings);
-  Ask ask;
-  ask.half_cycle_limit = input.half_cycle_limit;
-  SimulateAnswer answer;
-  answer.response = free_response(input.oscillator, input.start, ask);
-  answer.half_cycles = first_half_cycles(input.oscillator, input.start, input.max_half_cycles);
+  const SimulateAnswer answer = input.excitation ? forced_answer(input) : free_answer(input);
   if (input.trajectory) {
-    output.write_file("trajectory", *input.trajectory, trajectory_csv(input, answer.response));
+    output.write_file("trajectory", *input.trajectory, trajectory_csv(input, answer));
   }
   report(
       settings, [&] { return simulate_json(input, answer); },

@@ -6,6 +6,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <variant>
 
 namespace stillpoint::cli {
 
@@ -87,6 +88,47 @@ ordered_json response_json(const Response& response) {
           {"outcome", name(response.outcome)},
           {"arrival_speed", number(response.arrival_speed)},
           {"decision_margin", number(response.decision_margin)}};
+}
+
+ordered_json response_json(const SimulateAnswer& answer) {
+  ordered_json json = response_json(answer.response);
+  if (answer.forced) {
+    const ForcedResponse& forced = *answer.forced;
+    json["end_time"] = number(forced.end_time);
+    json["final_position"] = number(forced.final_position);
+    json["final_velocity"] = number(forced.final_velocity);
+    json["sticks"] = count(forced.sticks);
+    json["stick_time"] = number(forced.stick_time);
+    json["left_notch_from_rest"] = forced.left_notch_from_rest;
+  }
+  return json;
+}
+
+/// Its numbers as given; what a type does not have is null.
+ordered_json excitation_json(const std::optional<ExcitationInput>& input) {
+  if (!input) {
+    return nullptr;
+  }
+  ordered_json json{{"type", input->type}, {"k", nullptr},
+                    {"lambda", nullptr},   {"phase", nullptr},
+                    {"duration", nullptr}, {"record", text(input->record.value_or(""))},
+                    {"samples", nullptr}};
+  const double lasts = duration(input->excitation);
+  json["duration"] = std::isfinite(lasts) ? number(lasts) : ordered_json(nullptr);
+  if (const auto* harmonic = std::get_if<Harmonic<>>(&input->excitation)) {
+    json["phase"] = number(harmonic->phase);
+  }
+  std::visit(
+      [&json](const auto& kind) {
+        if constexpr (requires { kind.lambda; }) {
+          json["k"] = number(kind.k);
+          json["lambda"] = number(kind.lambda);
+        } else if constexpr (requires { kind.values; }) {
+          json["samples"] = kind.values.size();
+        }
+      },
+      input->excitation);
+  return json;
 }
 
 ordered_json design_point_json(const design::Problem& problem, const design::DesignPoint& point) {
@@ -215,8 +257,10 @@ ordered_json simulate_json(const SimulateInput& input, const SimulateAnswer& ans
             {"p", number(input.oscillator.p)},
             {"f", number(input.oscillator.f)},
             {"delta", number(input.oscillator.delta)},
-            {"x0", number(input.start.x0)}}},
-          {"response", response_json(answer.response)},
+            {"x0", number(input.start.x0)},
+            {"t_end", number(input.t_end)},
+            {"excitation", excitation_json(input.excitation)}}},
+          {"response", response_json(answer)},
           {"half_cycles", half_cycles_json(answer.half_cycles)},
           {"half_cycles_listed", answer.half_cycles.size()},
           {"physical", physical_json(simulate_quantities(input, answer))}};

@@ -3,6 +3,7 @@
 
 #include "request.hpp"
 
+#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/half_cycle_walk.hpp>
 #include <stillpoint/design/design.hpp>
@@ -27,6 +28,7 @@ struct RegionAnswer {
 /// What `simulate` answers.
 struct SimulateAnswer {
   Response response;
+  std::optional<ForcedResponse> forced;  ///< where there is an excitation; response is its part
   std::vector<HalfCycle> half_cycles;
 };
 

@@ -18,6 +18,7 @@ using enum OptionKind;
 constexpr std::string_view motion = "Motion (dimensionless)";
 constexpr std::string_view physical = "Motion in metres and seconds (in place of v0, p, beta)";
 constexpr std::string_view damper = "Damper";
+constexpr std::string_view shaking = "Excitation (W in units of g, time in tau)";
 constexpr std::string_view search = "Search";
 constexpr std::string_view output = "Output";
 
@@ -60,6 +61,27 @@ constexpr std::array table{
     Option{"algorithm", text, "NAME", search, "an NLopt algorithm (default LD_SLSQP)", true, false,
            false},
 
+    Option{"excitation", text, "TYPE", shaking,
+           "harmonic, half-sine, full-sine, rectangle or record", false, false, true},
+    Option{"k", number, "K", shaking, "its peak in g", false, false, true},
+    Option{"lambda", number, "L", shaking,
+           "angular frequency; half-sine and rectangle last pi/L, full-sine 2 pi/L", false, false,
+           true},
+    Option{"phase", number, "PHI", shaking, "of harmonic, W = K sin(L tau + PHI); default 0", false,
+           false, true},
+    Option{"duration", number, "TAU", shaking, "of harmonic; default for ever", false, false, true},
+    Option{"record", text, "FILE", shaking,
+           "accelerations: PEER .AT2 or columns; in s with physical input, else in tau", false,
+           false, true},
+    Option{"record-units", text, "UNITS", shaking, "g (default), m/s2 or cm/s2", false, false,
+           true},
+    Option{"record-step", number, "DT", shaking, "between values that have no time column", false,
+           false, true},
+    Option{"record-scale", number, "X", shaking, "factor on every value", false, false, true},
+    Option{"t-end", number, "TAU", shaking,
+           "end of the run; default: the end of the motion, which a harmonic has not", false, false,
+           true},
+
     Option{"max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", false,
            false, true},
     Option{"half-cycle-limit", number, "N", output,
@@ -67,8 +89,6 @@ constexpr std::array table{
     Option{"trajectory", text, "FILE", output, "write tau,x,v to a CSV file", false, false, true},
     Option{"samples", integer, "N", output,
            "evenly spaced instants in it, besides every event (default 1000)", false, false, true},
-    Option{"t-end", number, "TAU", output, "its last instant (default: the end of the motion)",
-           false, false, true},
     Option{"title", text, "TEXT", output, "a heading for the report", true, true, true},
     Option{"json", flag, "", output, "print the JSON report, and nothing else", true, true, true},
     Option{"output", text, "FILE", output, "write the JSON report to FILE, whole or not at all",

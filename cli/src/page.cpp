@@ -37,7 +37,7 @@ fmt::text_style look_of(Tone tone) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
+std::string spelled_out(std::string_view text) {
   constexpr unsigned char first_printable = 0x20;
   constexpr unsigned char del = 0x7f;
   std::string result;

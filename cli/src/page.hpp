@@ -9,7 +9,7 @@
 namespace stillpoint::cli {
 
 /// Control characters, which could break a line or play tricks with a terminal, as \\xNN.
-[[nodiscard]] std::string printable(std::string_view text);
+[[nodiscard]] std::string spelled_out(std::string_view text);
 
 enum class Tone { plain, heading, good, bad, faint };
 

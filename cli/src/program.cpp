@@ -4,6 +4,7 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "page.hpp"
+#include "progress.hpp"
 #include "scene.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace stillpoint::cli {
 namespace {
 
 void say(const std::string& text) {
-  fmt::print(stderr, "stillpoint: {}\n", printable(text));
+  fmt::print(stderr, "stillpoint: {}\n", spelled_out(text));
 }
 
 /// A scene may serve several commands; what this one does not use is said, not passed over.
@@ -65,6 +66,9 @@ int run(int argc, const char* const* argv) {
     const ExitCode code = answer(parse_command_line(argc, argv), output);
     output.commit();
     return code;
+  } catch (const Interrupted& interrupted) {
+    say(interrupted.what());
+    return exit_interrupted;
   } catch (const std::exception& error) {
     say(error.what());
     return exit_wrong_input;

@@ -9,6 +9,7 @@ enum ExitCode : int {
   exit_wrong_input = 2,
   exit_infeasible = 3,
   exit_check_failed = 4,
+  exit_interrupted = 130,  ///< as shells have it
 };
 
 /// The whole program: parses, runs one command, writes what was asked for. Never throws.

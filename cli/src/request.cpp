@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "request.hpp"
 
+#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
@@ -47,7 +48,9 @@ bool is_physical(const Settings& settings) {
   require_one_of(settings, {"delta", "delta-m"});
   require_one_of(settings, {"delta-max", "delta-max-m"});
   for (const std::string_view physical : physical_names) {
-    if (!settings.has(physical)) {
+    // The gravity that turns a record's m/s2 into g says nothing of the motion.
+    if (!settings.has(physical) ||
+        (physical == std::string_view("gravity") && settings.has("record"))) {
       continue;
     }
     for (const std::string_view plain : {"v0", "p", "beta", "x0"}) {
@@ -62,12 +65,24 @@ bool is_physical(const Settings& settings) {
   return false;
 }
 
-/// H = velocity / omega; where there is no velocity, the initial displacement.
+/// A motion needs a start, unless something shakes it out of rest.
+bool starts_from_rest(const Settings& settings) {
+  return settings.has("excitation") || settings.has("record") || settings.has("k");
+}
+
+double initial_velocity(const Settings& settings, std::string_view name, bool may_be_missing,
+                        std::string_view hint) {
+  return may_be_missing ? settings.number(name).value_or(0) : settings.required(name, hint);
+}
+
+/// H = velocity / omega. Where there is no velocity, the initial displacement; and without that
+/// g / omega^2, which makes p = 1.
 double reference_velocity(double velocity, double x0_m, const design::PhysicalIsolator& isolator) {
-  if (velocity != 0 || x0_m == 0) {
+  if (velocity != 0) {
     return velocity;
   }
-  return std::abs(x0_m) * design::physical_scales(isolator, 1).omega_rad_per_s;
+  const double omega = design::physical_scales(isolator, 1).omega_rad_per_s;
+  return x0_m != 0 ? std::abs(x0_m) * omega : isolator.gravity_m_per_s2 / omega;
 }
 
 MotionInput physical_motion(const Settings& settings) {
@@ -77,9 +92,9 @@ MotionInput physical_motion(const Settings& settings) {
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
   const double x0_m = settings.number("x0-m").value_or(0);
-  const double velocity = x0_m != 0
-                              ? settings.number("velocity").value_or(0)
-                              : settings.required("velocity", "give the initial velocity in m/s");
+  const double velocity =
+      initial_velocity(settings, "velocity", x0_m != 0 || starts_from_rest(settings),
+                       "give the initial velocity in m/s");
   MotionInput motion;
   PhysicalInput physical;
   physical.scales =
@@ -99,8 +114,8 @@ MotionInput motion_input(const Settings& settings) {
   }
   MotionInput motion;
   motion.x0 = settings.number("x0").value_or(0);
-  motion.v0 = motion.x0 != 0 ? settings.number("v0").value_or(0)
-                             : settings.required("v0", "give --v0, or --velocity in m/s");
+  motion.v0 = initial_velocity(settings, "v0", motion.x0 != 0 || starts_from_rest(settings),
+                               "give --v0, or --velocity in m/s");
   motion.p = settings.required("p", "give --p, or --period in s");
   return motion;
 }
@@ -226,15 +241,29 @@ SimulateInput simulate_input(const Settings& settings) {
   input.trajectory = settings.text("trajectory");
   input.samples = count(settings, "samples", input.samples, 2, 1'000'000);
   input.t_end = settings.number("t-end");
-  for (const std::string_view name : {"samples", "t-end"}) {
-    if (settings.has(name) && !input.trajectory) {
-      throw UsageError(fmt::format("{} is for a trajectory: give --trajectory FILE as well", name));
-    }
+  if (settings.has("samples") && !input.trajectory) {
+    throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
+  }
+  const PhysicalInput none;
+  input.excitation = excitation_input(
+      settings, input.physical ? input.physical->scales.time_s : none.scales.time_s,
+      settings.number("gravity").value_or(none.scales.gravity_m_per_s2));
+  if (input.t_end && !input.trajectory && !input.excitation) {
+    throw UsageError(
+        "t-end is for a trajectory or an excitation: give --trajectory FILE or --excitation as "
+        "well");
   }
   if (input.t_end) {
     require_within("t-end", *input.t_end, std::numeric_limits<double>::min(), unlimited);
   }
-  require_valid(input.oscillator, input.start);
+  if (input.excitation) {
+    if (!input.t_end && std::isinf(duration(input.excitation->excitation))) {
+      throw InputError::missing("t-end", "give --t-end, the excitation never ends");
+    }
+    require_valid(input.oscillator, input.start, input.excitation->excitation, input.t_end);
+  } else {
+    require_valid(input.oscillator, input.start);
+  }
   return input;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "excitation_input.hpp"
 #include "settings.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
@@ -48,6 +49,7 @@ struct SimulateInput {
   Start<double> start;
   double half_cycle_limit{1e8};
   std::int64_t max_half_cycles{1000};
+  std::optional<ExcitationInput> excitation;  ///< empty: free motion
   std::optional<std::string> trajectory;
   std::int64_t samples{1000};
   std::optional<double> t_end;

@@ -126,6 +126,40 @@ Settings::Value typed(const Option& option, const json& value) {
   return value.get<bool>();
 }
 
+void add_key(Settings& settings, const std::string& key, const json& value, const Option* option) {
+  if (option == nullptr) {
+    throw InputError(key, value.dump(), fmt::format("is not a key of a scene{}", suggestion(key)));
+  }
+  if (settings.has(option->name)) {
+    refuse_twice(key);
+  }
+  settings.set(*option, typed(*option, value));
+}
+
+/// "excitation" may be an object of its own; its "type" is the option excitation.
+void add_keys(Settings& settings, const json& object, std::string_view within) {
+  for (const auto& [key, value] : object.items()) {
+    std::string wanted = key;
+    std::ranges::replace(wanted, '_', '-');
+    const Option* option = find_option(wanted);
+    if (within.empty() && wanted == "excitation" && value.is_object()) {
+      if (value.empty()) {
+        throw InputError(key, "{}", "must have a type");
+      }
+      add_keys(settings, value, wanted);
+    } else if (within.empty()) {
+      add_key(settings, key, value, option);
+    } else {
+      const bool of_it = option != nullptr && option->group == find_option(within)->group &&
+                         option->name != within;
+      add_key(settings, fmt::format("{}.{}", within, key), value,
+              wanted == "type" ? find_option(within)
+              : of_it          ? option
+                               : nullptr);
+    }
+  }
+}
+
 }  // namespace
 
 Settings parse_scene(std::string_view text, std::string_view source) {
@@ -135,19 +169,7 @@ Settings parse_scene(std::string_view text, std::string_view source) {
         fmt::format("scene {}: is a JSON {}, must be an object", source, scene.type_name()));
   }
   Settings settings;
-  for (const auto& [key, value] : scene.items()) {
-    std::string wanted = key;
-    std::ranges::replace(wanted, '_', '-');
-    const Option* option = find_option(wanted);
-    if (option == nullptr) {
-      throw InputError(key, value.dump(),
-                       fmt::format("is not a key of a scene{}", suggestion(wanted)));
-    }
-    if (settings.has(option->name)) {
-      refuse_twice(key);
-    }
-    settings.set(*option, typed(*option, value));
-  }
+  add_keys(settings, scene, "");
   return settings;
 }
 

@@ -75,7 +75,7 @@ std::string region_text(const RegionInput& input, const RegionAnswer& answer,
 std::string simulate_text(const SimulateInput& input, const SimulateAnswer& answer,
                           const std::optional<std::string>& title, Style style) {
   Page page(style);
-  add_title(page, "Free motion", title);
+  add_title(page, input.excitation ? "Forced motion" : "Free motion", title);
   page.section("Scene");
   if (input.physical) {
     add_physical_input(page, *input.physical);
@@ -88,8 +88,14 @@ std::string simulate_text(const SimulateInput& input, const SimulateAnswer& answ
   if (input.physical) {
     add_damper_physics(page, *input.physical, input.oscillator.f, input.oscillator.delta);
   }
+  if (input.excitation) {
+    add_excitation(page, *input.excitation, input.physical);
+  }
   page.section("Motion");
-  add_response(page, answer.response, input.physical);
+  add_response(page, answer.response, input.physical, answer.forced ? forced_margin : free_margin);
+  if (answer.forced) {
+    add_forced_response(page, *answer.forced, input.physical);
+  }
   add_half_cycles(page, answer);
   return page.text();
 }

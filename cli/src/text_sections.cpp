@@ -7,10 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace stillpoint::cli {
-
-using fmt::format;
 
 using fmt::format;
 
@@ -30,7 +29,7 @@ std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau)
 }  // namespace
 
 void add_title(Page& page, std::string_view what, const std::optional<std::string>& title) {
-  page.title(title ? format("{}: {}", what, printable(*title)) : std::string(what));
+  page.title(title ? format("{}: {}", what, spelled_out(*title)) : std::string(what));
 }
 
 void add_physical_input(Page& page, const PhysicalInput& physical) {
@@ -158,7 +157,7 @@ std::string outcome_sentence(const Response& response) {
 }  // namespace
 
 void add_response(Page& page, const Response& response,
-                  const std::optional<PhysicalInput>& physical) {
+                  const std::optional<PhysicalInput>& physical, std::string_view margin) {
   page.row("outcome", outcome_sentence(response));
   page.row("peak", format("{:.6g}{}", response.peak_amplitude,
                           in_metres(physical, response.peak_amplitude)));
@@ -181,9 +180,52 @@ void add_response(Page& page, const Response& response,
                               plural(response.turning_points, "turning point")));
   }
   if (response.decision_margin) {
-    page.row("decision margin",
-             format("{:.2g} %: about so far off may every input be before a count changes",
-                    100 * *response.decision_margin));
+    page.row("decision margin", format("{:.2g} %: {}", 100 * *response.decision_margin, margin));
+  }
+}
+
+void add_excitation(Page& page, const ExcitationInput& input,
+                    const std::optional<PhysicalInput>& physical) {
+  std::string what = input.type;
+  std::visit(
+      [&what](const auto& kind) {
+        if constexpr (requires { kind.lambda; }) {
+          what += format(", k = {:.6g}, lambda = {:.6g}", kind.k, kind.lambda);
+        } else if constexpr (requires { kind.values; }) {
+          const auto [least, most] = std::ranges::minmax(kind.values);
+          what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least, most);
+        }
+      },
+      input.excitation);
+  if (const auto* harmonic = std::get_if<Harmonic<>>(&input.excitation); harmonic != nullptr) {
+    what += format(", phase {:.6g}", harmonic->phase);
+  }
+  page.row("excitation", what);
+  if (input.record) {
+    page.row("record", spelled_out(*input.record));
+  }
+  if (!input.description.empty()) {
+    page.row("", spelled_out(input.description));
+  }
+  if (const double lasts = duration(input.excitation); std::isfinite(lasts)) {
+    page.row("lasts", format("{:.6g}{}", lasts, in_seconds(physical, lasts)));
+  }
+}
+
+void add_forced_response(Page& page, const ForcedResponse& response,
+                         const std::optional<PhysicalInput>& physical) {
+  if (response.sticks > 0) {
+    page.row("sticks", format("{} of {:.6g}{} in all", plural(response.sticks, "stick"),
+                              response.stick_time, in_seconds(physical, response.stick_time)));
+  }
+  if (response.end_time && response.outcome == Outcome::running) {
+    page.row("at the end",
+             format("tau = {:.6g}{}, x = {:.6g}{}, v = {:.6g}", *response.end_time,
+                    in_seconds(physical, *response.end_time), *response.final_position,
+                    in_metres(physical, *response.final_position), *response.final_velocity));
+  }
+  if (response.left_notch_from_rest) {
+    page.row("note", "set off from rest at x = 0: the notch acts from the first return on");
   }
 }
 
@@ -213,6 +255,18 @@ void add_checks(Page& page, const design::CrossCheck& check) {
   page.table(rows, tones);
 }
 
+namespace {
+
+std::string arrival(const HalfCycle& half_cycle, Outcome outcome) {
+  if (half_cycle.arrival_speed) {
+    return figure(*half_cycle.arrival_speed);
+  }
+  const bool stops = outcome == Outcome::stopped_in_dead_zone;
+  return format("{} at {}", stops ? "rests" : "is", figure(half_cycle.end_position));
+}
+
+}  // namespace
+
 void add_half_cycles(Page& page, const SimulateAnswer& answer) {
   constexpr std::size_t most_listed = 12;
   if (answer.half_cycles.empty()) {
@@ -226,8 +280,7 @@ void add_half_cycles(Page& page, const SimulateAnswer& answer) {
     const HalfCycle& now = answer.half_cycles[i];
     rows.push_back({format("{}", now.index), figure(now.start_time), figure(now.departure_speed),
                     figure(now.peak_time), figure(now.side * now.peak), figure(now.end_time),
-                    now.arrival_speed ? figure(*now.arrival_speed)
-                                      : format("rests at {}", figure(now.end_position))});
+                    arrival(now, answer.response.outcome)});
   }
   page.table(rows, std::vector<Tone>(rows.size(), Tone::plain));
   if (const double all = answer.response.half_cycles.value_or(HUGE_VAL);

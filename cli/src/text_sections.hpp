@@ -30,8 +30,19 @@ void add_emptiness(Page& page, const std::string& reason, const std::vector<desi
 void add_constraints(Page& page, std::span<const design::Constraint> constraints);
 /// Force and energy, where there is a mass.
 void add_damper_physics(Page& page, const PhysicalInput& physical, double f, double delta);
+/// What a decision margin means: of a free motion, and of a forced one.
+constexpr std::string_view free_margin =
+    "about so far off may every input be before a count changes";
+constexpr std::string_view forced_margin =
+    "so near came what decides a count to its limit, of the sizes compared";
 void add_response(Page& page, const Response& response,
-                  const std::optional<PhysicalInput>& physical);
+                  const std::optional<PhysicalInput>& physical,
+                  std::string_view margin = free_margin);
+void add_excitation(Page& page, const ExcitationInput& input,
+                    const std::optional<PhysicalInput>& physical);
+/// What a forced motion has beyond a free one.
+void add_forced_response(Page& page, const ForcedResponse& response,
+                         const std::optional<PhysicalInput>& physical);
 void add_checks(Page& page, const design::CrossCheck& check);
 /// The first dozen.
 void add_half_cycles(Page& page, const SimulateAnswer& answer);

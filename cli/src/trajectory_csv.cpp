@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "trajectory_csv.hpp"
 
+#include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
 #include <fmt/format.h>
@@ -8,27 +9,51 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace stillpoint::cli {
 
 namespace {
 
-/// Empty: to the end of the motion.
-std::optional<double> horizon(const SimulateInput& input, const Response& response) {
-  constexpr double periods_of_endless_motion = 10;
-  if (input.t_end || response.stop_time) {
-    return input.t_end;
-  }
+constexpr double periods_of_endless_motion = 10;
+
+double ten_periods(const SimulateInput& input) {
   return periods_of_endless_motion * 2 * std::numbers::pi / input.oscillator.p;
+}
+
+/// Empty: to the end of the motion.
+std::optional<double> free_horizon(const SimulateInput& input, const Response& response) {
+  return input.t_end || response.stop_time ? input.t_end : ten_periods(input);
+}
+
+std::vector<State> states(const SimulateInput& input, const SimulateAnswer& answer) {
+  if (input.excitation) {
+    return ForcedTrajectory(input.oscillator, input.start, input.excitation->excitation,
+                            {forced_horizon(input, answer)})
+        .sampled(input.samples);
+  }
+  return Trajectory(input.oscillator, input.start, {free_horizon(input, answer.response)})
+      .sampled(input.samples);
 }
 
 }  // namespace
 
-std::string trajectory_csv(const SimulateInput& input, const Response& response) {
-  const Trajectory trajectory(input.oscillator, input.start, {horizon(input, response)});
+double forced_horizon(const SimulateInput& input, const SimulateAnswer& answer) {
+  // The end of the motion comes from the free kernel, which may round it an ulp earlier than the
+  // forced one that lists what led to it.
+  constexpr double behind_the_end = 1 + 1e-12;
+  const std::optional<double>& stop_time = answer.forced->stop_time;
+  if (input.t_end) {
+    return *input.t_end;
+  }
+  return stop_time && *stop_time > 0 ? *stop_time * behind_the_end
+                                     : duration(input.excitation->excitation) + ten_periods(input);
+}
+
+std::string trajectory_csv(const SimulateInput& input, const SimulateAnswer& answer) {
   std::string text = input.physical ? "tau,x,v,t_s,x_m,v_m_per_s\n" : "tau,x,v\n";
   auto end = std::back_inserter(text);
-  for (const State& state : trajectory.sampled(input.samples)) {
+  for (const State& state : states(input, answer)) {
     fmt::format_to(end, "{},{},{}", state.tau, state.x, state.v);
     if (input.physical) {
       const design::Scales& scales = input.physical->scales;

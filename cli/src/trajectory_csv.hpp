@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "json_report.hpp"
 #include "request.hpp"
-
-#include <stillpoint/core/free_motion.hpp>
 
 #include <string>
 
 namespace stillpoint::cli {
 
+/// Up to when a forced motion is listed and sampled: t_end, else its rest; where it never stops
+/// after its excitation, ten periods more.
+[[nodiscard]] double forced_horizon(const SimulateInput& input, const SimulateAnswer& answer);
+
 /// tau,x,v, and with physical input t_s,x_m,v_m_per_s, at evenly spaced instants and every event. A
 /// passage has two lines, before and after the notch. Ends with the motion, or at t_end; where
 /// neither exists, after ten periods.
-[[nodiscard]] std::string trajectory_csv(const SimulateInput& input, const Response& response);
+[[nodiscard]] std::string trajectory_csv(const SimulateInput& input, const SimulateAnswer& answer);
 
 }  // namespace stillpoint::cli

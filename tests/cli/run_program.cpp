@@ -159,10 +159,58 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
+using Clock = std::chrono::steady_clock;
+
+/// SIGINT as a program in the foreground has it, wherever the tests run.
+class Attributes {
+ public:
+  Attributes() {
+    require(::posix_spawnattr_init(&attributes_) == 0, "posix_spawn");
+    sigset_t signals{};
+    ::sigemptyset(&signals);
+    ::sigaddset(&signals, SIGINT);
+    require(::posix_spawnattr_setsigdefault(&attributes_, &signals) == 0, "posix_spawn");
+    require(::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF) == 0, "posix_spawn");
+  }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+  Attributes(Attributes&&) = delete;
+  Attributes& operator=(Attributes&&) = delete;
+  ~Attributes() { ::posix_spawnattr_destroy(&attributes_); }
+
+  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
+/// Whether the process has a handler for SIGINT.
+bool handles_interrupt(pid_t child) {
+  std::ifstream status("/proc/" + std::to_string(child) + "/status");
+  const std::string field = "SigCgt:";
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(field)) {
+      const auto caught = std::stoull(line.substr(field.size()), nullptr, 16);
+      return (caught >> (SIGINT - 1U) & 1U) != 0;
+    }
+  }
+  return false;
+}
+
+/// Interrupts the program once it handles that, unless it takes longer than `deadline`.
+void interrupt(pid_t child, int err, const Surroundings& surroundings, Clock::time_point deadline) {
+  pollfd watched{err, POLLIN, 0};
+  while (Clock::now() < deadline) {
+    const bool spoke = ::poll(&watched, 1, 10) > 0;
+    if (spoke || (!surroundings.error_is_terminal && handles_interrupt(child))) {
+      break;
+    }
+  }
+  ::kill(child, SIGINT);  // not waited for yet, so the number is still its own
+}
+
 /// Reads both until the program has closed them; false where that takes too long.
-bool read_both(int out, int err, ProgramRun& run, std::chrono::seconds patience) {
-  using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + patience;
+bool read_both(int out, int err, ProgramRun& run, Clock::time_point deadline) {
   std::array<pollfd, 2> watched{pollfd{out, POLLIN, 0}, pollfd{err, POLLIN, 0}};
   const std::array<std::string*, 2> texts{&run.out, &run.err};
   std::vector<char> buffer(std::size_t{1} << 16U);
@@ -224,21 +272,25 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   std::vector<std::string> variables = environment(surroundings);
   const File input = input_file(surroundings.input);
   const Channel out = output_channel(surroundings);
-  const Channel err = pipe_channel();
+  const Channel err = surroundings.error_is_terminal ? terminal_channel() : pipe_channel();
+  const Attributes attributes;
   FileActions actions;
   actions.directory(path_);
   actions.connect(::fileno(input.get()), STDIN_FILENO);
   actions.connect(out.writer->get(), STDOUT_FILENO);
   actions.connect(err.writer->get(), STDERR_FILENO);
   pid_t child = 0;
-  const int error = ::posix_spawn(&child, STILLPOINT_PROGRAM, actions.get(), nullptr,
+  const int error = ::posix_spawn(&child, STILLPOINT_PROGRAM, actions.get(), attributes.get(),
                                   pointers(words).data(), pointers(variables).data());
   require(error == 0, STILLPOINT_PROGRAM, error);
   out.writer->close();
   err.writer->close();
+  const auto deadline = Clock::now() + surroundings.patience;
+  if (surroundings.interrupt) {
+    interrupt(child, err.reader->get(), surroundings, deadline);
+  }
   ProgramRun result;
-  const bool in_time =
-      read_both(out.reader->get(), err.reader->get(), result, surroundings.patience);
+  const bool in_time = read_both(out.reader->get(), err.reader->get(), result, deadline);
   if (!in_time) {
     ::kill(child, SIGKILL);
   }

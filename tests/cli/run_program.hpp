@@ -35,6 +35,10 @@ struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment{};
   StandardOutput output{StandardOutput::pipe};
   std::string output_file{};  ///< appended to, with StandardOutput::file
+  bool error_is_terminal{false};
+  /// Sends SIGINT as soon as the program handles it; with error_is_terminal once it has said
+  /// something there.
+  bool interrupt{false};
   std::chrono::seconds patience{120};
 };
 

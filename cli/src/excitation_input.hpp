@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "settings.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+
+#include <optional>
+#include <string>
+
+namespace stillpoint::cli {
+
+/// What shakes the base, and how a report names it.
+struct ExcitationInput {
+  Excitation excitation;
+  std::string type;                   ///< as in --excitation
+  std::optional<std::string> record;  ///< the file
+  std::string description;            ///< what the file says of itself
+};
+
+/// Empty where nothing is asked for. A record's seconds are divided by `time_s`, the unit of tau.
+/// Throws UsageError for options that do not go together or a file that is not in order, and
+/// InputError for a wrong value.
+[[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
+                                                              double time_s, double gravity);
+
+}  // namespace stillpoint::cli

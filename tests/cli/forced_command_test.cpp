@@ -1,0 +1,824 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE forced_command
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// simulate with an excitation, from the flags to the files.
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+using std::numbers::pi;
+namespace data = boost::unit_test::data;
+
+using Texts = std::vector<std::string>;
+using Row = std::vector<double>;
+
+json report_of(const Sandbox& sandbox, const Arguments& arguments, const std::string& input = {}) {
+  Surroundings surroundings;
+  surroundings.input = input;
+  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}), surroundings);
+  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
+  BOOST_TEST(run.err.empty(), run.err);
+  check_only_finite(run.out);
+  return run.json();
+}
+
+json response_of(const Sandbox& sandbox, const Arguments& arguments) {
+  return report_of(sandbox, arguments)["response"];
+}
+
+/// Scene S3 of the speed comparison, at resonance.
+const Arguments s3{"simulate", "--v0",     "0.5",  "--p",          "1",        "--f",
+                   "0.05",     "--delta",  "0.01", "--excitation", "harmonic", "--k",
+                   "0.2",      "--lambda", "1",    "--t-end",      "200"};
+/// Scene S4, with stops.
+const Arguments s4{"simulate", "--v0",     "0.5",  "--p",          "1",        "--f",
+                   "0.18",     "--delta",  "0",    "--excitation", "harmonic", "--k",
+                   "0.2",      "--lambda", "0.35", "--t-end",      "200"};
+
+/// A mass at rest, to be shaken.
+Arguments at_rest(const Arguments& more) {
+  return joined({"simulate", "--p", "1", "--f", "0.1", "--delta", "0.01"}, more);
+}
+
+/// The same without friction, for answers in closed form.
+Arguments free_at_rest(const Arguments& more) {
+  return joined({"simulate", "--p", "1", "--f", "0", "--delta", "0"}, more);
+}
+
+Arguments pulse(const char* type, const Arguments& more = {}) {
+  return at_rest(joined({"--excitation", type, "--k", "0.5", "--lambda", "2"}, more));
+}
+
+const Arguments harmonic = pulse("harmonic", {"--t-end", "20"});
+
+/// Rows of numbers, as a record file has them.
+std::string column_file(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& row : rows) {
+    for (const double value : row) {
+      text += in_full(value) + " ";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// The record of scene S5: two wave packets, 3000 samples every 0.02, without times.
+std::vector<Row> record_s5(double scale = 1) {
+  std::vector<Row> rows;
+  for (int i = 0; i < 3000; ++i) {
+    const double t = i * 0.02;
+    rows.push_back({scale * (0.4 * std::exp(-std::pow((t - 20) / 10, 2)) * std::sin(2.3 * t) +
+                             0.2 * std::exp(-std::pow((t - 25) / 12, 2)) * std::sin(5.1 * t + 1))});
+  }
+  return rows;
+}
+
+const Arguments s5{"simulate", "--p", "1", "--f", "0.05", "--delta", "0", "--record", "s5.txt"};
+
+/// The numbers and texts of two responses agree but for rounding.
+void check_same_motion(const json& response, const json& expected, double tolerance = 1e-11) {
+  for (const auto& [name, value] : expected.items()) {
+    BOOST_TEST_CONTEXT("field " << name) {
+      if (value.is_number_float() && name != "decision_margin") {
+        BOOST_TEST(std::abs(response[name].get<double>() - value.get<double>()) <=
+                   tolerance * std::max(1.0, std::abs(value.get<double>())));
+      } else if (!value.is_number_float()) {
+        BOOST_TEST(response[name] == value);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+// ---- reports
+
+BOOST_FIXTURE_TEST_SUITE(forced_report, Sandbox)
+
+BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
+  const json report = report_of(*this, s3);
+  BOOST_TEST(report["schema"] == "stillpoint/simulation-report/1");
+  check_fields(report, {"program:object", "input:object", "response:object", "half_cycles:array",
+                        "half_cycles_listed:count", "physical:null"});
+  check_fields(report["input"], {"v0:number", "p:number", "f:number", "delta:number", "x0:number",
+                                 "t_end:number", "excitation:object"});
+  check_fields(report["input"]["excitation"],
+               {"type:text", "k:number", "lambda:number", "phase:number", "duration:null",
+                "record:null", "samples:null"});
+  check_fields(report["response"],
+               {"peak_amplitude:number", "peak_acceleration:number", "half_cycles:count",
+                "turning_points:count", "zero_passages:count", "stop_time:null",
+                "stop_position:null", "stops_at_zero:bool", "outcome:text", "arrival_speed:number",
+                "decision_margin:number", "end_time:number", "final_position:number",
+                "final_velocity:number", "sticks:count", "stick_time:number"});
+  for (const json& now : report["half_cycles"]) {
+    check_fields(now,
+                 {"index:count", "start_time:number", "departure_speed:number", "peak_time:number",
+                  "peak:number", "end_time:number", "arrival_speed:number?"});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_motion_that_stops_says_where_and_when) {
+  const json response = response_of(*this, pulse("half-sine"));
+  check_response_fields(response);
+  BOOST_TEST(response["outcome"] == "stopped_in_dead_zone");
+  BOOST_TEST(response["end_time"] == response["stop_time"]);
+  BOOST_TEST(response["final_position"] == response["stop_position"]);
+  BOOST_TEST(response["final_velocity"] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_motion_that_never_stops_has_null_for_what_does_not_exist) {
+  const json report =
+      report_of(*this, free_at_rest({"--excitation", "rectangle", "--k", "0.5", "--lambda", "2"}));
+  check_fields(
+      report["response"],
+      {"peak_amplitude:number", "half_cycles:null", "turning_points:null", "zero_passages:null",
+       "stop_time:null", "stop_position:null", "arrival_speed:null", "end_time:null",
+       "final_position:null", "final_velocity:null", "sticks:count", "stick_time:number"});
+  BOOST_TEST(report["response"]["outcome"] == "never_stops");
+  check_fields(report["input"], {"t_end:null"});
+  check_fields(report["input"]["excitation"], {"phase:null", "duration:number"});
+}
+
+BOOST_AUTO_TEST_CASE(of_nothing_that_moves_is_at_rest_from_the_beginning) {
+  const json report = report_of(
+      *this, at_rest({"--excitation", "harmonic", "--k", "0.1", "--lambda", "1", "--t-end", "9"}));
+  const json& response = report["response"];
+  BOOST_TEST(response["peak_amplitude"] == 0);
+  BOOST_TEST(response["half_cycles"] == 0);
+  BOOST_TEST(response["stop_time"] == 0);
+  check_fields(response, {"arrival_speed:null"});
+  BOOST_TEST(report["half_cycles"].empty());
+
+  const json caught =
+      response_of(*this, {"simulate", "--v0", "1", "--p", "1", "--f", "0.1", "--delta", "0.6",
+                          "--excitation", "harmonic", "--k", "9", "--lambda", "1", "--t-end", "9"});
+  BOOST_TEST(caught["outcome"] == "caught_at_start");
+  BOOST_TEST(caught["end_time"] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_free_motion_has_no_excitation) {
+  const json report =
+      report_of(*this, {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"});
+  check_fields(report["input"], {"excitation:null", "t_end:null"});
+  BOOST_TEST(!report["response"].contains("sticks"));
+}
+
+BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
+  const ProgramRun sticking = run(s4);
+  BOOST_TEST(sticking.exit_code == 0);
+  for (const char* part : {"Forced motion", "harmonic, k = 0.2, lambda = 0.35",
+                           "goes on at the end", "22 sticks", "tau = 200, x = 0.078877"}) {
+    BOOST_TEST(sticking.out.find(part) != std::string::npos,
+               "no " << part << " in " << sticking.out);
+  }
+  // The last half-cycle is still under way: it does not rest.
+  const ProgramRun running = run(harmonic);
+  BOOST_TEST(running.out.find("rests at") == std::string::npos, running.out);
+  const ProgramRun resting = run(pulse("half-sine"));
+  BOOST_TEST(resting.out.find("rests at") != std::string::npos, resting.out);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// ---- figures that other programs found
+
+BOOST_FIXTURE_TEST_SUITE(forced_reference, Sandbox)
+
+BOOST_AUTO_TEST_CASE(scene_at_resonance) {
+  const json response = response_of(*this, s3);
+  BOOST_TEST(near(response["peak_amplitude"], 13.432292785823942, 1e-13));
+  BOOST_TEST(near(response["final_position"], 6.6071415781915130, 1e-12));
+  BOOST_TEST(response["zero_passages"] == 64);
+  BOOST_TEST(response["half_cycles"] == 65);
+  BOOST_TEST(response["sticks"] == 0);
+  BOOST_TEST(response["stick_time"] == 0);
+  BOOST_TEST(response["outcome"] == "running");
+  BOOST_TEST(response["end_time"] == 200);
+}
+
+BOOST_AUTO_TEST_CASE(scene_with_stops) {
+  const json response = response_of(*this, s4);
+  BOOST_TEST(near(response["peak_amplitude"], 0.33344255898459425, 1e-13));
+  BOOST_TEST(near(response["final_position"], 0.078877420102046286, 1e-12));
+  BOOST_TEST(response["zero_passages"] == 22);
+  BOOST_TEST(response["sticks"] == 22);
+  BOOST_TEST(response["stick_time"].get<double>() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(scene_of_a_record) {
+  write("s5.txt", column_file(record_s5()));
+  const json report =
+      report_of(*this, joined(s5, {"--v0", "0", "--record-step", "0.02", "--t-end", "59.98"}));
+  const json& response = report["response"];
+  BOOST_TEST(near(response["peak_amplitude"], 0.098335012538125103, 1e-12));
+  BOOST_TEST(near(response["final_position"], -0.0015776946596039220, 1e-9));
+  BOOST_TEST(response["zero_passages"] == 18);
+  BOOST_TEST(response["end_time"] == 59.98);
+  check_fields(report["input"]["excitation"],
+               {"k:null", "lambda:null", "phase:null", "duration:number", "record:text"});
+  BOOST_TEST(report["input"]["excitation"]["type"] == "record");
+  BOOST_TEST(report["input"]["excitation"]["record"] == "s5.txt");
+  BOOST_TEST(report["input"]["excitation"]["samples"] == 3000);
+}
+
+BOOST_AUTO_TEST_CASE(without_friction_the_closed_form) {
+  // x'' + x = -sin(2 tau + phase) from rest.
+  const double tau = 7;
+  for (const double phase : {0.0, 0.7, pi / 2, -2.0}) {
+    const json response =
+        response_of(*this, free_at_rest({"--excitation", "harmonic", "--k", "1", "--lambda", "2",
+                                         "--phase", in_full(phase), "--t-end", "7"}));
+    const double x = (std::sin(2 * tau + phase) - std::sin(phase) * std::cos(tau) -
+                      2 * std::cos(phase) * std::sin(tau)) /
+                     3;
+    BOOST_TEST(std::abs(response["final_position"].get<double>() - x) <= 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// ---- every way to say the same
+
+namespace {
+
+/// An excitation by flags and as a part of a scene.
+struct Kind {
+  const char* name;
+  Arguments flags;
+  const char* scene;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Kind& kind) {
+  return stream << kind.name;
+}
+
+const std::vector<Kind> kinds{
+    {"harmonic",
+     {"--excitation", "harmonic", "--k", "0.5", "--lambda", "2", "--t-end", "20"},
+     R"("excitation": {"type": "harmonic", "k": 0.5, "lambda": 2}, "t_end": 20)"},
+    {"harmonic_of_a_phase_and_a_duration",
+     {"--excitation", "harmonic", "--k", "0.5", "--lambda", "2", "--phase", "1", "--duration", "9"},
+     R"("excitation": {"type": "harmonic", "k": 0.5, "lambda": 2, "phase": 1, "duration": 9})"},
+    {"half_sine",
+     {"--excitation", "half-sine", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": {"type": "half-sine", "k": 0.5, "lambda": 2})"},
+    {"full_sine",
+     {"--excitation", "full-sine", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": {"type": "full-sine", "k": 0.5, "lambda": 2})"},
+    {"rectangle",
+     {"--excitation", "rectangle", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": {"type": "rectangle", "k": 0.5, "lambda": 2})"},
+    {"record",
+     {"--record", "w.txt", "--record-step", "0.5", "--record-units", "m/s2", "--record-scale", "2"},
+     R"("excitation": {"type": "record", "record": "w.txt", "record_step": 0.5,
+                       "record-units": "m/s2", "record_scale": 2})"},
+    {"record_by_its_type",
+     {"--excitation", "record", "--record", "w.txt", "--record-step", "0.5"},
+     R"("excitation": "record", "record": "w.txt", "record-step": 0.5)"},
+    {"keys_outside_of_the_object",
+     {"--excitation", "full-sine", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": "full-sine", "k": 0.5, "lambda": 2)"},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, scene_is_as_good_as_flags, data::make(kinds), kind) {
+  write("w.txt", "3\n-2\n4\n0\n");
+  const json by_flags = report_of(*this, at_rest(kind.flags));
+  const json by_scene =
+      report_of(*this, {"simulate", "-"},
+                std::string(R"({"p": 1, "f": 0.1, "delta": 0.01, )") + kind.scene + "}");
+  BOOST_TEST(by_scene == by_flags);
+  BOOST_TEST(by_flags["response"]["peak_amplitude"].get<double>() > 0.01);
+  BOOST_TEST(by_flags["input"]["v0"] == 0);
+}
+
+BOOST_FIXTURE_TEST_SUITE(forced_input, Sandbox)
+
+BOOST_AUTO_TEST_CASE(flag_overrides_the_scene) {
+  write("scene.json", R"({"p": 1, "f": 0.1, "delta": 0.01, "t_end": 20,
+                          "excitation": {"type": "harmonic", "k": 9, "lambda": 2}})");
+  const json expected = report_of(*this, harmonic);
+  BOOST_TEST(report_of(*this, {"simulate", "scene.json", "--k", "0.5"}) == expected);
+  const json longer = report_of(*this, {"simulate", "scene.json", "--t-end", "30", "--v0", "0.1"});
+  BOOST_TEST(longer["input"]["t_end"] == 30);
+  BOOST_TEST(longer["input"]["v0"] == 0.1);
+  const json other =
+      report_of(*this, {"simulate", "--excitation", "full-sine", "scene.json", "--lambda", "3"});
+  BOOST_TEST(other["input"]["excitation"]["type"] == "full-sine");
+  BOOST_TEST(other["input"]["excitation"]["k"] == 9);
+  BOOST_TEST(near(other["input"]["excitation"]["duration"], 2 * pi / 3, 1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(scene_of_an_excitation_serves_other_commands_with_a_note) {
+  Surroundings surroundings;
+  surroundings.input = R"({"v0": 1, "p": 1, "beta": 0.9,
+                           "excitation": {"type": "half-sine", "k": 1, "lambda": 2}})";
+  const ProgramRun design = run({"design", "-", "--json"}, surroundings);
+  BOOST_TEST(design.exit_code == 0);
+  BOOST_TEST(design.err.find("excitation in the scene is not used by design") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(pulse_is_a_harmonic_that_ends) {
+  const auto lasting = [&](double duration) {
+    return response_of(*this, pulse("harmonic", {"--duration", in_full(duration)}));
+  };
+  check_same_motion(response_of(*this, pulse("half-sine")), lasting(pi / 2));
+  check_same_motion(response_of(*this, pulse("full-sine")), lasting(pi));
+}
+
+BOOST_AUTO_TEST_CASE(rectangle_is_a_record_of_two_equal_values) {
+  write("w.txt", column_file({{0, 0.5}, {pi / 2, 0.5}}));
+  check_same_motion(response_of(*this, pulse("rectangle")),
+                    response_of(*this, at_rest({"--record", "w.txt"})));
+}
+
+BOOST_AUTO_TEST_CASE(half_a_turn_of_the_phase_mirrors_the_motion) {
+  const json here = response_of(*this, harmonic);
+  json there = response_of(*this, joined(harmonic, {"--phase", in_full(pi)}));
+  there["final_position"] = -there["final_position"].get<double>();
+  there["final_velocity"] = -there["final_velocity"].get<double>();
+  check_same_motion(there, here);
+}
+
+BOOST_AUTO_TEST_CASE(harmonic_of_a_duration_needs_no_end_and_may_have_one) {
+  const Arguments ending = pulse("harmonic", {"--duration", "9"});
+  const json whole = response_of(*this, ending);
+  check_response_fields(whole);
+  const json later = response_of(*this, joined(ending, {"--t-end", "500"}));
+  check_same_motion(later, whole);
+  const json earlier = response_of(*this, joined(ending, {"--t-end", "3"}));
+  BOOST_TEST(earlier["outcome"] == "running");
+  BOOST_TEST(earlier["end_time"] == 3);
+  // Up to there nothing says that it ends.
+  check_same_motion(earlier, response_of(*this, pulse("harmonic", {"--t-end", "3"})));
+}
+
+BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
+  const auto answer = [&](double file_scale, const Arguments& more) {
+    write("s5.txt", column_file(record_s5(file_scale)));
+    return response_of(*this, joined(s5, joined({"--record-step", "0.02"}, more)));
+  };
+  const json expected = answer(1, {});
+  constexpr double tolerance = 1e-9;  // the file is rounded differently
+  check_same_motion(answer(1, {"--record-units", "g"}), expected, 0);
+  check_same_motion(answer(9.80665, {"--record-units", "m/s2"}), expected, tolerance);
+  check_same_motion(answer(980.665, {"--record-units", "cm/s2"}), expected, tolerance);
+  // A gravity that goes with dimensionless input, since it is only the record's.
+  check_same_motion(answer(3.7, {"--record-units", "m/s2", "--gravity", "3.7"}), expected,
+                    tolerance);
+  check_same_motion(answer(0.25, {"--record-scale", "4"}), expected, 0);
+}
+
+BOOST_AUTO_TEST_CASE(record_with_times_is_one_with_a_step) {
+  write("s5.txt", column_file(record_s5()));
+  const json by_step = response_of(*this, joined(s5, {"--record-step", "0.02"}));
+  std::vector<Row> rows = record_s5();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].insert(rows[i].begin(), static_cast<double>(i) * 0.02);
+  }
+  write("s5.txt", column_file(rows));
+  check_same_motion(response_of(*this, s5), by_step, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
+  // From rest H = g / omega^2 makes p = 1; tau = omega t with omega = pi.
+  write("s5.txt", column_file(record_s5()));
+  const json dimensionless = response_of(*this, joined(s5, {"--record-step", in_full(0.02 * pi)}));
+  const json report = report_of(*this, {"simulate", "--period", "2", "--f", "0.05", "--delta-m",
+                                        "0", "--record", "s5.txt", "--record-step", "0.02"});
+  BOOST_TEST(near(report["input"]["p"], 1, 1e-15));
+  BOOST_TEST(near(report["input"]["excitation"]["duration"], 59.98 * pi, 1e-14));
+  check_same_motion(report["response"], dimensionless, 1e-8);
+  BOOST_TEST(near(report["physical"]["peak_m"],
+                  dimensionless["peak_amplitude"].get<double>() * 9.80665 / (pi * pi), 1e-9));
+  BOOST_TEST(
+      near(report["physical"]["stop_time_s"], dimensionless["stop_time"].get<double>() / pi, 1e-8));
+}
+
+BOOST_AUTO_TEST_CASE(waves_are_in_tau_also_where_the_input_is_physical) {
+  const json report = report_of(
+      *this, {"simulate", "--velocity", "0.4", "--period", "3", "--f", "0.02", "--delta-m", "0.001",
+              "--excitation", "harmonic", "--k", "0.1", "--lambda", "0.7", "--t-end", "30"});
+  const json& input = report["input"];
+  const json same =
+      response_of(*this, {"simulate", "--v0", in_full(input["v0"]), "--p", in_full(input["p"]),
+                          "--f", "0.02", "--delta", in_full(input["delta"]), "--excitation",
+                          "harmonic", "--k", "0.1", "--lambda", "0.7", "--t-end", "30"});
+  BOOST_TEST(report["response"] == same);
+  BOOST_TEST(same["end_time"] == 30);
+}
+
+BOOST_AUTO_TEST_CASE(synthetic_records_run) {
+  // Without a notch: that would hold the mass for good at its first slow return.
+  const std::string folder = STILLPOINT_DATA_DIR "/records/";
+  for (const char* name : {"near_fault_pulse.txt", "strong_motion.AT2"}) {
+    const Arguments shaken{"simulate",  "--period", "2.5",      "--f",        "0.02",
+                           "--delta-m", "0",        "--record", folder + name};
+    const json report = report_of(*this, shaken);
+    check_response_fields(report["response"]);
+    BOOST_TEST(report["response"]["outcome"] == "stopped_in_dead_zone");
+    BOOST_TEST(report["response"]["zero_passages"].get<int>() > 1);
+    BOOST_TEST(report["physical"]["peak_m"].get<double>() > 0.05);
+    BOOST_TEST(report["physical"]["peak_m"].get<double>() < 1);
+    const ProgramRun text = run(shaken);
+    BOOST_TEST(text.exit_code == 0);
+    BOOST_TEST(text.out.find("SYNTHETIC") != std::string::npos, text.out);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// ---- half-cycles and trajectories
+
+BOOST_FIXTURE_TEST_SUITE(forced_lists, Sandbox)
+
+BOOST_AUTO_TEST_CASE(half_cycles_are_those_that_are_counted) {
+  for (const Arguments& arguments : {s3, s4, harmonic, pulse("half-sine"), pulse("full-sine")}) {
+    const json report = report_of(*this, arguments);
+    const json& response = report["response"];
+    const json& list = report["half_cycles"];
+    BOOST_TEST(list.size() == response["half_cycles"]);
+    BOOST_TEST(report["half_cycles_listed"] == response["half_cycles"]);
+    double time = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      BOOST_TEST(list[i]["index"] == i + 1);
+      BOOST_TEST(list[i]["start_time"] == time);
+      time = list[i]["end_time"];
+      largest = std::max(largest, list[i]["peak"].get<double>());
+    }
+    BOOST_TEST(near(time, response["end_time"], 1e-13));
+    BOOST_TEST(near(largest, response["peak_amplitude"], 1e-14));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(half_cycles_are_capped_as_asked) {
+  const json all = report_of(*this, s3);
+  for (const std::size_t most : {0U, 1U, 30U, 65U, 66U}) {
+    const json report = report_of(*this, joined(s3, {"--max-half-cycles", std::to_string(most)}));
+    const std::size_t listed = std::min<std::size_t>(most, 65);
+    BOOST_TEST(report["half_cycles"].size() == listed);
+    BOOST_TEST(report["half_cycles_listed"] == listed);
+    BOOST_TEST(report["response"] == all["response"]);
+    for (std::size_t i = 0; i < listed; ++i) {
+      BOOST_TEST(report["half_cycles"][i] == all["half_cycles"][i]);
+    }
+  }
+  // Also of a motion without an end.
+  const Arguments endless =
+      free_at_rest({"--excitation", "half-sine", "--k", "1", "--lambda", "2"});
+  BOOST_TEST(report_of(*this, joined(endless, {"--max-half-cycles", "3"}))["half_cycles"].size() ==
+             3U);
+}
+
+namespace {
+
+std::vector<Row> trajectory_of(const Sandbox& sandbox, const std::string& header) {
+  const std::string text = sandbox.read("motion.csv");
+  check_only_finite(text);
+  BOOST_TEST(text.ends_with('\n'));
+  std::istringstream stream(text);
+  std::string line;
+  std::getline(stream, line);
+  BOOST_TEST(line == header);
+  std::vector<Row> rows;
+  while (std::getline(stream, line)) {
+    std::istringstream cells(line);
+    Row row;
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      row.push_back(std::stod(cell));
+    }
+    rows.push_back(row);
+  }
+  BOOST_TEST(std::ranges::is_sorted(rows, {}, [](const Row& row) { return row[0]; }));
+  return rows;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(trajectory_has_every_event_and_ends_with_the_response) {
+  for (const Arguments& arguments : {s3, s4, harmonic}) {
+    const json report =
+        report_of(*this, joined(arguments, {"--trajectory", "motion.csv", "--samples", "100"}));
+    const auto rows = trajectory_of(*this, "tau,x,v");
+    const json& response = report["response"];
+    BOOST_TEST((rows.front() == Row{0, 0, report["input"]["v0"]}));
+    BOOST_TEST(rows.back()[0] == response["end_time"].get<double>());
+    BOOST_TEST(near(rows.back()[1], response["final_position"], 1e-13));
+    BOOST_TEST(near(rows.back()[2], response["final_velocity"], 1e-13));
+    const auto at = [&](double tau) {
+      std::vector<Row> found;
+      std::ranges::copy_if(rows, std::back_inserter(found),
+                           [tau](const Row& row) { return row[0] == tau; });
+      return found;
+    };
+    for (const json& now : report["half_cycles"]) {
+      if (now["arrival_speed"].is_null()) {
+        continue;  // under way at the end
+      }
+      const auto peak = at(now["peak_time"]);
+      BOOST_TEST_REQUIRE(!peak.empty());
+      BOOST_TEST(near(peak[0][1], now["side"].get<double>() * now["peak"].get<double>(), 1e-14));
+      BOOST_TEST(peak[0][2] == 0);
+      const auto passage = at(now["end_time"]);
+      BOOST_TEST_REQUIRE(passage.size() == 2U);
+      BOOST_TEST(passage[0][1] == 0);
+      BOOST_TEST(near(std::abs(passage[0][2]), now["arrival_speed"], 1e-14));
+      const std::size_t next = now["index"];
+      BOOST_TEST(
+          near(std::abs(passage[1][2]), report["half_cycles"][next]["departure_speed"], 1e-14));
+    }
+    for (int i = 0; i < 100; ++i) {
+      const double tau = report["input"]["t_end"].get<double>() * i / 99;
+      BOOST_TEST(
+          std::ranges::any_of(rows, [tau](const Row& row) { return near(row[0], tau, 1e-14); }),
+          "no sample at " << tau);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(trajectory_of_a_pulse_ends_with_the_motion) {
+  const json report = report_of(*this, pulse("half-sine", {"--trajectory", "motion.csv"}));
+  const auto rows = trajectory_of(*this, "tau,x,v");
+  BOOST_TEST(near(rows.back()[0], report["response"]["stop_time"], 1e-11));
+  BOOST_TEST(near(rows.back()[1], report["response"]["stop_position"], 1e-13));
+  BOOST_TEST(rows.back()[2] == 0);
+  // It is followed at rest up to an end that is given.
+  const json longer =
+      report_of(*this, pulse("half-sine", {"--trajectory", "motion.csv", "--t-end", "50"}));
+  BOOST_TEST(trajectory_of(*this, "tau,x,v").back() ==
+             (Row{50, longer["response"]["stop_position"], 0}));
+  BOOST_TEST(longer["response"]["end_time"] == longer["response"]["stop_time"]);
+  // Ten periods more where there is no end.
+  const json endless =
+      report_of(*this, free_at_rest({"--excitation", "half-sine", "--k", "1", "--lambda", "2",
+                                     "--trajectory", "motion.csv"}));
+  BOOST_TEST(endless["response"]["outcome"] == "never_stops");
+  BOOST_TEST(near(trajectory_of(*this, "tau,x,v").back()[0], pi / 2 + 20 * pi, 1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(trajectory_of_nothing_that_moves_stays_at_its_place_to_the_end) {
+  const json report =
+      report_of(*this, at_rest({"--excitation", "harmonic", "--k", "0.1", "--lambda", "1",
+                                "--t-end", "9", "--trajectory", "motion.csv", "--samples", "5"}));
+  const auto rows = trajectory_of(*this, "tau,x,v");
+  BOOST_TEST(report["response"]["stop_time"] == 0);
+  BOOST_TEST(rows.back()[0] == 9);
+  BOOST_TEST(std::ranges::all_of(rows, [](const Row& row) { return row[1] == 0 && row[2] == 0; }));
+}
+
+BOOST_AUTO_TEST_CASE(trajectory_of_physical_input_has_metres_and_seconds) {
+  write("s5.txt", column_file(record_s5()));
+  const json report = report_of(
+      *this, {"simulate", "--period", "2", "--f", "0.05", "--delta-m", "0", "--record", "s5.txt",
+              "--record-step", "0.02", "--trajectory", "motion.csv", "--samples", "50"});
+  const auto rows = trajectory_of(*this, "tau,x,v,t_s,x_m,v_m_per_s");
+  const json& quantities = report["physical"];
+  double peak = 0;
+  for (const Row& row : rows) {
+    BOOST_TEST(near(row[3], row[0] * quantities["time_unit_s"].get<double>(), 1e-15));
+    peak = std::max(peak, std::abs(row[4]));
+  }
+  BOOST_TEST(near(peak, quantities["peak_m"], 1e-14));
+  BOOST_TEST(near(rows.back()[3], quantities["stop_time_s"], 1e-11));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// ---- wrong input
+
+namespace {
+
+/// One way to go wrong, and what the message must hold: the field, the value, the bound.
+struct Wrong {
+  const char* name;
+  Arguments arguments;
+  Texts says;
+  std::string input{};
+};
+
+std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
+  return stream << wrong.name;
+}
+
+/// Exit code 2, one line on standard error with all of `says`, and nothing else anywhere.
+void check_refused(const Sandbox& sandbox, const Wrong& wrong) {
+  const auto before = sandbox.contents();
+  Surroundings surroundings;
+  surroundings.input = wrong.input;
+  for (const Arguments& more : {Arguments{}, Arguments{"--json", "--output", "report.json"}}) {
+    const ProgramRun run = sandbox.run(joined(wrong.arguments, more), surroundings);
+    BOOST_TEST(run.exit_code == 2);
+    BOOST_TEST(run.out.empty(), run.out.substr(0, 200));
+    BOOST_TEST(run.err_lines().size() == 1U, run.err);
+    BOOST_TEST(run.err.starts_with("stillpoint: "), run.err);
+    for (const std::string& part : wrong.says) {
+      BOOST_TEST(run.err.find(part) != std::string::npos, "no " << part << " in " << run.err);
+    }
+    BOOST_TEST((sandbox.contents() == before));
+  }
+}
+
+Wrong scene(const char* name, const std::string& excitation, const Texts& says) {
+  return {name,
+          {"simulate", "-"},
+          says,
+          R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.01, "excitation": )" + excitation + "}"};
+}
+
+const Arguments step_record{"--record", "values.txt", "--record-step", "1"};
+
+const std::vector<Wrong> wrong_inputs{
+    {"type_unknown", pulse("sine"), {"excitation = sine", "harmonic, half-sine"}},
+    {"type_empty", pulse(""), {"excitation = ", "must be harmonic"}},
+    {"type_in_capitals", pulse("Harmonic"), {"excitation = Harmonic", "must be"}},
+    {"k_missing", at_rest({"--excitation", "half-sine", "--lambda", "1"}), {"k is missing", "--k"}},
+    {"lambda_missing",
+     at_rest({"--excitation", "half-sine", "--k", "1"}),
+     {"lambda is missing", "--lambda"}},
+    {"lambda_zero",
+     at_rest({"--excitation", "rectangle", "--k", "1", "--lambda", "0"}),
+     {"lambda = 0", "from 1e-150"}},
+    {"lambda_negative",
+     at_rest({"--excitation", "half-sine", "--k", "1", "--lambda", "-2"}),
+     {"lambda = -2", "from 1e-150"}},
+    {"lambda_far_from_p",
+     at_rest({"--excitation", "half-sine", "--k", "1", "--lambda", "1e13"}),
+     {"lambda = 1", "lambda / p must be from 1e-12"}},
+    {"k_too_large",
+     at_rest({"--excitation", "half-sine", "--k", "1e151", "--lambda", "1"}),
+     {"k = 1e+151", "1e+150"}},
+    {"k_no_number",
+     at_rest({"--excitation", "half-sine", "--k", "nan", "--lambda", "1"}),
+     {"k = ", "nan", "must be"}},
+    {"duration_negative", pulse("harmonic", {"--duration", "-1"}), {"duration = -1", "from"}},
+    {"phase_of_a_half_sine", pulse("half-sine", {"--phase", "1"}), {"phase", "half-sine"}},
+    {"phase_of_a_full_sine", pulse("full-sine", {"--phase", "1"}), {"phase", "full-sine"}},
+    {"duration_of_a_rectangle", pulse("rectangle", {"--duration", "1"}), {"duration", "rectangle"}},
+    {"k_without_excitation", at_rest({"--v0", "1", "--k", "1"}), {"k ", "--excitation"}},
+    {"k_without_excitation_or_start", at_rest({"--k", "1"}), {"k ", "--excitation"}},
+    {"phase_without_excitation", at_rest({"--v0", "1", "--phase", "1"}), {"phase", "--excitation"}},
+    {"record_step_without_record",
+     at_rest({"--v0", "1", "--record-step", "1"}),
+     {"record-step", "--excitation"}},
+    {"k_of_a_record", at_rest(joined(step_record, {"--k", "1"})), {"k and excitation record"}},
+    {"phase_of_a_record",
+     at_rest(joined(step_record, {"--phase", "1", "--excitation", "record"})),
+     {"phase and excitation record"}},
+    {"record_of_a_harmonic",
+     joined(harmonic, {"--record", "values.txt"}),
+     {"record and excitation harmonic"}},
+    {"record_units_of_a_harmonic",
+     joined(harmonic, {"--record-units", "g"}),
+     {"record-units and excitation harmonic"}},
+    {"record_scale_of_a_pulse",
+     pulse("half-sine", {"--record-scale", "2"}),
+     {"record-scale and excitation half-sine"}},
+    {"end_of_a_harmonic_missing", pulse("harmonic"), {"t-end is missing", "--t-end"}},
+    {"end_zero", pulse("half-sine", {"--t-end", "0"}), {"t-end = 0"}},
+    {"end_negative", pulse("harmonic", {"--t-end", "-1"}), {"t-end = -1"}},
+    {"end_without_excitation", at_rest({"--v0", "1", "--t-end", "1"}), {"t-end", "--excitation"}},
+    {"start_missing_without_excitation", at_rest({}), {"v0 is missing"}},
+    {"record_missing", at_rest({"--excitation", "record"}), {"record is missing", "--record"}},
+    {"record_that_does_not_exist",
+     at_rest({"--record", "none.txt"}),
+     {"record none.txt", "No such file"}},
+    {"record_that_is_empty", at_rest({"--record", "empty.txt"}), {"record empty.txt"}},
+    {"record_with_a_text_for_a_number",
+     at_rest({"--record", "text.txt"}),
+     {"record text.txt, line 4", "much"}},
+    {"record_whose_time_does_not_grow",
+     at_rest({"--record", "times.txt"}),
+     {"record times.txt, line 3", "time 1"}},
+    {"record_that_holds_less_than_it_says",
+     at_rest({"--record", "short.at2"}),
+     {"record short.at2, line ", "4"}},
+    {"record_step_missing", at_rest({"--record", "values.txt"}), {"record-step is missing"}},
+    {"record_step_zero",
+     at_rest({"--record", "values.txt", "--record-step", "0"}),
+     {"record-step = 0"}},
+    {"record_units_unknown",
+     at_rest(joined(step_record, {"--record-units", "km"})),
+     {"record-units", "km", "cm/s2"}},
+    {"record_scale_zero",
+     at_rest(joined(step_record, {"--record-scale", "0"})),
+     {"record-scale = 0"}},
+    {"gravity_of_a_record_zero", at_rest(joined(step_record, {"--gravity", "0"})), {"gravity = 0"}},
+    {"gravity_without_a_record", joined(harmonic, {"--gravity", "9"}), {"gravity", "exclude"}},
+    {"excitation_of_design",
+     {"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--excitation", "harmonic"},
+     {"--excitation", "no option of design"}},
+    {"record_of_region",
+     {"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--record", "values.txt"},
+     {"--record", "no option of region"}},
+    scene("scene_unknown_key", R"({"type": "half-sine", "k": 1, "lambda": 1, "colour": "red"})",
+          {"excitation.colour = \"red\"", "not a key"}),
+    scene("scene_key_of_the_motion", R"({"type": "half-sine", "k": 1, "lambda": 1, "x0": 1})",
+          {"excitation.x0 = 1", "not a key"}),
+    scene("scene_repeated_key", R"({"type": "half-sine", "k": 1, "k": 1, "lambda": 1})",
+          {"k is set twice"}),
+    scene("scene_key_inside_and_outside", R"({"type": "half-sine", "k": 1, "lambda": 1}, "k": 1)",
+          {"k is set twice"}),
+    scene("scene_empty", "{}", {"excitation = {}", "must have a type"}),
+    scene("scene_without_a_type", R"({"k": 1, "lambda": 1})", {"k ", "--excitation"}),
+    scene("scene_type_no_text", R"({"type": 1, "k": 1, "lambda": 1})", {"excitation = 1"}),
+    scene("scene_text_for_a_number", R"({"type": "half-sine", "k": "1", "lambda": 1})",
+          {"k = \"1\"", "must be a number"}),
+    scene("scene_number", "1", {"excitation = 1"}),
+    scene("scene_null", "null", {"excitation = null"}),
+    scene("scene_k_missing", R"({"type": "half-sine", "lambda": 1})", {"k is missing"}),
+    scene("scene_lambda_zero", R"({"type": "half-sine", "k": 1, "lambda": 0})", {"lambda = 0"}),
+    scene("scene_within_itself", R"({"type": "half-sine", "excitation": {"k": 1}})",
+          {"excitation.excitation", "not a key"}),
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_excitation, data::make(wrong_inputs), wrong) {
+  write("values.txt", "0.1\n0.2\n");
+  write("empty.txt", "");
+  write("text.txt", "# comment\n0 0.1\n1 0.2\n2 much\n");
+  write("times.txt", "0 0.1\n1 0.2\n1 0.3\n");
+  write("short.at2",
+        "A\nB\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= 4, DT= .01 SEC\n.1 .2 .3\n");
+  check_refused(*this, wrong);
+}
+
+BOOST_FIXTURE_TEST_CASE(wrong_excitation_leaves_the_trajectory_alone, Sandbox) {
+  write("motion.csv", "old\n");
+  check_refused(*this, {"", pulse("harmonic", {"--trajectory", "motion.csv"}), {"t-end"}});
+  BOOST_TEST(read("motion.csv") == "old\n");
+}
+
+// ---- long runs
+
+BOOST_FIXTURE_TEST_SUITE(long_run, Sandbox)
+
+namespace {
+
+/// Some minutes.
+Arguments endless(const Arguments& more = {}) {
+  return joined({"simulate", "--v0", "0.5", "--p", "1", "--f", "0.05", "--delta", "0.01",
+                 "--excitation", "harmonic", "--k", "0.2", "--lambda", "1", "--t-end", "1e9"},
+                more);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
+  write("old.json", "an old report\n");
+  Surroundings interrupted;
+  interrupted.interrupt = true;
+  for (const Arguments& more : {Arguments{}, Arguments{"--json", "--output", "old.json"},
+                                Arguments{"--trajectory", "motion.csv"}}) {
+    const ProgramRun stopped = run(endless(more), interrupted);
+    BOOST_TEST(stopped.exit_code == 130);
+    BOOST_TEST(stopped.out.empty(), stopped.out);
+    BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
+    BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted at tau = "), stopped.err);
+    BOOST_TEST(contents().size() == 1U);
+    BOOST_TEST(read("old.json") == "an old report\n");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end) {
+  Surroundings interrupted;
+  interrupted.interrupt = true;
+  interrupted.error_is_terminal = true;
+  const ProgramRun stopped = run(endless(), interrupted);
+  BOOST_TEST(stopped.exit_code == 130);
+  BOOST_TEST(stopped.err.starts_with("\rtau "), stopped.err);
+  BOOST_TEST(stopped.err.find(" of 1e+09, ") != std::string::npos, stopped.err);
+  // The line is cleared before the message takes its place.
+  BOOST_TEST(stopped.err.find("\r\x1b[Kstillpoint: interrupted") != std::string::npos, stopped.err);
+  BOOST_TEST(std::ranges::count(stopped.err, '\n') == 1);
+}
+
+BOOST_AUTO_TEST_CASE(short_run_shows_none) {
+  Surroundings on_terminal;
+  on_terminal.error_is_terminal = true;
+  const ProgramRun brief = run(harmonic, on_terminal);
+  BOOST_TEST(brief.exit_code == 0);
+  BOOST_TEST(brief.err.empty(), brief.err);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
