@@ -144,6 +144,14 @@ Quantities simulate_quantities(const SimulateInput& input, const SimulateAnswer&
   Quantities list = scale_quantities(*input.physical);
   add_damper(list, scales, input.oscillator.f, input.oscillator.delta);
   add_response(list, scales, answer.response);
+  if (answer.forced) {
+    const ForcedResponse& forced = *answer.forced;
+    list.push_back({"end_time_s", times(forced.end_time, scales.time_s)});
+    list.push_back({"final_position_m", times(forced.final_position, scales.length_m)});
+    list.push_back(
+        {"final_velocity_m_per_s", times(forced.final_velocity, scales.velocity_m_per_s)});
+    list.push_back({"stick_time_s", forced.stick_time * scales.time_s});
+  }
   return list;
 }
 

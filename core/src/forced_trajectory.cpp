@@ -4,6 +4,7 @@
 #include <stillpoint/core/forced_run.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/sampling.hpp>
 
 #include <fmt/format.h>
 
@@ -94,24 +95,7 @@ State ForcedTrajectory::at(double tau) const {
 }
 
 std::vector<State> ForcedTrajectory::sampled(std::int64_t samples) const {
-  require_within("samples", static_cast<double>(samples), 2, 1e9);
-  std::vector<State> states;
-  states.reserve(static_cast<std::size_t>(samples) + events_.size());
-  auto event = events_.begin();
-  for (std::int64_t i = 0; i < samples; ++i) {
-    const double tau = i + 1 == samples
-                           ? horizon_
-                           : horizon_ * (static_cast<double>(i) / static_cast<double>(samples - 1));
-    bool on_event = false;
-    for (; event != events_.end() && event->state.tau <= tau; ++event) {
-      on_event = event->state.tau == tau;
-      states.push_back(event->state);
-    }
-    if (!on_event) {
-      states.push_back(at(tau));
-    }
-  }
-  return states;
+  return sampled_states(*this, samples);
 }
 
 }  // namespace stillpoint

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/sampling.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
 #include <algorithm>
@@ -120,30 +121,7 @@ Eigen::ArrayX3d Trajectory::at(const Eigen::ArrayXd& tau) const {
 }
 
 std::vector<State> Trajectory::sampled(std::int64_t samples) const {
-  require_within("samples", static_cast<double>(samples), 2, 1e9);
-  std::vector<State> states;
-  if (horizon_ == 0) {
-    for (const Event& event : events_) {
-      states.push_back(event.state);
-    }
-    return states;
-  }
-  states.reserve(static_cast<std::size_t>(samples) + events_.size());
-  auto event = events_.begin();
-  for (std::int64_t i = 0; i < samples; ++i) {
-    const double tau = i + 1 == samples
-                           ? horizon_
-                           : horizon_ * (static_cast<double>(i) / static_cast<double>(samples - 1));
-    bool on_event = false;
-    for (; event != events_.end() && event->state.tau <= tau; ++event) {
-      on_event = event->state.tau == tau;
-      states.push_back(event->state);
-    }
-    if (!on_event) {
-      states.push_back(at(tau));
-    }
-  }
-  return states;
+  return sampled_states(*this, samples);
 }
 
 }  // namespace stillpoint

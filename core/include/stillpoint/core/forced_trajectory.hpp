@@ -7,7 +7,7 @@
 #include <stillpoint/core/harmonic_flow.hpp>
 #include <stillpoint/core/linear_piece.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <cstdint>
 #include <variant>

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/half_cycle_walk.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <Eigen/Core>
 
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace stillpoint {
-
-struct State {
-  double tau{0};
-  double x{0};
-  double v{0};
-};
 
 enum class EventKind {
   start,
