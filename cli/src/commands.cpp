@@ -94,6 +94,10 @@ ExitCode run_region(const Settings& settings, Output& output) {
   if (input.delta) {
     const auto list = design::constraints(input.problem, *input.f, *input.delta);
     answer.constraints.assign(list.begin(), list.end());
+    const auto limits = design::limit_constraints(input.limits, *input.f, *input.delta);
+    answer.constraints.insert(answer.constraints.end(), limits.begin(), limits.end());
+    answer.tolerance =
+        design::largest_tolerance(input.problem, input.limits, *input.f, *input.delta);
     answer.admissible = design::admissible(input.problem, input.limits, *input.f, *input.delta);
   }
   report(

@@ -48,10 +48,30 @@ ordered_json mends_json(const std::vector<design::Mend>& mends) {
   return list;
 }
 
+/// The constraints and limits that exclude each other, by name; null where none do.
+ordered_json conflict_json(design::Conflict conflict) {
+  switch (conflict) {
+    case design::Conflict::none:
+      break;
+    case design::Conflict::amplitude_against_return:
+      return {"amplitude", "return"};
+    case design::Conflict::amplitude_against_f_max:
+      return {"amplitude", "f_max"};
+    case design::Conflict::stop_against_start:
+      return {"stop", "start"};
+    case design::Conflict::stop_against_delta_max:
+      return {"stop", "delta_max"};
+    case design::Conflict::narrower_than_rounding:
+      return {"rounding"};
+  }
+  return nullptr;
+}
+
 ordered_json region_fields(const design::Region& region, const std::string& reason,
                            const std::vector<design::Mend>& mends) {
   return {{"feasible", region.feasible},
           {"reason", text(reason)},
+          {"conflict", conflict_json(region.conflict)},
           {"f1", number(region.f1)},
           {"f2", number(region.f2)},
           {"f3", number(region.f3)},
@@ -245,6 +265,7 @@ ordered_json region_json(const RegionInput& input, const RegionAnswer& answer) {
       {"delta1_published", number(answer.delta1_published)},
       {"delta1_exact", number(answer.delta1_exact)},
       {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},
+      {"tolerance", number(answer.tolerance)},
       {"constraints", constraints_json(answer.constraints)},
       {"physical", physical_json(region_quantities(input, answer))}};
 }

@@ -22,6 +22,7 @@ struct RegionAnswer {
   std::optional<double> delta1_published;
   std::optional<double> delta1_exact;
   std::optional<bool> admissible;
+  std::optional<double> tolerance;  ///< the largest that the point withstands
   std::vector<design::Constraint> constraints;
 };
 
@@ -32,8 +33,8 @@ struct SimulateAnswer {
   std::vector<HalfCycle> half_cycles;
 };
 
-/// The reports of the program's contract. Numbers carry a double's full precision; a value that
-/// does not exist is null; a number that is not finite is an assertion.
+/// The reports that docs/reports.md describes. Numbers carry a double's full precision; a value
+/// that does not exist is null; a number that is not finite is an assertion.
 [[nodiscard]] nlohmann::ordered_json design_json(const DesignInput& input,
                                                  const design::DesignResult& result);
 [[nodiscard]] nlohmann::ordered_json region_json(const RegionInput& input,

@@ -16,7 +16,8 @@ namespace {
 using enum OptionKind;
 
 constexpr std::string_view motion = "Motion (dimensionless)";
-constexpr std::string_view physical = "Motion in metres and seconds (in place of v0, p, beta)";
+constexpr std::string_view physical =
+    "Motion in metres and seconds (in place of the dimensionless)";
 constexpr std::string_view damper = "Damper";
 constexpr std::string_view shaking = "Excitation (W in units of g, time in tau)";
 constexpr std::string_view search = "Search";

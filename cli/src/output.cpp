@@ -84,6 +84,9 @@ void Output::write_file(std::string_view field, const std::string& path, std::st
   if (path.empty()) {
     throw UsageError(fmt::format("{} is empty: must be the name of a file", field));
   }
+  if (path == "-") {
+    throw UsageError(fmt::format("{} = -: must be the name of a file", field));
+  }
   std::error_code unknown;
   const auto status = std::filesystem::status(path, unknown);
   if (std::filesystem::is_directory(status)) {

@@ -74,6 +74,12 @@ class RepeatedKeys {
   std::vector<std::set<std::string>> seen_;
 };
 
+/// The library's message without its "[json.exception...] ".
+std::string_view without_prefix(std::string_view message) {
+  const std::size_t prefix = message.find("] ");
+  return prefix == std::string_view::npos ? message : message.substr(prefix + 2);
+}
+
 json parse_json(std::string_view text, std::string_view source) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw UsageError(fmt::format("scene {}: is empty, must be a JSON object", source));
@@ -83,13 +89,12 @@ json parse_json(std::string_view text, std::string_view source) {
     return json::parse(text, [&watch](int depth, json::parse_event_t event, const json& parsed) {
       return watch(depth, event, parsed);
     });
+  } catch (const json::out_of_range& error) {
+    throw UsageError(fmt::format("scene {}: {}: {}, must have a magnitude up to 1.8e308", source,
+                                 watch.last(), without_prefix(error.what())));
   } catch (const json::exception& error) {
-    const std::string_view message = error.what();
-    const std::size_t prefix = message.find("] ");
     throw UsageError(
-        fmt::format("scene {}: is not valid JSON{}: {}", source,
-                    watch.last().empty() ? "" : fmt::format(", at {}", watch.last()),
-                    message.substr(prefix == std::string_view::npos ? 0 : prefix + 2)));
+        fmt::format("scene {}: is not valid JSON: {}", source, without_prefix(error.what())));
   }
 }
 

@@ -67,6 +67,13 @@ std::string region_text(const RegionInput& input, const RegionAnswer& answer,
     page.row("delta", figure(*input.delta) + in_metres(input.physical, *input.delta));
     page.row("the point is", *answer.admissible ? "admissible" : "not admissible",
              *answer.admissible ? Tone::good : Tone::bad);
+    if (answer.tolerance) {
+      page.row("withstands", format("+-{:.4g} % of f and delta at once{}", 100 * *answer.tolerance,
+                                    input.limits.tolerance > *answer.tolerance
+                                        ? format(", less than the {:.4g} % asked for",
+                                                 100 * input.limits.tolerance)
+                                        : ""));
+    }
     add_constraints(page, answer.constraints);
   }
   return page.text();

@@ -24,8 +24,7 @@ InputError InputError::missing(const std::string& field, const std::string& hint
 
 TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)
     : std::runtime_error(fmt::format("f and delta are so small that the motion may take {:.3g} "
-                                     "half-cycles; at most {:.3g} are "
-                                     "allowed",
+                                     "half-cycles; at most {:.3g} are allowed (half-cycle-limit)",
                                      bound, limit)) {}
 
 TooManyHalfCycles::TooManyHalfCycles(const std::string& message) : std::runtime_error(message) {}

@@ -186,4 +186,16 @@ std::array<Constraint, 5> constraints(const Problem& problem, double f, double d
   }};
 }
 
+std::vector<Constraint> limit_constraints(const Limits& limits, double f, double delta) {
+  std::vector<Constraint> list;
+  if (limits.f_max) {
+    list.push_back({"f_max", "<=", f, *limits.f_max, *limits.f_max - f, f <= *limits.f_max});
+  }
+  if (limits.delta_max) {
+    const double cap = *limits.delta_max;
+    list.push_back({"delta_max", "<=", delta, cap, cap - delta, delta <= cap});
+  }
+  return list;
+}
+
 }  // namespace stillpoint::design

@@ -52,7 +52,7 @@ Scene<> tiny_friction_scene(Dice& dice) {
   return scene;
 }
 
-/// Speeds and frequencies from 1e-150 to 1e150.
+/// Speeds and frequencies from 1e-149 to 1e149; the ends themselves have a case of their own.
 Scene<> extreme_scale_scene(Dice& dice) {
   Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
   const double speed = dice.power_of_ten(-145, 145);
@@ -128,6 +128,22 @@ BOOST_AUTO_TEST_CASE(a_million_half_cycles_with_both_frictions_keep_the_promise)
   WorstRatios worst{};
   metrics_agree(run, exact, exact_sums, worst);
   BOOST_TEST_MESSAGE(run.end << ", worst error/bound: " << text(worst));
+}
+
+BOOST_AUTO_TEST_CASE(the_ends_of_the_range_keep_the_promise) {
+  WorstRatios worst{};
+  for (const double v0 : {1e-150, 1.0, 1e150}) {
+    for (const double p : {1e-150, 1.0, 1e150}) {
+      for (const double friction : {0.0, 0.02, 0.3, 1.0}) {
+        for (const double notch : {0.0, 0.02, 0.3}) {
+          if (friction + notch > 0) {
+            keeps_the_promise({0, v0, p, friction * (v0 * p), notch * (v0 * v0)}, worst);
+          }
+        }
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE("worst error/bound: " << text(worst));
 }
 
 BOOST_AUTO_TEST_CASE(near_ties_keep_the_promise) {

@@ -7,7 +7,7 @@
 
 namespace stillpoint::test {
 
-/// Scene S5 of the benchmarks: two wave packets, 3000 samples every 0.02.
+/// Scene S5: two wave packets, 3000 samples every 0.02.
 inline Record<> record_s5() {
   Record<> record;
   record.step = 0.02;

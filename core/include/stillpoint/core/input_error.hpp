@@ -7,7 +7,7 @@
 namespace stillpoint {
 
 /// Wrong input, found where it enters. The message names the field, the value and the bound, e.g.
-/// "p = -1: must be at least 1e-150".
+/// "p = -1: must be a number from 1e-150 to 1e+150".
 class InputError : public std::invalid_argument {
  public:
   InputError(std::string field, const std::string& value, const std::string& bound);

@@ -16,8 +16,8 @@ namespace stillpoint::design {
 
 struct DesignRequest {
   Problem problem;
-  Limits limits;
-  SearchOptions search;
+  Limits limits{};
+  SearchOptions search{};
 };
 
 /// What was found for an admissible region.

@@ -7,7 +7,8 @@ namespace stillpoint::design {
 
 /// The scales between metres, seconds and the paper's dimensionless numbers, its (5):
 ///   length H, time sqrt(H/g), velocity sqrt(g H), omega^2 = g p^2 / H.
-/// Any H > 0 serves; this project takes H = velocity / omega, the amplitude without friction.
+/// Any H > 0 serves; with a velocity the program takes H = velocity / omega, the amplitude without
+/// friction.
 struct Scales {
   double length_m{1};
   double time_s{1};

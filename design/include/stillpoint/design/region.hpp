@@ -78,6 +78,10 @@ struct Constraint {
 /// 1e300].
 [[nodiscard]] std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta);
 
+/// One more row for each limit that is given: f_max and delta_max.
+[[nodiscard]] std::vector<Constraint> limit_constraints(const Limits& limits, double f,
+                                                        double delta);
+
 /// All five constraints and the limits, over the box of relative half-width `limits.tolerance`
 /// around (f, delta): its worst corner is (f (1 - tolerance), delta (1 - tolerance)) for the stop,
 /// because Delta1 falls with f.
