@@ -661,8 +661,8 @@ BOOST_FIXTURE_TEST_CASE(options_out_of_bounds, Sandbox) {
 }
 
 BOOST_AUTO_TEST_CASE(units_have_names) {
-  for (const RecordUnits units : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
-    BOOST_TEST((cli::parse_record_units(std::string(cli::name(units))) == units));
+  for (const RecordUnits unit : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
+    BOOST_TEST((cli::parse_record_units(std::string(cli::name(unit))) == unit));
   }
   for (const char* wrong : {"", "G", "cm/s", "gal"}) {
     BOOST_CHECK_EXCEPTION(static_cast<void>(cli::parse_record_units(wrong)), InputError,
