@@ -50,12 +50,14 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     return exit_done;
   }
   Settings settings = invocation.flags;
+  Settings scene;
   if (invocation.scene) {
-    const Settings scene = read_scene(*invocation.scene);
-    note_unused(scene, invocation.command);
+    scene = read_scene(*invocation.scene);
     settings.complete_with(scene);
   }
-  return run_command(invocation.command, settings, output);
+  const ExitCode code = run_command(invocation.command, settings, output);
+  note_unused(scene, invocation.command);
+  return code;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene.hpp"
 
+#include "printable.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
@@ -21,6 +23,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t longest_message = 300;
 /// A scene has some hundred bytes.
 constexpr std::size_t largest_scene = std::size_t{1} << 20U;
 
@@ -93,8 +96,8 @@ json parse_json(std::string_view text, std::string_view source) {
     throw UsageError(fmt::format("scene {}: {}: {}, must have a magnitude up to 1.8e308", source,
                                  watch.last(), without_prefix(error.what())));
   } catch (const json::exception& error) {
-    throw UsageError(
-        fmt::format("scene {}: is not valid JSON: {}", source, without_prefix(error.what())));
+    throw UsageError(fmt::format("scene {}: is not valid JSON: {}", source,
+                                 printable(without_prefix(error.what()), longest_message)));
   }
 }
 

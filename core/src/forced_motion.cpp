@@ -66,6 +66,10 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator<double>
               double half_cycle_limit) {
   const double p = oscillator.p;
   const double begin = run.state().now.value();
+  if (const double waited = run.state().now.minus(run.state().rest_begin); waited > 0) {
+    response.sticks += 1;  // held until the excitation ended
+    response.stick_time += waited / p;
+  }
   PhaseClock<double> clock;
   MarginKeeper<double> keeper;
   const FreeRun<double> free =
@@ -83,6 +87,9 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator<double>
     return;
   }
   *response.half_cycles += free.passages;
+  if (free.moves && !run.state().moved) {
+    *response.half_cycles += 1;
+  }
   *response.zero_passages += free.passages;
   *response.turning_points += free.turning_points;
   if (free.arrival) {

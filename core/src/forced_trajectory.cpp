@@ -21,7 +21,8 @@ class ForcedTrajectory::Watcher {
   Watcher(ForcedTrajectory& path, std::int64_t most) : path_(path), most_(most) {}
 
   void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
-    path_.events_.push_back({kind, {now.value() / path_.p_, u / path_.p_, v}});
+    path_.events_.push_back(
+        {kind, {std::min(now.value() / path_.p_, path_.horizon_), u / path_.p_, v}});
     const bool rests = kind == ForcedEventKind::stick || kind == ForcedEventKind::rest;
     if (rests || kind == ForcedEventKind::start) {
       keep({now, 1, Rest{u}});

@@ -108,7 +108,8 @@ IntegratedMotion integrate_free_motion(const Oscillator<double>& oscillator, dou
     motion.stopped = true;
     motion.stop_position = position * v0 / oscillator.p;
   };
-  if (notch > 1) {
+  // As the region compares it: scaled by v0 first, an exact tie could round to the other side.
+  if (2 * oscillator.delta > v0 * v0) {
     stop(0);
     return motion;
   }

@@ -5,6 +5,7 @@
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/runge_kutta.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -179,5 +180,14 @@ BOOST_AUTO_TEST_CASE(a_grazing_design_passes_and_a_wrong_prediction_of_it_does_n
       wrong.peak_amplitude *= 1 + 1e-4;
       BOOST_TEST(!cross_check(wrong, problem, grazing, 0.1).passed);
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_delta_of_exactly_delta2_is_no_caught_start_for_the_integrator) {
+  // 2 Delta / v0 / v0 rounds above 1 for these, though Delta = v0 v0 / 2.
+  for (const double v0 : {0.355, 0.759, 1.438}) {
+    const auto motion = stillpoint::design::integrate_free_motion({1, 0.1, v0 * v0 / 2}, v0, 1e-12);
+    BOOST_TEST(motion.half_cycles == 1);
+    BOOST_TEST(motion.peak_amplitude > 0);
   }
 }

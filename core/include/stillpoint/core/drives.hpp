@@ -83,8 +83,9 @@ class HarmonicDrive {
 
   /// When |w + u| first exceeds phi, from where it does not: (F18).
   [[nodiscard]] std::optional<Real> release(const Real& u, const Real& phi) {
-    const std::optional<Real> up = first_above(Real(phi - u), phase_.psi());
-    const std::optional<Real> down = first_above(Real(phi + u), Real(phase_.psi() + pi<Real>()));
+    const std::optional<Real> up = first_above(Real(phi - u), phase_.psi(), now_.cosine > 0);
+    const std::optional<Real> down =
+        first_above(Real(phi + u), Real(phase_.psi() + pi<Real>()), now_.cosine < 0);
     direction_ = up && (!down || *up < *down) ? -1 : 1;
     return direction_ < 0 ? up : down;
   }
@@ -97,8 +98,9 @@ class HarmonicDrive {
   }
 
  private:
-  /// When K sin psi first exceeds `level` on its way up.
-  [[nodiscard]] std::optional<Real> first_above(const Real& level, const Real& psi) const {
+  /// When K sin psi first exceeds `level` on its way up. `grows`: it is on its way up now.
+  [[nodiscard]] std::optional<Real> first_above(const Real& level, const Real& psi,
+                                                bool grows) const {
     using std::asin;
     using std::floor;
     using std::sqrt;
@@ -112,7 +114,7 @@ class HarmonicDrive {
     Real ahead = pi<Real>() / 2 - to_crest - psi;
     ahead -= turn * floor(ahead / turn);
     // The crossing lies behind, but the crest ahead: |w + u| = phi to the last bit, and growing.
-    if (turn - ahead < to_crest) {
+    if (grows && turn - ahead < to_crest) {
       return Real(0);
     }
     return ahead / phase_.ratio();

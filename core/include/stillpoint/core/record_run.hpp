@@ -73,11 +73,8 @@ class RecordRun {
 
   /// Through the record, or until p tau = `end`.
   void through(const ExactSum<Real>& end) {
-    if (record_.values.size() < 2) {
-      return;
-    }
     before_first_sample(end);
-    if (end.minus(times_.at(0)) > 0) {
+    if (record_.values.size() > 1 && end.minus(times_.at(0)) > 0) {
       between_samples(end);
     }
   }
