@@ -7,8 +7,8 @@
 
 namespace stillpoint::design {
 
-/// The interval of f that a design may take: the region's, a relative 1e-9 inside where there is
-/// room. On the edge itself the arrival grazes, or Delta has no room left.
+/// The interval of f that a design may take: the region's, kept a relative 1e-9 from f3, where the
+/// arrival grazes, and from its lower end, where Delta may have no room left, if it is wide enough.
 struct DesignInterval {
   double low;
   double high;
