@@ -49,9 +49,8 @@ struct NloptAlgorithm {
 [[nodiscard]] const std::vector<NloptAlgorithm>& nlopt_algorithms();
 
 /// Runs one algorithm. An exception of a callback stops it and is rethrown; a value that is not
-/// finite, which would hang some algorithms, is an assertion; a point that is not finite, which SLSQP
-/// may step to, ends the run. Seeds NLopt's generator first, so
-/// that every run repeats.
+/// finite, which would hang some algorithms, is an assertion; a point that is not finite, which
+/// SLSQP may step to, ends the run. Seeds NLopt's generator first, so that every run repeats.
 [[nodiscard]] NloptOutcome minimise(const NloptProblem& problem, std::string_view algorithm,
                                     const NloptBudget& budget);
 
