@@ -9,6 +9,7 @@
 
 #include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/pulse_design.hpp>
 
 #include <fmt/format.h>
 
@@ -27,6 +28,14 @@ void report(const Settings& settings, const Json& json, const Text& text, Output
   if (path) {
     output.write_file("output", *path, report);
   }
+}
+
+design::DesignResult answer(const DesignInput& input) {
+  const auto& [problem, limits, search] = input.request;
+  return input.pulse
+             ? design::design(
+                   {{*input.pulse, problem.p, problem.beta, problem.criterion}, limits, search})
+             : design::design(input.request);
 }
 
 SimulateAnswer free_answer(const SimulateInput& input) {
@@ -72,8 +81,12 @@ ExitCode exit_code(const design::DesignResult& result) {
 }
 
 ExitCode run_design(const Settings& settings, Output& output) {
-  const DesignInput input = design_input(settings);
-  const design::DesignResult result = design::design(input.request);
+  DesignInput input = design_input(settings);
+  const design::DesignResult result = answer(input);
+  if (input.physical) {
+    input.physical->velocity_m_per_s =
+        result.request.problem.v0 * input.physical->scales.velocity_m_per_s;
+  }
   report(
       settings, [&] { return design_json(input, result); },
       [&](const auto& title, Style style) { return design_text(input, result, title, style); },

@@ -110,17 +110,14 @@ ordered_json response_json(const Response& response) {
           {"decision_margin", number(response.decision_margin)}};
 }
 
-ordered_json response_json(const SimulateAnswer& answer) {
-  ordered_json json = response_json(answer.response);
-  if (answer.forced) {
-    const ForcedResponse& forced = *answer.forced;
-    json["end_time"] = number(forced.end_time);
-    json["final_position"] = number(forced.final_position);
-    json["final_velocity"] = number(forced.final_velocity);
-    json["sticks"] = count(forced.sticks);
-    json["stick_time"] = number(forced.stick_time);
-    json["left_notch_from_rest"] = forced.left_notch_from_rest;
-  }
+ordered_json forced_json(const ForcedResponse& forced) {
+  ordered_json json = response_json(forced);
+  json["end_time"] = number(forced.end_time);
+  json["final_position"] = number(forced.final_position);
+  json["final_velocity"] = number(forced.final_velocity);
+  json["sticks"] = count(forced.sticks);
+  json["stick_time"] = number(forced.stick_time);
+  json["left_notch_from_rest"] = forced.left_notch_from_rest;
   return json;
 }
 
@@ -149,6 +146,12 @@ ordered_json excitation_json(const std::optional<ExcitationInput>& input) {
       },
       input->excitation);
   return json;
+}
+
+void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
+  task["pulse"] = pulse ? ordered_json(design::name(*pulse)) : ordered_json(nullptr);
+  task["k"] = pulse ? number(design::peak_load(*pulse)) : ordered_json(nullptr);
+  task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
 }
 
 ordered_json design_point_json(const design::Problem& problem, const design::DesignPoint& point) {
@@ -185,6 +188,22 @@ ordered_json cross_check_json(const design::CrossCheck& check) {
                        {"passed", method.passed}});
   }
   return {{"passed", check.passed}, {"methods", methods}};
+}
+
+/// How the design stands under its pulse.
+ordered_json pulse_check_json(const design::PulseCheck& check) {
+  ordered_json warnings = ordered_json::array();
+  for (const design::PulseWarning warning : check.warnings) {
+    warnings.push_back(name(warning));
+  }
+  return {{"shortness", number(check.shortness)},
+          {"friction_ratio", number(check.friction_ratio)},
+          {"equivalent_v0", number(check.start.speed)},
+          {"equivalent_start", number(check.start.tau)},
+          {"peak_error", number(check.peak_error)},
+          {"stop_time_error", number(check.stop_time_error)},
+          {"warnings", warnings},
+          {"response", forced_json(check.response)}};
 }
 
 ordered_json physical_json(const std::vector<Quantity>& quantities) {
@@ -228,8 +247,9 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
 }  // namespace
 
 ordered_json design_json(const DesignInput& input, const design::DesignResult& result) {
-  const auto& [problem, limits, search] = input.request;
+  const auto& [problem, limits, search] = result.request;
   ordered_json task = task_json(problem, limits);
+  add_pulse(task, input.pulse);
   task["objective"] = name(search.objective);
   task["algorithm"] = input.algorithm ? ordered_json(*input.algorithm) : ordered_json(nullptr);
   ordered_json report{{"schema", "stillpoint/design-report/1"},
@@ -241,6 +261,7 @@ ordered_json design_json(const DesignInput& input, const design::DesignResult& r
                       {"response", nullptr},
                       {"search", nullptr},
                       {"cross_check", nullptr},
+                      {"pulse", nullptr},
                       {"physical", physical_json(design_quantities(input, result))}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
@@ -249,6 +270,9 @@ ordered_json design_json(const DesignInput& input, const design::DesignResult& r
     report["response"] = response_json(finding.response);
     report["search"] = search_json(finding.search);
     report["cross_check"] = cross_check_json(finding.cross_check);
+    if (finding.pulse) {
+      report["pulse"] = pulse_check_json(*finding.pulse);
+    }
   }
   return report;
 }
@@ -271,20 +295,21 @@ ordered_json region_json(const RegionInput& input, const RegionAnswer& answer) {
 }
 
 ordered_json simulate_json(const SimulateInput& input, const SimulateAnswer& answer) {
-  return {{"schema", "stillpoint/simulation-report/1"},
-          {"program", program_json()},
-          {"input",
-           {{"v0", number(input.start.v0)},
-            {"p", number(input.oscillator.p)},
-            {"f", number(input.oscillator.f)},
-            {"delta", number(input.oscillator.delta)},
-            {"x0", number(input.start.x0)},
-            {"t_end", number(input.t_end)},
-            {"excitation", excitation_json(input.excitation)}}},
-          {"response", response_json(answer)},
-          {"half_cycles", half_cycles_json(answer.half_cycles)},
-          {"half_cycles_listed", answer.half_cycles.size()},
-          {"physical", physical_json(simulate_quantities(input, answer))}};
+  return {
+      {"schema", "stillpoint/simulation-report/1"},
+      {"program", program_json()},
+      {"input",
+       {{"v0", number(input.start.v0)},
+        {"p", number(input.oscillator.p)},
+        {"f", number(input.oscillator.f)},
+        {"delta", number(input.oscillator.delta)},
+        {"x0", number(input.start.x0)},
+        {"t_end", number(input.t_end)},
+        {"excitation", excitation_json(input.excitation)}}},
+      {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
+      {"half_cycles", half_cycles_json(answer.half_cycles)},
+      {"half_cycles_listed", answer.half_cycles.size()},
+      {"physical", physical_json(simulate_quantities(input, answer))}};
 }
 
 }  // namespace stillpoint::cli

@@ -28,6 +28,9 @@ constexpr std::array table{
     Option{"v0", number, "V", motion, "initial velocity", true, true, true},
     Option{"p", number, "P", motion, "square root of the stiffness", true, true, true},
     Option{"beta", number, "B", motion, "largest admissible displacement", true, true, false},
+    Option{"pulse", text, "TYPE", motion,
+           "half-sine or rectangle, with --k and --lambda: in place of the initial velocity", true,
+           false, false},
     Option{"x0", number, "X", motion, "initial displacement (default 0)", false, false, true},
 
     Option{"velocity", number, "M/S", physical, "initial velocity in m/s", true, true, true},
@@ -64,9 +67,9 @@ constexpr std::array table{
 
     Option{"excitation", text, "TYPE", shaking,
            "harmonic, half-sine, full-sine, rectangle or record", false, false, true},
-    Option{"k", number, "K", shaking, "its peak in g", false, false, true},
+    Option{"k", number, "K", shaking, "its peak in g, or that of the pulse", true, false, true},
     Option{"lambda", number, "L", shaking,
-           "angular frequency; half-sine and rectangle last pi/L, full-sine 2 pi/L", false, false,
+           "angular frequency; half-sine and rectangle last pi/L, full-sine 2 pi/L", true, false,
            true},
     Option{"phase", number, "PHI", shaking, "of harmonic, W = K sin(L tau + PHI); default 0", false,
            false, true},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "request.hpp"
 
+#include "pulse_input.hpp"
+
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
@@ -85,16 +87,15 @@ double reference_velocity(double velocity, double x0_m, const design::PhysicalIs
   return x0_m != 0 ? std::abs(x0_m) * omega : isolator.gravity_m_per_s2 / omega;
 }
 
-MotionInput physical_motion(const Settings& settings) {
+MotionInput physical_motion(const Settings& settings, bool from_rest) {
   design::PhysicalIsolator isolator;
   isolator.period_s = settings.number("period");
   isolator.stiffness_n_per_m = settings.number("stiffness");
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
   const double x0_m = settings.number("x0-m").value_or(0);
-  const double velocity =
-      initial_velocity(settings, "velocity", x0_m != 0 || starts_from_rest(settings),
-                       "give the initial velocity in m/s");
+  const double velocity = initial_velocity(settings, "velocity", x0_m != 0 || from_rest,
+                                           "give the initial velocity in m/s");
   MotionInput motion;
   PhysicalInput physical;
   physical.scales =
@@ -108,13 +109,14 @@ MotionInput physical_motion(const Settings& settings) {
   return motion;
 }
 
-MotionInput motion_input(const Settings& settings) {
+/// `from_rest`: the velocity may be missing, because something else sets the mass off.
+MotionInput motion_input(const Settings& settings, bool from_rest) {
   if (is_physical(settings)) {
-    return physical_motion(settings);
+    return physical_motion(settings, from_rest);
   }
   MotionInput motion;
   motion.x0 = settings.number("x0").value_or(0);
-  motion.v0 = initial_velocity(settings, "v0", motion.x0 != 0 || starts_from_rest(settings),
+  motion.v0 = initial_velocity(settings, "v0", motion.x0 != 0 || from_rest,
                                "give --v0, or --velocity in m/s");
   motion.p = settings.required("p", "give --p, or --period in s");
   return motion;
@@ -158,17 +160,19 @@ struct Task {
   std::optional<PhysicalInput> physical;
 };
 
-/// What design and region have in common.
-Task task(const Settings& settings) {
-  MotionInput motion = motion_input(settings);
+/// What design and region have in common; with a pulse, without a velocity.
+Task task(const Settings& settings, bool pulse) {
+  MotionInput motion = motion_input(settings, pulse);
   Task result;
   result.problem.v0 = motion.v0;
   result.problem.p = motion.p;
   if (motion.physical) {
     const double displacement =
         settings.required("max-displacement", "give the largest admissible displacement in m");
-    require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
-                   largest_physical);
+    if (!pulse) {
+      require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
+                     largest_physical);
+    }
     require_within("max-displacement", displacement, smallest_physical, largest_physical);
     motion.physical->max_displacement_m = displacement;
     result.problem.beta = displacement / motion.physical->scales.length_m;
@@ -196,8 +200,10 @@ std::int64_t count(const Settings& settings, std::string_view name, std::int64_t
 }  // namespace
 
 DesignInput design_input(const Settings& settings) {
-  const Task given = task(settings);
   DesignInput input;
+  require_one_of(settings, {"v0", "velocity", "pulse"});
+  input.pulse = pulse_input(settings);
+  const Task given = task(settings, input.pulse.has_value());
   input.request.problem = given.problem;
   input.request.limits = given.limits;
   input.request.search.objective = objective(settings);
@@ -211,7 +217,7 @@ DesignInput design_input(const Settings& settings) {
 }
 
 RegionInput region_input(const Settings& settings) {
-  const Task given = task(settings);
+  const Task given = task(settings, false);
   RegionInput input{given.problem, given.limits, settings.number("f"), {}, given.physical};
   input.delta = point_friction(settings, "delta", "delta-m", given.physical);
   if (input.f) {
@@ -224,7 +230,7 @@ RegionInput region_input(const Settings& settings) {
 }
 
 SimulateInput simulate_input(const Settings& settings) {
-  const MotionInput motion = motion_input(settings);
+  const MotionInput motion = motion_input(settings, starts_from_rest(settings));
   SimulateInput input;
   input.physical = motion.physical;
   input.start = {motion.x0, motion.v0};

@@ -7,6 +7,7 @@
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/pulse.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -31,7 +32,8 @@ struct MotionInput {
 };
 
 struct DesignInput {
-  design::DesignRequest request;
+  design::DesignRequest request;         ///< without v0 where there is a pulse
+  std::optional<design::Pulse> pulse;    ///< in place of the initial velocity
   std::optional<std::string> algorithm;  ///< as asked for
   std::optional<PhysicalInput> physical;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text_report.hpp"
 
+#include "pulse_text.hpp"
 #include "text_sections.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +12,13 @@ using fmt::format;
 
 std::string design_text(const DesignInput& input, const design::DesignResult& result,
                         const std::optional<std::string>& title, Style style) {
-  const auto& [problem, limits, search] = input.request;
+  const auto& [problem, limits, search] = result.request;
   Page page(style);
   add_title(page, "Damper design", title);
   add_problem(page, problem, limits, input.physical);
+  if (input.pulse) {
+    add_pulse(page, *input.pulse, input.physical);
+  }
   page.row("objective", name(search.objective));
   add_region(page, result.region, input.physical);
   if (!result.finding) {
@@ -37,6 +41,9 @@ std::string design_text(const DesignInput& input, const design::DesignResult& re
   page.section("Motion");
   add_response(page, finding.response, input.physical);
   page.row("use of beta", format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
+  if (finding.pulse) {
+    add_pulse_check(page, *finding.pulse, input.physical);
+  }
   add_checks(page, finding.cross_check);
   page.section("Search");
   page.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),

@@ -13,20 +13,15 @@ namespace stillpoint::cli {
 
 using fmt::format;
 
-/// " = 12.1 mm" behind a dimensionless length, "" without physical input.
 std::string in_metres(const std::optional<PhysicalInput>& physical, double length) {
   return physical && length != 0
              ? format(" = {}", with_unit(length * physical->scales.length_m, "m"))
              : "";
 }
 
-namespace {
-
 std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau) {
   return physical ? format(" = {}", with_unit(tau * physical->scales.time_s, "s")) : "";
 }
-
-}  // namespace
 
 void add_title(Page& page, std::string_view what, const std::optional<std::string>& title) {
   page.title(title ? format("{}: {}", what, spelled_out(*title)) : std::string(what));

@@ -18,6 +18,9 @@ namespace stillpoint::cli {
 /// " = 12.1 mm" behind a dimensionless length; "" without physical input and for 0.
 [[nodiscard]] std::string in_metres(const std::optional<PhysicalInput>& physical, double length);
 
+/// " = 1.53 s" behind a tau; "" without physical input.
+[[nodiscard]] std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau);
+
 void add_title(Page& page, std::string_view what, const std::optional<std::string>& title);
 void add_physical_input(Page& page, const PhysicalInput& physical);
 void add_problem(Page& page, const design::Problem& problem, const design::Limits& limits,

@@ -40,28 +40,47 @@ struct Push {
   }
 };
 
+/// (F22) and (F23) in the units of Push: the pulse, or the turn, at `end`, with `speed` there and
+/// `distance` so far.
+EquivalentStart carried_back(double ratio, double end, double speed, double distance) {
+  const double square = speed * speed + 2 * ratio * distance;
+  if (!(square > 0)) {
+    return {};
+  }
+  const double start_speed = std::sqrt(square);
+  return {start_speed, end - 2 * distance / (start_speed + speed)};
+}
+
+EquivalentStart scaled(const EquivalentStart& start, double k, double lambda) {
+  return {k / lambda * start.speed, start.tau / lambda};
+}
+
 }  // namespace
 
-double equivalent_speed(const HalfSine<>& pulse, double f) {
+EquivalentStart equivalent_start(const HalfSine<>& pulse, double f) {
   require_valid(Excitation(pulse));
   require_within("f", f, 0, largest_square);
   const double k = std::abs(pulse.k);
   if (k <= f) {
-    return 0;
+    return {};
   }
   const Push push{f / k};
   const double end = push.end();
-  const double speed = push.speed(end);
-  // (F22)
-  const double square = speed * speed + 2 * push.ratio * push.distance(end);
-  return square > 0 ? k / pulse.lambda * std::sqrt(square) : 0;
+  return scaled(carried_back(push.ratio, end, push.speed(end), push.distance(end)), k,
+                pulse.lambda);
 }
 
-double equivalent_speed(const Rectangle<>& pulse, double f) {
+EquivalentStart equivalent_start(const Rectangle<>& pulse, double f) {
   require_valid(Excitation(pulse));
   require_within("f", f, 0, largest_square);
   const double k = std::abs(pulse.k);
-  return k <= f ? 0 : std::numbers::pi / pulse.lambda * std::sqrt(k) * std::sqrt(k - f);
+  if (k <= f) {
+    return {};
+  }
+  const double ratio = f / k;
+  const double end = std::numbers::pi;
+  const double speed = (1 - ratio) * end;
+  return scaled(carried_back(ratio, end, speed, speed * end / 2), k, pulse.lambda);
 }
 
 }  // namespace stillpoint

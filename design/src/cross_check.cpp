@@ -1,75 +1,24 @@
 // SPDX-License-Identifier: MIT
+#include "judge.hpp"
+#include "timed.hpp"
+
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/runge_kutta.hpp>
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <limits>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// How exact a method is. `resolution` is the decision margin below which its own errors may tip a
-/// decision: for the map 2e-16 (2 + n) with n = 2 and some room, for the integrator the energy
-/// error that a thousand steps at its tolerance may add up to.
-struct Quality {
-  std::string_view name;
-  double tolerance;
-  double resolution;
-};
-
+/// 2e-16 (2 + n) with n = 2 and some room.
 constexpr Quality map_quality{"half_cycle_map", 1e-12, 1e-15};
+/// Resolution: the energy error that a thousand steps at this tolerance may add up to.
 constexpr double integrator_tolerance = 1e-12;
 constexpr Quality runge_kutta_quality{"runge_kutta", 1e-9, 1000 * integrator_tolerance};
-
-/// (31): an error e of the arrival energy moves the stop phase by about e phi / w for phi >> w, and
-/// by sqrt(e) where w vanishes.
-double grazing_factor(const Prediction& prediction, const Problem& problem, double f,
-                      double tolerance) {
-  const double phi = f / problem.p;
-  const double w = std::max(prediction.arrival_speed, std::sqrt(tolerance) * phi);
-  return phi > w ? phi / w : 1;
-}
-
-double relative(double value, double expected) {
-  return std::abs(value - expected) / expected;
-}
-
-/// The rest of a method, whose figures are there already.
-void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
-           const Problem& problem, double f, double margin) {
-  const bool same_end = method.half_cycles == prediction.half_cycles &&
-                        method.stop_position == prediction.stop_position;
-  method.name = quality.name;
-  method.tolerance = quality.tolerance * grazing_factor(prediction, problem, f, quality.tolerance);
-  method.decided = same_end || margin > quality.resolution;
-  method.relative_error = relative(method.peak_amplitude, prediction.peak_amplitude);
-  if (method.decided) {
-    for (const double error :
-         {relative(method.peak_acceleration, prediction.peak_acceleration),
-          relative(method.stop_time, prediction.stop_time),
-          std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
-          std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude}) {
-      // Not std::max: that may pass over a NaN.
-      if (std::isnan(error) || error > method.relative_error) {
-        method.relative_error = error;
-      }
-    }
-  }
-  method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
-}
-
-template <class Run>
-double timed(const Run& run) {
-  const auto started = std::chrono::steady_clock::now();
-  run();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-}
 
 }  // namespace
 

@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: MIT
+#include "finding.hpp"
+
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/prediction.hpp>
 
 namespace stillpoint::design {
+
+Finding finding_of(const Problem& problem, const SearchResult& found) {
+  const auto& [point, record] = found;
+  Finding finding;
+  finding.point = point;
+  finding.search = record;
+  finding.constraints = constraints(problem, point.f, point.delta);
+  finding.response = free_response({problem.p, point.f, point.delta}, {0, problem.v0});
+  finding.cross_check = cross_check(predict(problem, point.f), problem, point.f, point.delta);
+  return finding;
+}
 
 DesignResult design(const DesignRequest& request) {
   const auto& [problem, limits, options] = request;
@@ -19,14 +32,7 @@ DesignResult design(const DesignRequest& request) {
     result.mends = mends(problem, limits);
     return result;
   }
-  const auto& [point, record] = *found;
-  Finding finding;
-  finding.point = point;
-  finding.search = record;
-  finding.constraints = constraints(problem, point.f, point.delta);
-  finding.response = free_response({problem.p, point.f, point.delta}, {0, problem.v0});
-  finding.cross_check = cross_check(predict(problem, point.f), problem, point.f, point.delta);
-  result.finding = finding;
+  result.finding = finding_of(problem, *found);
   return result;
 }
 

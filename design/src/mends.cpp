@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "nearest_fit.hpp"
 #include "region_edges.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 
 namespace stillpoint::design {
 
@@ -30,26 +29,6 @@ bool feasible(const Case& now) {
   return amplitude_fits(now) && strip_fits(now);
 }
 
-/// The number nearest to `from` that `fits`, where everything from it to `to` fits as well:
-/// bisection over the doubles themselves, whose bit patterns are in order, so it ends at the last
-/// bit. Empty where not even `to` fits. Both >= 0.
-template <class Fits>
-std::optional<double> nearest(double from, double to, const Fits& fits) {
-  if (fits(from)) {
-    return from;
-  }
-  if (!fits(to)) {
-    return std::nullopt;
-  }
-  auto wrong = std::bit_cast<std::int64_t>(from);
-  auto right = std::bit_cast<std::int64_t>(to);
-  while (wrong - right > 1 || right - wrong > 1) {
-    const std::int64_t middle = wrong + (right - wrong) / 2;
-    (fits(std::bit_cast<double>(middle)) ? right : wrong) = middle;
-  }
-  return std::bit_cast<double>(right);
-}
-
 template <class Change>
 void add(std::vector<Mend>& list, const Case& base, std::string_view field, double from, double to,
          const Change& change) {
@@ -58,7 +37,7 @@ void add(std::vector<Mend>& list, const Case& base, std::string_view field, doub
     change(changed, value);
     return feasible(changed);
   };
-  if (const auto value = nearest(from, to, fits)) {
+  if (const auto value = nearest_fit(from, to, fits)) {
     list.push_back({field, *value, *value > from});
   }
 }
@@ -71,11 +50,11 @@ std::optional<double> mended_p(const Case& base, double least, double most) {
     return changed;
   };
   const auto raised =
-      nearest(base.problem.p, most, [&](double p) { return amplitude_fits(with(p)); });
+      nearest_fit(base.problem.p, most, [&](double p) { return amplitude_fits(with(p)); });
   if (!raised) {
     return std::nullopt;
   }
-  const auto value = nearest(*raised, least, [&](double p) { return strip_fits(with(p)); });
+  const auto value = nearest_fit(*raised, least, [&](double p) { return strip_fits(with(p)); });
   return value && feasible(with(*value)) ? value : std::nullopt;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "box.hpp"
 #include "region_edges.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -35,18 +36,23 @@ double tolerance_of_stop(Criterion criterion, double a, double d) {
 
 }  // namespace
 
-bool admissible(const Problem& problem, const Limits& limits, double f, double delta) {
-  require_valid(problem, limits);
+bool box_admissible(const Problem& at_low, const Problem& at_high, const Limits& limits, double f,
+                    double delta) {
   const double low = 1 - limits.tolerance;
   const double high = 1 + limits.tolerance;
   const auto met = [](const Constraint& constraint) { return constraint.satisfied; };
-  const auto low_corner = constraints(problem, f * low, delta * low);
-  const auto high_corner = constraints(problem, f * high, delta * high);
+  const auto low_corner = constraints(at_low, f * low, delta * low);
+  const auto high_corner = constraints(at_high, f * high, delta * high);
   // amplitude and stop are tightest at the low corner, the other three at the high one; but the
   // stop at the high corner is no part of the question, for its f may lie above f3.
   return met(low_corner[2]) && met(low_corner[4]) && met(high_corner[0]) && met(high_corner[1]) &&
          met(high_corner[3]) && (!limits.f_max || f * high <= *limits.f_max) &&
          (!limits.delta_max || delta * high <= *limits.delta_max);
+}
+
+bool admissible(const Problem& problem, const Limits& limits, double f, double delta) {
+  require_valid(problem, limits);
+  return box_admissible(problem, problem, limits, f, delta);
 }
 
 std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits, double f,

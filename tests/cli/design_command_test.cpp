@@ -106,7 +106,10 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
                          {"objective", "time"},
                          {"f_max", 0.3},
                          {"delta_max", 0.45},
-                         {"algorithm", "LN_COBYLA"}};
+                         {"algorithm", "LN_COBYLA"},
+                         {"pulse", nullptr},
+                         {"k", nullptr},
+                         {"lambda", nullptr}};
   BOOST_TEST(report["input"] == expected);
   BOOST_TEST(report["search"]["algorithm"] == "LN_COBYLA");
 }

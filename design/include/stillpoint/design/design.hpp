@@ -4,6 +4,7 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse_check.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 
@@ -27,6 +28,7 @@ struct Finding {
   Response response;  ///< by the half-cycle map
   SearchRecord search;
   CrossCheck cross_check;
+  std::optional<PulseCheck> pulse;  ///< where a pulse gave the initial velocity
 };
 
 /// The whole answer to a request. Without a finding the region is empty: `reason` says why and

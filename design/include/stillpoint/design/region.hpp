@@ -94,7 +94,7 @@ struct Constraint {
 
 /// The least change of one input, the others as they are, that makes the region not empty.
 struct Mend {
-  std::string_view field;  ///< v0, p, beta, f_max, delta_max or tolerance
+  std::string_view field;  ///< v0 (of a pulse k, lambda), p, beta, f_max, delta_max or tolerance
   double value{0};
   bool upwards{false};  ///< more of it mends, not less
 };

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/search.hpp>
+
+namespace stillpoint::design {
+
+struct PulseRequest {
+  PulseProblem problem;
+  Limits limits{};
+  SearchOptions search{};
+};
+
+/// The answer for the initial velocity that the pulse leaves under the f found, with `pulse` in the
+/// finding, forced_pulse as a third method of the cross-check, and the tolerance that holds with
+/// V(f) over the whole box. The mends name k and lambda in place of v0. Without a design the
+/// velocity is that for the largest f that returns. Throws InputError for wrong input.
+/// docs/theory.md section 8 and docs/forced.md section 8.
+[[nodiscard]] DesignResult design(const PulseRequest& request);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+
+namespace stillpoint::design {
+
+/// The number nearest to `from` that `fits`, where everything from it to `to` fits as well:
+/// bisection over the doubles themselves, whose bit patterns are in order, so it ends at the last
+/// bit. Empty where not even `to` fits. Both >= 0.
+template <class Fits>
+std::optional<double> nearest_fit(double from, double to, const Fits& fits) {
+  if (fits(from)) {
+    return from;
+  }
+  if (!fits(to)) {
+    return std::nullopt;
+  }
+  auto wrong = std::bit_cast<std::int64_t>(from);
+  auto right = std::bit_cast<std::int64_t>(to);
+  while (wrong - right > 1 || right - wrong > 1) {
+    const std::int64_t middle = wrong + (right - wrong) / 2;
+    (fits(std::bit_cast<double>(middle)) ? right : wrong) = middle;
+  }
+  return std::bit_cast<double>(right);
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "finding.hpp"
+#include "pulse_mends.hpp"
+#include "pulse_region.hpp"
+#include "settle.hpp"
+#include "under_pulse.hpp"
+
+#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/pulse_design.hpp>
+
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// A point that holds for the pulse, with the cost by which it is ranked.
+struct Candidate {
+  DesignPoint point;
+  double cost{0};
+};
+
+double cost_of(Objective objective, const PulseProblem& problem, const DesignPoint& point) {
+  if (objective == Objective::robust) {
+    return -point.tolerance;
+  }
+  const Prediction motion = predict(problem_at(problem, point.f), point.f);
+  return objective == Objective::amplitude ? motion.peak_amplitude
+         : objective == Objective::time    ? motion.stop_time
+                                           : motion.peak_acceleration;
+}
+
+/// The better of `best` and the point, judged with V(f) over its whole box.
+void consider(std::optional<Candidate>& best, const PulseRequest& request, DesignPoint point) {
+  const auto& [problem, limits, options] = request;
+  if (!admissible(problem, limits, point.f, point.delta)) {
+    return;
+  }
+  point.tolerance = largest_tolerance(problem, limits, point.f, point.delta).value_or(0);
+  const double cost = cost_of(options.objective, problem, point);
+  if (!best || cost < best->cost) {
+    best = {point, cost};
+  }
+}
+
+/// The same with the Delta that goes best with f.
+void consider_f(std::optional<Candidate>& best, const PulseRequest& request, double f) {
+  const auto& [problem, limits, options] = request;
+  const FreeTask task = task_of_box(problem, limits, f, limits.tolerance, 0);
+  consider(best, request, with_best_delta(task.problem, task.limits, f));
+}
+
+/// The next argument on the way to x = g(x), by Wegstein's method: the secant through the last two
+/// rounds. Held to steps that neither overshoot nor stand still.
+class FixedPoint {
+ public:
+  explicit FixedPoint(double x) : x_(x) {}
+
+  [[nodiscard]] double x() const { return x_; }
+  void answer(double g) {
+    constexpr double shortest = 0.05;
+    const double slope = x_ != x_before_ ? (g - g_before_) / (x_ - x_before_) : 0;
+    const double part = std::clamp(slope < 1 ? 1 / (1 - slope) : 1, shortest, 1.0);
+    x_before_ = x_;
+    g_before_ = g;
+    x_ += part * (g - x_);
+  }
+  /// Where g has no answer: half way back.
+  void retreat() { x_ = x_before_ + (x_ - x_before_) / 2; }
+
+ private:
+  double x_;
+  double x_before_{x_};
+  double g_before_{0};
+};
+
+/// Where S = sqrt(f^2 + (V(f) p)^2) is least: V falls with f, so that is not the lowest f.
+double softest_f(const PulseProblem& problem, double low, double high) {
+  const auto acceleration = [&](double f) {
+    return std::hypot(f, problem_at(problem, f).v0 * problem.p);
+  };
+  // Half of the digits are all that a minimum has.
+  constexpr int bits = std::numeric_limits<double>::digits / 2;
+  return boost::math::tools::brent_find_minima(acceleration, low, high, bits).first;
+}
+
+/// Rounds of the search with the velocities of the box last found, until that does not move. At
+/// that point the constraints that bind are those of the pulse itself.
+SearchResult search(const PulseRequest& request) {
+  const auto& [problem, limits, options] = request;
+  constexpr int most_rounds = 60;
+  constexpr double settled = 1e-10;  // relative, of f and of 1: what NLopt's tolerance resolves
+  constexpr double slack = 1e-9;     // more than that, so that the settled point is admissible
+  const DesignPoint corner = corner_point(problem, limits);
+  std::optional<Candidate> best;
+  SearchRecord record;
+  FixedPoint f(corner.f);
+  FixedPoint tolerance(limits.tolerance);
+  for (int round = 0; round < most_rounds; ++round) {
+    const FreeTask task = task_of_box(problem, limits, f.x(), tolerance.x(), slack);
+    const auto found = search(task.problem, task.limits, options);
+    if (!found) {
+      f.retreat();
+      tolerance.retreat();
+      continue;
+    }
+    const auto& [point, last] = *found;
+    record = {last.algorithm, last.status, record.evaluations + last.evaluations,
+              record.wall_time_s + last.wall_time_s};
+    const double wider =
+        options.objective == Objective::robust ? point.tolerance : limits.tolerance;
+    const double change = std::max(std::abs(point.f / f.x() - 1), std::abs(wider - tolerance.x()));
+    f.answer(point.f);
+    tolerance.answer(wider);
+    consider(best, request, point);
+    if (change <= settled) {
+      break;
+    }
+  }
+  if (options.objective == Objective::acceleration) {
+    const double inside = corner.f * (1 - slack);
+    consider_f(best, request, softest_f(problem, std::min(f.x(), inside), inside));
+  }
+  if (!best) {
+    // So little is left that NLopt's steps do not resolve it.
+    consider_f(best, request, corner.f);
+    consider(best, request, corner);
+  }
+  assert(best);
+  return SearchResult{best->point, record};
+}
+
+/// Where the limits are those of the high corner's velocity, the conflict is with the edge that
+/// they stand for.
+Conflict as_asked(Conflict conflict, const FreeTask& task, const Limits& limits) {
+  if (conflict == Conflict::amplitude_against_f_max && task.limits.f_max != limits.f_max) {
+    return Conflict::amplitude_against_return;
+  }
+  if (conflict == Conflict::stop_against_delta_max && task.limits.delta_max != limits.delta_max) {
+    return Conflict::stop_against_start;
+  }
+  return conflict;
+}
+
+/// The empty region, told for the largest f.
+DesignResult without_design(const PulseRequest& request) {
+  const auto& [problem, limits, options] = request;
+  const double highest = highest_f(problem, limits);
+  const FreeTask task = task_of_box(problem, limits, highest, limits.tolerance, 0);
+  DesignResult result{{task.problem, limits, options}, {}, {}, {}, {}};
+  result.region = admissible_region(task.problem, task.limits);
+  result.region.conflict = result.region.feasible ? Conflict::narrower_than_rounding
+                                                  : as_asked(result.region.conflict, task, limits);
+  result.region.feasible = false;
+  result.region.f_lower = result.region.f_upper = std::nullopt;
+  result.region.f3 = std::min(result.region.f3, *task.limits.f_max);
+  result.reason = reason(result.region, task.problem, task.limits);
+  result.mends = mends(problem, limits);
+  return result;
+}
+
+}  // namespace
+
+DesignResult design(const PulseRequest& request) {
+  const auto& [problem, limits, options] = request;
+  require_valid(options);
+  require_valid(problem, limits);
+  if (!feasible(problem, limits)) {
+    return without_design(request);
+  }
+  const SearchResult found = search(request);
+  const Problem reduced = problem_at(problem, found.point.f);
+  DesignResult result{{reduced, limits, options}, admissible_region(reduced, limits), {}, {}, {}};
+  result.finding = finding_of(reduced, found);
+  result.finding->pulse = check_under_pulse(problem, *result.finding);
+  return result;
+}
+
+}  // namespace stillpoint::design

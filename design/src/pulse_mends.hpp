@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <vector>
+
+namespace stillpoint::design {
+
+/// As mends() of region.hpp, with k and lambda in place of v0.
+[[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "under_pulse.hpp"
+
+#include "judge.hpp"
+#include "timed.hpp"
+
+#include <stillpoint/design/prediction.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// Where both are below, the reduction is good to about 2 % in the peak.
+constexpr double short_pulse = 0.2;
+constexpr double small_friction = 0.2;
+/// Of a pulse so short that the forced run's own rounding is all that is left.
+constexpr double least_tolerance = 1e-9;
+
+std::vector<PulseWarning> warnings(const PulseCheck& check, const PulseProblem& problem) {
+  std::vector<PulseWarning> list;
+  if (check.shortness > short_pulse) {
+    list.push_back(PulseWarning::pulse_not_short);
+  }
+  if (check.friction_ratio > small_friction) {
+    list.push_back(PulseWarning::friction_not_small);
+  }
+  if (check.response.peak_amplitude > problem.beta) {
+    list.push_back(PulseWarning::peak_above_beta);
+  }
+  if (!check.response.stops_at_zero || check.response.half_cycles != 1.0) {
+    list.push_back(PulseWarning::does_not_stop_there);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string_view name(PulseWarning warning) noexcept {
+  switch (warning) {
+    case PulseWarning::pulse_not_short:
+      return "pulse_not_short";
+    case PulseWarning::friction_not_small:
+      return "friction_not_small";
+    case PulseWarning::peak_above_beta:
+      return "peak_above_beta";
+    case PulseWarning::does_not_stop_there:
+      return "does_not_stop_there";
+  }
+  assert(false && "a PulseWarning outside its enumeration");
+  return "";
+}
+
+PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
+  const auto& [f, delta, tolerance] = finding.point;
+  PulseCheck result;
+  result.shortness = problem.p / angular_frequency(problem.pulse);
+  result.friction_ratio = f / peak_load(problem.pulse);
+  result.start = equivalent_start(problem.pulse, f);
+
+  CheckMethod method;
+  method.wall_time_s = timed([&] {
+    result.response = forced_response({problem.p, f, delta}, {}, excitation(problem.pulse));
+  });
+  const Response& forced = result.response;
+  method.peak_amplitude = forced.peak_amplitude;
+  method.peak_acceleration = forced.peak_acceleration;
+  method.stop_time = *forced.stop_time - result.start.tau;
+  method.arrival_speed = forced.arrival_speed.value_or(0);
+  method.half_cycles = *forced.half_cycles;
+  method.stop_position = *forced.stop_position;
+
+  const Problem reduced = problem_at(problem, f);
+  const Prediction prediction = predict(reduced, f);
+  const double allowed = std::max(least_tolerance, result.shortness * result.shortness);
+  // The pulse itself accelerates the mass more than the spring does later.
+  const Quality quality{"forced_pulse", allowed, allowed, false};
+  judge(method, quality, prediction, reduced, f, finding.response.decision_margin.value_or(0));
+
+  result.peak_error = prediction.peak_amplitude / forced.peak_amplitude - 1;
+  if (method.half_cycles == prediction.half_cycles && forced.stops_at_zero) {
+    result.stop_time_error = (result.start.tau + prediction.stop_time) / *forced.stop_time - 1;
+  }
+  result.warnings = warnings(result, problem);
+  finding.cross_check.methods.push_back(method);
+  finding.cross_check.passed = finding.cross_check.passed && method.passed;
+  return result;
+}
+
+}  // namespace stillpoint::design
