@@ -28,6 +28,7 @@ constexpr std::array command_helps{
                 "  stillpoint design --v0 1 --p 1 --beta 0.8\n"
                 "  stillpoint design --velocity 0.4 --period 3 --max-displacement 0.16 --mass 2e5\n"
                 "  stillpoint design data/scenes/isolator.json --objective time --tolerance 0.1\n"
+                "  stillpoint design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05\n"
                 "  stillpoint design scene.json --json | jq .design\n"
                 "Exit codes: 0 done, 2 wrong input, 3 no admissible design, 4 cross-check failed."},
     CommandHelp{Command::region, "the admissible region of f and delta, without a search",

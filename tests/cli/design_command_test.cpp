@@ -27,14 +27,6 @@ Arguments design(double beta, const Arguments& more = {}) {
 }
 
 /// Asserts success and gives the JSON report.
-json report_of(const Sandbox& sandbox, const Arguments& arguments) {
-  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}));
-  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
-  BOOST_TEST(run.err.empty(), run.err);
-  check_only_finite(run.out);
-  return run.json();
-}
-
 /// The search keeps about 1e-9 away from the edges of the region.
 constexpr double off_edge = 1e-8;
 

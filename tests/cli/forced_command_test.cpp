@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #define BOOST_TEST_MODULE forced_command
+#include "forced_arguments.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -25,18 +26,7 @@ using nlohmann::json;
 using std::numbers::pi;
 namespace data = boost::unit_test::data;
 
-using Texts = std::vector<std::string>;
 using Row = std::vector<double>;
-
-json report_of(const Sandbox& sandbox, const Arguments& arguments, const std::string& input = {}) {
-  Surroundings surroundings;
-  surroundings.input = input;
-  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}), surroundings);
-  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
-  BOOST_TEST(run.err.empty(), run.err);
-  check_only_finite(run.out);
-  return run.json();
-}
 
 json response_of(const Sandbox& sandbox, const Arguments& arguments) {
   return report_of(sandbox, arguments)["response"];
@@ -51,21 +41,10 @@ const Arguments s4{"simulate", "--v0",     "0.5",  "--p",          "1",        "
                    "0.18",     "--delta",  "0",    "--excitation", "harmonic", "--k",
                    "0.2",      "--lambda", "0.35", "--t-end",      "200"};
 
-/// A mass at rest, to be shaken.
-Arguments at_rest(const Arguments& more) {
-  return joined({"simulate", "--p", "1", "--f", "0.1", "--delta", "0.01"}, more);
-}
-
-/// The same without friction, for answers in closed form.
+/// Without friction, for answers in closed form.
 Arguments free_at_rest(const Arguments& more) {
   return joined({"simulate", "--p", "1", "--f", "0", "--delta", "0"}, more);
 }
-
-Arguments pulse(const char* type, const Arguments& more = {}) {
-  return at_rest(joined({"--excitation", type, "--k", "0.5", "--lambda", "2"}, more));
-}
-
-const Arguments harmonic = pulse("harmonic", {"--t-end", "20"});
 
 /// Rows of numbers, as a record file has them.
 std::string column_file(const std::vector<Row>& rows) {
@@ -303,9 +282,9 @@ const std::vector<Kind> kinds{
 BOOST_DATA_TEST_CASE_F(Sandbox, scene_is_as_good_as_flags, data::make(kinds), kind) {
   write("w.txt", "3\n-2\n4\n0\n");
   const json by_flags = report_of(*this, at_rest(kind.flags));
-  const json by_scene =
-      report_of(*this, {"simulate", "-"},
-                std::string(R"({"p": 1, "f": 0.1, "delta": 0.01, )") + kind.scene + "}");
+  Surroundings piped;
+  piped.input = std::string(R"({"p": 1, "f": 0.1, "delta": 0.01, )") + kind.scene + "}";
+  const json by_scene = report_of(*this, {"simulate", "-"}, piped);
   BOOST_TEST(by_scene == by_flags);
   BOOST_TEST(by_flags["response"]["peak_amplitude"].get<double>() > 0.01);
   BOOST_TEST(by_flags["input"]["v0"] == 0);
@@ -600,225 +579,6 @@ BOOST_AUTO_TEST_CASE(trajectory_of_physical_input_has_metres_and_seconds) {
   }
   BOOST_TEST(near(peak, quantities["peak_m"], 1e-14));
   BOOST_TEST(near(rows.back()[3], quantities["stop_time_s"], 1e-11));
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-// ---- wrong input
-
-namespace {
-
-/// One way to go wrong, and what the message must hold: the field, the value, the bound.
-struct Wrong {
-  const char* name;
-  Arguments arguments;
-  Texts says;
-  std::string input{};
-};
-
-std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
-  return stream << wrong.name;
-}
-
-/// Exit code 2, one line on standard error with all of `says`, and nothing else anywhere.
-void check_refused(const Sandbox& sandbox, const Wrong& wrong) {
-  const auto before = sandbox.contents();
-  Surroundings surroundings;
-  surroundings.input = wrong.input;
-  for (const Arguments& more : {Arguments{}, Arguments{"--json", "--output", "report.json"}}) {
-    const ProgramRun run = sandbox.run(joined(wrong.arguments, more), surroundings);
-    BOOST_TEST(run.exit_code == 2);
-    BOOST_TEST(run.out.empty(), run.out.substr(0, 200));
-    BOOST_TEST(run.err_lines().size() == 1U, run.err);
-    BOOST_TEST(run.err.starts_with("stillpoint: "), run.err);
-    for (const std::string& part : wrong.says) {
-      BOOST_TEST(run.err.find(part) != std::string::npos, "no " << part << " in " << run.err);
-    }
-    BOOST_TEST((sandbox.contents() == before));
-  }
-}
-
-Wrong scene(const char* name, const std::string& excitation, const Texts& says) {
-  return {name,
-          {"simulate", "-"},
-          says,
-          R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.01, "excitation": )" + excitation + "}"};
-}
-
-const Arguments step_record{"--record", "values.txt", "--record-step", "1"};
-
-const std::vector<Wrong> wrong_inputs{
-    {"type_unknown", pulse("sine"), {"excitation = sine", "harmonic, half-sine"}},
-    {"type_empty", pulse(""), {"excitation = ", "must be harmonic"}},
-    {"type_in_capitals", pulse("Harmonic"), {"excitation = Harmonic", "must be"}},
-    {"k_missing", at_rest({"--excitation", "half-sine", "--lambda", "1"}), {"k is missing", "--k"}},
-    {"lambda_missing",
-     at_rest({"--excitation", "half-sine", "--k", "1"}),
-     {"lambda is missing", "--lambda"}},
-    {"lambda_zero",
-     at_rest({"--excitation", "rectangle", "--k", "1", "--lambda", "0"}),
-     {"lambda = 0", "from 1e-150"}},
-    {"lambda_negative",
-     at_rest({"--excitation", "half-sine", "--k", "1", "--lambda", "-2"}),
-     {"lambda = -2", "from 1e-150"}},
-    {"lambda_far_from_p",
-     at_rest({"--excitation", "half-sine", "--k", "1", "--lambda", "1e13"}),
-     {"lambda = 1", "lambda / p must be from 1e-12"}},
-    {"k_too_large",
-     at_rest({"--excitation", "half-sine", "--k", "1e151", "--lambda", "1"}),
-     {"k = 1e+151", "1e+150"}},
-    {"k_no_number",
-     at_rest({"--excitation", "half-sine", "--k", "nan", "--lambda", "1"}),
-     {"k = ", "nan", "must be"}},
-    {"duration_negative", pulse("harmonic", {"--duration", "-1"}), {"duration = -1", "from"}},
-    {"phase_of_a_half_sine", pulse("half-sine", {"--phase", "1"}), {"phase", "half-sine"}},
-    {"phase_of_a_full_sine", pulse("full-sine", {"--phase", "1"}), {"phase", "full-sine"}},
-    {"duration_of_a_rectangle", pulse("rectangle", {"--duration", "1"}), {"duration", "rectangle"}},
-    {"k_without_excitation", at_rest({"--v0", "1", "--k", "1"}), {"k ", "--excitation"}},
-    {"k_without_excitation_or_start", at_rest({"--k", "1"}), {"k ", "--excitation"}},
-    {"phase_without_excitation", at_rest({"--v0", "1", "--phase", "1"}), {"phase", "--excitation"}},
-    {"record_step_without_record",
-     at_rest({"--v0", "1", "--record-step", "1"}),
-     {"record-step", "--excitation"}},
-    {"k_of_a_record", at_rest(joined(step_record, {"--k", "1"})), {"k and excitation record"}},
-    {"phase_of_a_record",
-     at_rest(joined(step_record, {"--phase", "1", "--excitation", "record"})),
-     {"phase and excitation record"}},
-    {"record_of_a_harmonic",
-     joined(harmonic, {"--record", "values.txt"}),
-     {"record and excitation harmonic"}},
-    {"record_units_of_a_harmonic",
-     joined(harmonic, {"--record-units", "g"}),
-     {"record-units and excitation harmonic"}},
-    {"record_scale_of_a_pulse",
-     pulse("half-sine", {"--record-scale", "2"}),
-     {"record-scale and excitation half-sine"}},
-    {"end_of_a_harmonic_missing", pulse("harmonic"), {"t-end is missing", "--t-end"}},
-    {"end_zero", pulse("half-sine", {"--t-end", "0"}), {"t-end = 0"}},
-    {"end_negative", pulse("harmonic", {"--t-end", "-1"}), {"t-end = -1"}},
-    {"end_without_excitation", at_rest({"--v0", "1", "--t-end", "1"}), {"t-end", "--excitation"}},
-    {"start_missing_without_excitation", at_rest({}), {"v0 is missing"}},
-    {"record_missing", at_rest({"--excitation", "record"}), {"record is missing", "--record"}},
-    {"record_that_does_not_exist",
-     at_rest({"--record", "none.txt"}),
-     {"record none.txt", "No such file"}},
-    {"record_that_is_empty", at_rest({"--record", "empty.txt"}), {"record empty.txt"}},
-    {"record_with_a_text_for_a_number",
-     at_rest({"--record", "text.txt"}),
-     {"record text.txt, line 4", "much"}},
-    {"record_whose_time_does_not_grow",
-     at_rest({"--record", "times.txt"}),
-     {"record times.txt, line 3", "time 1"}},
-    {"record_that_holds_less_than_it_says",
-     at_rest({"--record", "short.at2"}),
-     {"record short.at2, line ", "4"}},
-    {"record_step_missing", at_rest({"--record", "values.txt"}), {"record-step is missing"}},
-    {"record_step_zero",
-     at_rest({"--record", "values.txt", "--record-step", "0"}),
-     {"record-step = 0"}},
-    {"record_units_unknown",
-     at_rest(joined(step_record, {"--record-units", "km"})),
-     {"record-units", "km", "cm/s2"}},
-    {"record_scale_zero",
-     at_rest(joined(step_record, {"--record-scale", "0"})),
-     {"record-scale = 0"}},
-    {"gravity_of_a_record_zero", at_rest(joined(step_record, {"--gravity", "0"})), {"gravity = 0"}},
-    {"gravity_without_a_record", joined(harmonic, {"--gravity", "9"}), {"gravity", "exclude"}},
-    {"excitation_of_design",
-     {"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--excitation", "harmonic"},
-     {"--excitation", "no option of design"}},
-    {"record_of_region",
-     {"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--record", "values.txt"},
-     {"--record", "no option of region"}},
-    scene("scene_unknown_key", R"({"type": "half-sine", "k": 1, "lambda": 1, "colour": "red"})",
-          {"excitation.colour = \"red\"", "not a key"}),
-    scene("scene_key_of_the_motion", R"({"type": "half-sine", "k": 1, "lambda": 1, "x0": 1})",
-          {"excitation.x0 = 1", "not a key"}),
-    scene("scene_repeated_key", R"({"type": "half-sine", "k": 1, "k": 1, "lambda": 1})",
-          {"k is set twice"}),
-    scene("scene_key_inside_and_outside", R"({"type": "half-sine", "k": 1, "lambda": 1}, "k": 1)",
-          {"k is set twice"}),
-    scene("scene_empty", "{}", {"excitation = {}", "must have a type"}),
-    scene("scene_without_a_type", R"({"k": 1, "lambda": 1})", {"k ", "--excitation"}),
-    scene("scene_type_no_text", R"({"type": 1, "k": 1, "lambda": 1})", {"excitation = 1"}),
-    scene("scene_text_for_a_number", R"({"type": "half-sine", "k": "1", "lambda": 1})",
-          {"k = \"1\"", "must be a number"}),
-    scene("scene_number", "1", {"excitation = 1"}),
-    scene("scene_null", "null", {"excitation = null"}),
-    scene("scene_k_missing", R"({"type": "half-sine", "lambda": 1})", {"k is missing"}),
-    scene("scene_lambda_zero", R"({"type": "half-sine", "k": 1, "lambda": 0})", {"lambda = 0"}),
-    scene("scene_within_itself", R"({"type": "half-sine", "excitation": {"k": 1}})",
-          {"excitation.excitation", "not a key"}),
-};
-
-}  // namespace
-
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_excitation, data::make(wrong_inputs), wrong) {
-  write("values.txt", "0.1\n0.2\n");
-  write("empty.txt", "");
-  write("text.txt", "# comment\n0 0.1\n1 0.2\n2 much\n");
-  write("times.txt", "0 0.1\n1 0.2\n1 0.3\n");
-  write("short.at2",
-        "A\nB\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= 4, DT= .01 SEC\n.1 .2 .3\n");
-  check_refused(*this, wrong);
-}
-
-BOOST_FIXTURE_TEST_CASE(wrong_excitation_leaves_the_trajectory_alone, Sandbox) {
-  write("motion.csv", "old\n");
-  check_refused(*this, {"", pulse("harmonic", {"--trajectory", "motion.csv"}), {"t-end"}});
-  BOOST_TEST(read("motion.csv") == "old\n");
-}
-
-// ---- long runs
-
-BOOST_FIXTURE_TEST_SUITE(long_run, Sandbox)
-
-namespace {
-
-/// Some minutes.
-Arguments endless(const Arguments& more = {}) {
-  return joined({"simulate", "--v0", "0.5", "--p", "1", "--f", "0.05", "--delta", "0.01",
-                 "--excitation", "harmonic", "--k", "0.2", "--lambda", "1", "--t-end", "1e9"},
-                more);
-}
-
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
-  write("old.json", "an old report\n");
-  Surroundings interrupted;
-  interrupted.interrupt = true;
-  for (const Arguments& more : {Arguments{}, Arguments{"--json", "--output", "old.json"},
-                                Arguments{"--trajectory", "motion.csv"}}) {
-    const ProgramRun stopped = run(endless(more), interrupted);
-    BOOST_TEST(stopped.exit_code == 130);
-    BOOST_TEST(stopped.out.empty(), stopped.out);
-    BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
-    BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted at tau = "), stopped.err);
-    BOOST_TEST(contents().size() == 1U);
-    BOOST_TEST(read("old.json") == "an old report\n");
-  }
-}
-
-BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end) {
-  Surroundings interrupted;
-  interrupted.interrupt = true;
-  interrupted.error_is_terminal = true;
-  const ProgramRun stopped = run(endless(), interrupted);
-  BOOST_TEST(stopped.exit_code == 130);
-  BOOST_TEST(stopped.err.starts_with("\rtau "), stopped.err);
-  BOOST_TEST(stopped.err.find(" of 1e+09, ") != std::string::npos, stopped.err);
-  // The line is cleared before the message takes its place.
-  BOOST_TEST(stopped.err.find("\r\x1b[Kstillpoint: interrupted") != std::string::npos, stopped.err);
-  BOOST_TEST(std::ranges::count(stopped.err, '\n') == 1);
-}
-
-BOOST_AUTO_TEST_CASE(short_run_shows_none) {
-  Surroundings on_terminal;
-  on_terminal.error_is_terminal = true;
-  const ProgramRun brief = run(harmonic, on_terminal);
-  BOOST_TEST(brief.exit_code == 0);
-  BOOST_TEST(brief.err.empty(), brief.err);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -18,14 +18,6 @@ Arguments region(const Arguments& more = {}) {
   return joined({"region", "--v0", "1", "--p", "1", "--beta", "0.8"}, more);
 }
 
-json report_of(const Sandbox& sandbox, const Arguments& arguments) {
-  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}));
-  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
-  BOOST_TEST(run.err.empty(), run.err);
-  check_only_finite(run.out);
-  return run.json();
-}
-
 std::set<std::string> violated(const json& report) {
   std::set<std::string> names;
   for (const json& now : report.at("constraints")) {

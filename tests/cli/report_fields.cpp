@@ -73,6 +73,15 @@ json without_wall_times(json report) {
   return report;
 }
 
+nlohmann::json report_of(const Sandbox& sandbox, const Arguments& arguments,
+                         const Surroundings& surroundings) {
+  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}), surroundings);
+  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
+  BOOST_TEST(run.err.empty(), run.err);
+  check_only_finite(run.out);
+  return run.json();
+}
+
 bool near(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
 }

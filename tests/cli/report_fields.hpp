@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "run_program.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <initializer_list>
@@ -21,6 +23,11 @@ void check_only_finite(std::string_view report);
 
 /// The report without its wall times, which are the only thing that differs from run to run.
 [[nodiscard]] nlohmann::json without_wall_times(nlohmann::json report);
+
+/// The report of a run with --json that must end well, without a word on standard error and with
+/// finite numbers alone.
+[[nodiscard]] nlohmann::json report_of(const Sandbox& sandbox, const Arguments& arguments,
+                                       const Surroundings& surroundings = {});
 
 /// |a - b| <= tolerance * max(|a|, |b|)
 [[nodiscard]] bool near(double a, double b, double tolerance);

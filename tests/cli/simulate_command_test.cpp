@@ -25,20 +25,12 @@ Surroundings impatient() {
   return surroundings;
 }
 
-json report_of(const Sandbox& sandbox, const Arguments& arguments) {
-  const ProgramRun run = sandbox.run(joined(arguments, {"--json"}), impatient());
-  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
-  BOOST_TEST(run.err.empty(), run.err);
-  check_only_finite(run.out);
-  return run.json();
-}
-
 }  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(simulate_command, Sandbox)
 
 BOOST_AUTO_TEST_CASE(report_has_every_field_of_the_contract) {
-  const json report = report_of(*this, simulate("0.02", "0.02"));
+  const json report = report_of(*this, simulate("0.02", "0.02"), impatient());
   BOOST_TEST(report["schema"] == "stillpoint/simulation-report/1");
   check_fields(
       report, {"input:object", "response:object", "half_cycles:array", "half_cycles_listed:count"});
@@ -52,7 +44,7 @@ BOOST_AUTO_TEST_CASE(report_has_every_field_of_the_contract) {
 }
 
 BOOST_AUTO_TEST_CASE(metrics_are_those_of_the_reference) {
-  const json response = report_of(*this, simulate("0.02", "0.02"))["response"];
+  const json response = report_of(*this, simulate("0.02", "0.02"), impatient())["response"];
   BOOST_TEST(near(response["peak_amplitude"], 0.98019998000399900, 1e-15));
   BOOST_TEST(near(response["stop_time"], 34.598868822426208, 1e-14));
   BOOST_TEST(response["half_cycles"] == 11);
@@ -62,14 +54,14 @@ BOOST_AUTO_TEST_CASE(metrics_are_those_of_the_reference) {
   BOOST_TEST(response["stop_position"] == 0);
   BOOST_TEST(response["outcome"] == "stopped_at_zero");
 
-  const json longer = report_of(*this, simulate("1e-3", "1e-4"))["response"];
+  const json longer = report_of(*this, simulate("1e-3", "1e-4"), impatient())["response"];
   BOOST_TEST(near(longer["peak_amplitude"], 0.99900049999987500, 1e-15));
   BOOST_TEST(near(longer["stop_time"], 1332.0849129162111, 1e-12));
   BOOST_TEST(longer["half_cycles"] == 424);
 }
 
 BOOST_AUTO_TEST_CASE(half_cycles_follow_one_another) {
-  const json report = report_of(*this, simulate("0.02", "0.02"));
+  const json report = report_of(*this, simulate("0.02", "0.02"), impatient());
   const json& list = report["half_cycles"];
   BOOST_TEST_REQUIRE(list.size() == 11U);
   BOOST_TEST(report["half_cycles_listed"] == 11);
@@ -96,10 +88,10 @@ BOOST_AUTO_TEST_CASE(half_cycles_follow_one_another) {
 }
 
 BOOST_AUTO_TEST_CASE(list_of_half_cycles_is_capped_as_asked) {
-  const json all = report_of(*this, simulate("0.02", "0.02"));
+  const json all = report_of(*this, simulate("0.02", "0.02"), impatient());
   for (const int most : {0, 1, 4, 11, 12}) {
-    const json report =
-        report_of(*this, simulate("0.02", "0.02", {"--max-half-cycles", std::to_string(most)}));
+    const json report = report_of(
+        *this, simulate("0.02", "0.02", {"--max-half-cycles", std::to_string(most)}), impatient());
     const auto listed = static_cast<std::size_t>(std::min(most, 11));
     BOOST_TEST(report["half_cycles"].size() == listed);
     BOOST_TEST(report["half_cycles_listed"] == listed);
@@ -111,7 +103,7 @@ BOOST_AUTO_TEST_CASE(list_of_half_cycles_is_capped_as_asked) {
 }
 
 BOOST_AUTO_TEST_CASE(rest_in_the_dead_zone_is_an_outcome) {
-  const json report = report_of(*this, simulate("0.3", "0.02"));
+  const json report = report_of(*this, simulate("0.3", "0.02"), impatient());
   const json& response = report["response"];
   BOOST_TEST(response["outcome"] == "stopped_in_dead_zone");
   BOOST_TEST(response["stops_at_zero"] == false);
@@ -125,7 +117,7 @@ BOOST_AUTO_TEST_CASE(rest_in_the_dead_zone_is_an_outcome) {
 }
 
 BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {
-  const json report = report_of(*this, simulate("0", "0", {"--max-half-cycles", "3"}));
+  const json report = report_of(*this, simulate("0", "0", {"--max-half-cycles", "3"}), impatient());
   const json& response = report["response"];
   BOOST_TEST(response["outcome"] == "never_stops");
   BOOST_TEST(response["peak_amplitude"] == 1);
@@ -140,7 +132,7 @@ BOOST_AUTO_TEST_CASE(without_friction_it_never_stops_and_says_so_at_once) {
 }
 
 BOOST_AUTO_TEST_CASE(notch_deeper_than_the_start_s_energy_holds_it) {
-  const json report = report_of(*this, simulate("0.1", "0.6"));
+  const json report = report_of(*this, simulate("0.1", "0.6"), impatient());
   const json& response = report["response"];
   BOOST_TEST(response["outcome"] == "caught_at_start");
   BOOST_TEST(response["peak_amplitude"] == 0);
@@ -151,14 +143,15 @@ BOOST_AUTO_TEST_CASE(notch_deeper_than_the_start_s_energy_holds_it) {
   BOOST_TEST(report["half_cycles"].empty());
   BOOST_TEST(report["half_cycles_listed"] == 0);
   // v0^2 = 2 delta to the last bit is let go.
-  BOOST_TEST(report_of(*this, simulate("0.1", "0.5"))["response"]["outcome"] == "stopped_at_zero");
-  BOOST_TEST(report_of(*this, simulate("0.1", "0.5000000000000001"))["response"]["outcome"] ==
-             "caught_at_start");
+  BOOST_TEST(report_of(*this, simulate("0.1", "0.5"), impatient())["response"]["outcome"] ==
+             "stopped_at_zero");
+  BOOST_TEST(report_of(*this, simulate("0.1", "0.5000000000000001"),
+                       impatient())["response"]["outcome"] == "caught_at_start");
 }
 
 BOOST_AUTO_TEST_CASE(nothing_that_moves_rests_where_it_is) {
   const Arguments still{"simulate", "--v0", "0", "--p", "1", "--f", "0.1", "--delta", "0.1"};
-  const json response = report_of(*this, still)["response"];
+  const json response = report_of(*this, still, impatient())["response"];
   BOOST_TEST(response["half_cycles"] == 0);
   BOOST_TEST(response["stop_time"] == 0);
   BOOST_TEST(response["stop_position"] == 0);
@@ -169,7 +162,7 @@ BOOST_AUTO_TEST_CASE(nothing_that_moves_rests_where_it_is) {
 BOOST_AUTO_TEST_CASE(may_start_off_the_centre) {
   // From rest at x0 = 1: back to x = 0 with v^2 = x0 (x0 - 2 f) and no peak but the start.
   const Arguments from_rest{"simulate", "--p", "1", "--f", "0.1", "--delta", "0.5", "--x0", "1"};
-  const json report = report_of(*this, from_rest);
+  const json report = report_of(*this, from_rest, impatient());
   BOOST_TEST(report["input"]["x0"] == 1);
   BOOST_TEST(report["input"]["v0"] == 0);
   const json& response = report["response"];
@@ -188,12 +181,12 @@ BOOST_AUTO_TEST_CASE(may_start_off_the_centre) {
 
 BOOST_AUTO_TEST_CASE(a_million_million_half_cycles_take_no_time) {
   // v^2 falls by 9.8e-13 at each passage: 1/9.8e-13 = 1020408163265.3 of them.
-  const json notch = report_of(*this, simulate("0", "4.9e-13"))["response"];
+  const json notch = report_of(*this, simulate("0", "4.9e-13"), impatient())["response"];
   BOOST_TEST(notch["half_cycles"] == 1020408163266);
   BOOST_TEST(near(notch["stop_time"], 1020408163266 * std::numbers::pi, 1e-12));
   BOOST_TEST(notch["outcome"] == "stopped_at_zero");
   // Peaks fall by 9.8e-13 each from 1 - 4.9e-13.
-  const json friction = report_of(*this, simulate("4.9e-13", "0"))["response"];
+  const json friction = report_of(*this, simulate("4.9e-13", "0"), impatient())["response"];
   BOOST_TEST(friction["half_cycles"] == 1020408163265);
   BOOST_TEST(near(friction["stop_time"], 1020408163265 * std::numbers::pi, 1e-11));
   BOOST_TEST(friction["outcome"] == "stopped_in_dead_zone");
@@ -201,7 +194,7 @@ BOOST_AUTO_TEST_CASE(a_million_million_half_cycles_take_no_time) {
 }
 
 BOOST_AUTO_TEST_CASE(counts_beyond_the_integers_of_a_double_are_numbers) {
-  const json response = report_of(*this, simulate("0", "1e-20"))["response"];
+  const json response = report_of(*this, simulate("0", "1e-20"), impatient())["response"];
   BOOST_TEST(near(response["half_cycles"], 5e19, 1e-12));
   BOOST_TEST(near(response["stop_time"], 5e19 * std::numbers::pi, 1e-12));
   const ProgramRun text = run(simulate("0", "1e-20"), impatient());
@@ -213,7 +206,8 @@ BOOST_AUTO_TEST_CASE(counts_beyond_the_integers_of_a_double_are_numbers) {
 
 BOOST_AUTO_TEST_CASE(limit_of_half_cycles_can_be_set) {
   BOOST_TEST(run(simulate("1e-5", "1e-9", {"--half-cycle-limit", "1000"})).exit_code == 2);
-  const json report = report_of(*this, simulate("1e-5", "1e-9", {"--half-cycle-limit", "1e6"}));
+  const json report =
+      report_of(*this, simulate("1e-5", "1e-9", {"--half-cycle-limit", "1e6"}), impatient());
   BOOST_TEST(report["response"]["half_cycles"].get<double>() > 10'000);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #define BOOST_TEST_MODULE wrong_input
 #include "options.hpp"
+#include "refusal.hpp"
 #include "run_program.hpp"
 
 #include <boost/test/data/monomorphic.hpp>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,54 +22,6 @@ using namespace stillpoint::cli_test;
 namespace cli = stillpoint::cli;
 namespace data = boost::unit_test::data;
 namespace fs = std::filesystem;
-
-using Texts = std::vector<std::string>;
-
-/// One way to go wrong, and what the message must hold: the field, the value, the bound.
-struct Wrong {
-  const char* name;
-  Arguments arguments;
-  Texts says;
-  std::string input{};
-};
-
-std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
-  return stream << wrong.name;
-}
-
-/// Asserts exit code 2, one line on standard error with all of `says`, nothing else anywhere.
-void check_refusal(const ProgramRun& run, const Texts& says) {
-  BOOST_TEST(run.exit_code == 2);
-  BOOST_TEST(run.out.empty(), run.out.substr(0, 200));
-  BOOST_TEST(run.err_lines().size() == 1U, run.err);
-  BOOST_TEST(run.err.starts_with("stillpoint: "), run.err);
-  BOOST_TEST(run.err.ends_with('\n'), run.err);
-  for (const std::string& part : says) {
-    BOOST_TEST(run.err.find(part) != std::string::npos, "no " << part << " in " << run.err);
-  }
-}
-
-bool has(const Arguments& arguments, const char* word) {
-  return std::ranges::find(arguments, word) != arguments.end();
-}
-
-/// The same for a run in `sandbox`, where an old report must survive.
-void check_refused(const Sandbox& sandbox, const Wrong& wrong,
-                   const Surroundings& surroundings = {}) {
-  sandbox.write("old.json", "an old report\n");
-  const auto before = sandbox.contents();
-  Surroundings now = surroundings;
-  now.input = wrong.input;
-  check_refusal(sandbox.run(wrong.arguments, now), wrong.says);
-  BOOST_TEST((sandbox.contents() == before));
-  if (!wrong.arguments.empty() && !has(wrong.arguments, "--output")) {
-    Arguments with_output = wrong.arguments;
-    const Arguments output{"--output", "old.json"};
-    with_output.insert(with_output.begin() + 1, output.begin(), output.end());
-    check_refusal(sandbox.run(with_output, now), wrong.says);
-    BOOST_TEST((sandbox.contents() == before));
-  }
-}
 
 Arguments design(const Arguments& more = {}) {
   return joined({"design", "--v0", "1", "--p", "1", "--beta", "0.9"}, more);

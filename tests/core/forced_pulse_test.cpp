@@ -92,6 +92,37 @@ BOOST_AUTO_TEST_CASE(the_equivalent_velocity_of_a_rectangle_is_right_to_second_o
   }
 }
 
+BOOST_AUTO_TEST_CASE(without_friction_the_free_motion_starts_at_the_centroid) {
+  BOOST_TEST(equivalent_start(HalfSine<>{0.5, 20}, 0).tau == half_circle / 40,
+             boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(equivalent_start(Rectangle<>{0.5, 20}, 0).tau == half_circle / 40,
+             boost::test_tools::tolerance(1e-15));
+}
+
+// (F23): tau_s and the free stop time against the true one. The free motion rests at its turn,
+// without point friction, where f / p is more than half of the peak.
+BOOST_AUTO_TEST_CASE(the_equivalent_start_is_right_to_second_order) {
+  const auto check = [](const auto& pulse_of) {
+    double before = 0;
+    for (const double eps : {0.00625, 0.003125, 0.0015625}) {
+      const auto pulse = pulse_of(1 / eps);
+      const double f = 0.3 * eps;  // the motion keeps its shape as it shrinks
+      const auto forced = forced_response({1, f, 0}, {0, 0}, pulse);
+      const EquivalentStart start = equivalent_start(pulse, f);
+      const auto free = free_response({1, f, 0}, {0, start.speed});
+      BOOST_TEST(*forced.half_cycles == *free.half_cycles);
+      const double error = std::abs((start.tau + *free.stop_time) / *forced.stop_time - 1);
+      if (before > 0) {
+        BOOST_TEST(std::log2(before / error) > 1.9);
+      }
+      before = error;
+    }
+    BOOST_TEST(before <= 1e-6);
+  };
+  check([](double lambda) { return HalfSine<>{0.5, lambda}; });
+  check([](double lambda) { return Rectangle<>{0.5, lambda}; });
+}
+
 BOOST_AUTO_TEST_CASE(strong_friction_stops_the_mass_during_the_pulse) {
   // f / k = 0.9: beyond the closed form's 0.725
   double before = 0;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE long_run
+#include "forced_arguments.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <string>
+
+using namespace stillpoint::cli_test;
+
+BOOST_FIXTURE_TEST_SUITE(long_run, Sandbox)
+
+namespace {
+
+/// Some minutes.
+Arguments endless(const Arguments& more = {}) {
+  return joined({"simulate", "--v0", "0.5", "--p", "1", "--f", "0.05", "--delta", "0.01",
+                 "--excitation", "harmonic", "--k", "0.2", "--lambda", "1", "--t-end", "1e9"},
+                more);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
+  write("old.json", "an old report\n");
+  Surroundings interrupted;
+  interrupted.interrupt = true;
+  for (const Arguments& more : {Arguments{}, Arguments{"--json", "--output", "old.json"},
+                                Arguments{"--trajectory", "motion.csv"}}) {
+    const ProgramRun stopped = run(endless(more), interrupted);
+    BOOST_TEST(stopped.exit_code == 130);
+    BOOST_TEST(stopped.out.empty(), stopped.out);
+    BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
+    BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted at tau = "), stopped.err);
+    BOOST_TEST(contents().size() == 1U);
+    BOOST_TEST(read("old.json") == "an old report\n");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end) {
+  Surroundings interrupted;
+  interrupted.interrupt = true;
+  interrupted.error_is_terminal = true;
+  const ProgramRun stopped = run(endless(), interrupted);
+  BOOST_TEST(stopped.exit_code == 130);
+  BOOST_TEST(stopped.err.starts_with("\rtau "), stopped.err);
+  BOOST_TEST(stopped.err.find(" of 1e+09, ") != std::string::npos, stopped.err);
+  // The line is cleared before the message takes its place.
+  BOOST_TEST(stopped.err.find("\r\x1b[Kstillpoint: interrupted") != std::string::npos, stopped.err);
+  BOOST_TEST(std::ranges::count(stopped.err, '\n') == 1);
+}
+
+BOOST_AUTO_TEST_CASE(short_run_shows_none) {
+  Surroundings on_terminal;
+  on_terminal.error_is_terminal = true;
+  const ProgramRun brief = run(harmonic, on_terminal);
+  BOOST_TEST(brief.exit_code == 0);
+  BOOST_TEST(brief.err.empty(), brief.err);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

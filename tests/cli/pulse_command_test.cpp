@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE pulse_command
+#include "refusal.hpp"
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// design --pulse, from the flags to the report.
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+namespace data = boost::unit_test::data;
+
+const Arguments asked{"design", "--pulse", "half-sine", "--k",    "0.5", "--lambda",
+                      "20",     "--p",     "1",         "--beta", "0.05"};
+
+/// Without the option and its value.
+Arguments without(Arguments arguments, const std::string& option) {
+  const auto found = std::ranges::find(arguments, option);
+  BOOST_REQUIRE(found != arguments.end());
+  arguments.erase(found, found + 2);
+  return arguments;
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(pulse_command, Sandbox)
+
+BOOST_AUTO_TEST_CASE(report_says_how_the_design_stands_under_its_pulse) {
+  const json report = report_of(*this, asked);
+  BOOST_TEST(report["schema"] == "stillpoint/design-report/1");
+  BOOST_TEST(report["input"]["pulse"] == "half-sine");
+  BOOST_TEST(report["input"]["k"] == 0.5);
+  BOOST_TEST(report["input"]["lambda"] == 20);
+  const json& pulse = report["pulse"];
+  check_fields(pulse, {"shortness:number", "friction_ratio:number", "equivalent_v0:number",
+                       "equivalent_start:number", "peak_error:number", "stop_time_error:number?",
+                       "warnings:array", "response:object"});
+  check_response_fields(pulse["response"]);
+  check_fields(pulse["response"], {"end_time:number", "final_position:number",
+                                   "final_velocity:number", "sticks:count", "stick_time:number"});
+  BOOST_TEST(report["input"]["v0"] == pulse["equivalent_v0"]);
+  BOOST_TEST(pulse["shortness"] == 0.05);
+  BOOST_TEST(pulse["warnings"].empty());
+  // docs/forced.md section 8
+  BOOST_TEST(pulse["peak_error"].get<double>() > 0.21 * 0.0025);
+  BOOST_TEST(pulse["peak_error"].get<double>() < 0.31 * 0.0025);
+}
+
+BOOST_AUTO_TEST_CASE(cross_check_has_the_pulse_as_a_method) {
+  const json report = report_of(*this, asked);
+  std::vector<std::string> names;
+  for (const json& method : report["cross_check"]["methods"]) {
+    names.push_back(method["name"]);
+    BOOST_TEST(method["passed"] == true);
+  }
+  BOOST_TEST((names == std::vector<std::string>{"half_cycle_map", "runge_kutta", "forced_pulse"}));
+}
+
+// The same run by hand.
+BOOST_AUTO_TEST_CASE(response_under_the_pulse_is_that_of_simulate) {
+  const json report = report_of(*this, asked);
+  const json by_hand =
+      report_of(*this, {"simulate", "--p", "1", "--f", in_full(report["design"]["f"]), "--delta",
+                        in_full(report["design"]["delta"]), "--excitation", "half-sine", "--k",
+                        "0.5", "--lambda", "20"});
+  BOOST_TEST(report["pulse"]["response"] == by_hand["response"]);
+}
+
+// And the same design for the velocity found, but for its tolerance, which knows no V(f).
+BOOST_AUTO_TEST_CASE(velocity_of_the_report_gives_the_same_motion) {
+  const json report = report_of(*this, asked);
+  const json by_hand = report_of(
+      *this, {"simulate", "--v0", in_full(report["input"]["v0"]), "--p", "1", "--f",
+              in_full(report["design"]["f"]), "--delta", in_full(report["design"]["delta"])});
+  BOOST_TEST(report["response"] == by_hand["response"]);
+}
+
+BOOST_AUTO_TEST_CASE(plain_design_has_no_pulse) {
+  const json report = report_of(*this, {"design", "--v0", "1", "--p", "1", "--beta", "0.9"});
+  BOOST_TEST(report["pulse"].is_null());
+  BOOST_TEST(report["input"]["pulse"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
+  const ProgramRun run = this->run(asked);
+  BOOST_TEST(run.exit_code == 0);
+  for (const char* part : {"half-sine, k = 0.5, lambda = 20", "Under the pulse itself",
+                           "reduced to", "forced_pulse", "more than this"}) {
+    BOOST_TEST(run.out.find(part) != std::string::npos, "no " << part << " in " << run.out);
+  }
+  BOOST_TEST(run.out.find("Note:") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_hold_is_warned_of) {
+  const Arguments bad{"design", "--pulse", "rectangle", "--k", "0.5",         "--lambda", "3",
+                      "--p",    "1",       "--beta",    "0.6", "--objective", "amplitude"};
+  const json report = report_of(*this, bad);
+  BOOST_TEST((report["pulse"]["warnings"] ==
+              json{"pulse_not_short", "friction_not_small", "does_not_stop_there"}));
+  const std::string page = run(bad).out;
+  for (const char* part : {"Note: the pulse is not short", "Note: f is not small against k",
+                           "Note: under the pulse itself the mass does not stop"}) {
+    BOOST_TEST(page.find(part) != std::string::npos, "no " << part << " in " << page);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_design_says_what_mends_it_in_terms_of_the_pulse) {
+  Arguments tight = without(asked, "--beta");
+  tight = joined(tight, {"--beta", "0.02"});
+  const ProgramRun run = this->run(joined(tight, {"--json"}));
+  BOOST_TEST(run.exit_code == 3);
+  const json report = run.json();
+  BOOST_TEST(report["design"].is_null());
+  BOOST_TEST(report["pulse"].is_null());
+  std::vector<std::string> inputs;
+  for (const json& mend : report["region"]["mends"]) {
+    inputs.push_back(mend["input"]);
+  }
+  BOOST_TEST((inputs == std::vector<std::string>{"k", "lambda", "p", "beta"}));
+}
+
+// With metres and seconds H = g / omega^2, so that p = 1 and lambda is a ratio of frequencies.
+BOOST_AUTO_TEST_CASE(physical_input_goes_with_a_pulse) {
+  const json report =
+      report_of(*this, {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20",
+                        "--period", "2", "--max-displacement", "0.05", "--mass", "1000"});
+  BOOST_TEST(near(report["input"]["p"], 1, 1e-15));
+  const double h = 9.80665 / (M_PI * M_PI);  // omega = pi
+  BOOST_TEST(near(report["physical"]["length_unit_m"], h, 1e-15));
+  BOOST_TEST(near(report["input"]["beta"], 0.05 / h, 1e-15));
+  BOOST_TEST(near(report["physical"]["velocity_m_per_s"],
+                  report["input"]["v0"].get<double>() * h * M_PI, 1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(scene_gives_a_pulse) {
+  write("scene.json", R"({"pulse": "half-sine", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");
+  BOOST_TEST(without_wall_times(report_of(*this, {"design", "scene.json"})) ==
+             without_wall_times(report_of(*this, asked)));
+}
+
+// Its k and lambda belong to the excitation, which is for simulate.
+BOOST_AUTO_TEST_CASE(scene_with_an_excitation_still_serves_design) {
+  write("scene.json",
+        R"({"v0": 1, "p": 1, "beta": 0.9,
+            "excitation": {"type": "half-sine", "k": 0.5, "lambda": 20}})");
+  const ProgramRun run = this->run({"design", "scene.json", "--json"});
+  BOOST_TEST(run.exit_code == 0);
+  BOOST_TEST(run.json()["pulse"].is_null());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+namespace {
+
+const std::vector<Wrong> wrong_pulses{
+    {"type",
+     joined(without(asked, "--pulse"), {"--pulse", "full-sine"}),
+     {"pulse = full-sine", "half-sine or rectangle"}},
+    {"k_missing", without(asked, "--k"), {"k is missing", "--k"}},
+    {"lambda_missing", without(asked, "--lambda"), {"lambda is missing", "--lambda"}},
+    {"k_zero", joined(without(asked, "--k"), {"--k", "0"}), {"k = 0"}},
+    {"k_negative", joined(without(asked, "--k"), {"--k", "-1"}), {"k = -1"}},
+    {"lambda_below_p",
+     joined(without(asked, "--lambda"), {"--lambda", "0.5"}),
+     {"lambda = 0.5", "from p to"}},
+    {"p_missing", without(asked, "--p"), {"p is missing"}},
+    {"beta_missing", without(asked, "--beta"), {"beta is missing"}},
+    {"with_v0", joined(asked, {"--v0", "1"}), {"v0 and pulse exclude each other"}},
+    {"with_velocity",
+     {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--period", "2",
+      "--max-displacement", "0.05", "--velocity", "1"},
+     {"velocity and pulse exclude each other"}},
+    {"k_without_pulse",
+     {"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--k", "1"},
+     {"k is for a pulse", "--pulse"}},
+    {"lambda_without_pulse",
+     {"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--lambda", "1"},
+     {"lambda is for a pulse", "--pulse"}},
+    {"of_region",
+     {"region", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--p", "1", "--beta", "1"},
+     {"--pulse", "no option of region"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_pulse, data::make(wrong_pulses), wrong) {
+  check_refused(*this, wrong);
+}
