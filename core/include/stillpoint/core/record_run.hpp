@@ -2,7 +2,7 @@
 #pragma once
 
 // A forced run under a record: docs/forced.md section 5. Most intervals between samples hold no
-// event; there (F21) proves it from the values at both ends and the motion advances by eight
+// event; there (F21) proves it from the values at both ends and the motion advances by nine
 // multiplications with coefficients that depend on the interval alone. The others go through
 // ForcedRun::through.
 
@@ -23,6 +23,7 @@ struct IntervalTerms {
   Real versine{0};
   Real lag{0};     ///< (h - sin h) / h
   Real bend{0};    ///< (1 - cos h) / h
+  Real pull{0};    ///< sin h / h
   Real eighth{0};  ///< h / 8
   Real crest{0};  ///< 1 / cos(h/2), or more: between samples |a| is at most this times that at them
   bool short_enough{false};
@@ -37,6 +38,7 @@ struct IntervalTerms {
         versine(terms.versine),
         lag(terms.lag / length),
         bend(terms.versine / length),
+        pull(terms.sine / length),
         eighth(length / 8),
         crest(1 / (1 - length * length / 8)),
         short_enough(length < 1) {}
@@ -134,6 +136,7 @@ class RecordRun {
   /// On from sample i while (F21) proves that no event comes; the sample from which it does not, or
   /// a later one after a stretch that the hook should hear of.
   std::size_t slide_from(std::size_t i, std::size_t last) {
+    constexpr std::size_t afresh = 16;
     ForcedState<Real>& s = run_.state();
     const Real sign(s.direction);
     const Real phi = run_.map().phi;
@@ -152,13 +155,17 @@ class RecordRun {
       const IntervalTerms<Real>& t = terms_;
       const Real next_w = sign * sample(i + 1);
       const Real rise = next_w - w;
-      const Real next_v = v - v * t.versine + a * t.sine - rise * t.bend;
+      const Real next_v = (v - v * t.versine) + (a * t.sine - rise * t.bend);
       const Real next_y = y + (v * t.sine + a * t.versine - rise * t.lag);
       const Real fall = rise < 0 ? Real(-t.eighth * rise) : Real(0);
       if (!(v > fall && next_v > fall && t.short_enough) || (y < 0 && next_y >= 0)) {
         break;
       }
-      const Real next_a = -(next_y + phi + next_w);
+      // By (F16) a needs no y, so that v and a wait for each other alone; from y it is taken anew
+      // now and then, or the rounding errors of both would part them.
+      const Real next_a = i % afresh == 0
+                              ? Real(-(next_y + phi + next_w))
+                              : Real((a - a * t.versine) - (v * t.sine + rise * t.pull));
       if (std::max(Run::magnitude(a), Run::magnitude(next_a)) * t.crest > largest) {
         const LinearPiece<Real> piece({y, v, a}, Real(rise / t.h));
         largest =
