@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #define BOOST_TEST_MODULE forced_random
 #include "support/forced_scene.hpp"
+#include "support/scene_count.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 // Seeded random scenes of every excitation: in double against the same rules in 50 digits, and
@@ -22,16 +22,6 @@ namespace {
 constexpr double decided_margin = 1e-9;
 // Relative to the largest of the motion. The worst of 10^5 scenes is said in docs/forced.md.
 constexpr double metric_tolerance = 1e-11;
-
-int scenes() {
-  const char* asked = std::getenv("STILLPOINT_FORCED_SCENES");
-#ifdef __SANITIZE_ADDRESS__
-  const int usual = 100;
-#else
-  const int usual = 1000;
-#endif
-  return asked != nullptr ? std::atoi(asked) : usual;
-}
 
 double margin_of(const ForcedState<double>& state) {
   return state.margin.any() ? state.margin.value() : 1;
@@ -77,7 +67,7 @@ double error(const ForcedScene<>& scene, const ForcedState<double>& got,
 
 BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
   Dice dice(20260);
-  const int count = scenes();
+  const int count = forced_scene_count();
   double worst = 0;
   int undecided = 0;
   for (int i = 0; i < count; ++i) {
@@ -100,7 +90,7 @@ BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
 BOOST_AUTO_TEST_CASE(no_piece_hides_a_turn) {
   Dice dice(20261);
   constexpr int looks = 100;
-  for (int i = 0; i < scenes(); ++i) {
+  for (int i = 0; i < forced_scene_count(); ++i) {
     const ForcedScene<> scene = random_forced_scene(dice);
     const ForcedRecord<double> run = run_forced(scene);
     for (std::size_t j = 0; j < run.seen.pieces.size(); ++j) {

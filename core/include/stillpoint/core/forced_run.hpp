@@ -149,7 +149,10 @@ class ForcedRun {
     event(ForcedEventKind::turn);
   }
 
-  static Real magnitude(const Real& value) { return value < 0 ? Real(-value) : value; }
+  static Real magnitude(const Real& value) {
+    using std::abs;
+    return abs(value);
+  }
 
  private:
   void stop_where_it_rests() {
