@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+namespace stillpoint::bench {
+
+namespace {
+
+SceneRows compare(const peers::ReferenceScene& scene, const MeasureOptions& options) {
+  SceneRows found{scene, {}};
+  std::vector<std::function<void()>> calls;
+  volatile double sink = 0;
+  for (Method& method : methods(scene)) {
+    MethodRows& rows = found.methods.emplace_back(MethodRows{std::move(method), {}});
+    for (const double setting : rows.method.settings) {
+      const auto run = [&sink, &input = scene.scene, setting, call = rows.method.run] {
+        const peers::Result result = call(input, setting);
+        sink = result.peak;
+        return result;
+      };
+      rows.rows.push_back({setting, {}, judge(scene, run())});
+      calls.emplace_back(run);
+    }
+  }
+  const std::vector<Timing> timings = measure(calls, options);
+  auto timing = timings.begin();
+  for (MethodRows& method : found.methods) {
+    for (Row& row : method.rows) {
+      row.time = *timing++;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+const Row* MethodRows::cheapest(double bound) const {
+  const Row* best = nullptr;
+  for (const Row& row : rows) {
+    if (row.verdict.reaches(bound) && (best == nullptr || row.time.median < best->time.median)) {
+      best = &row;
+    }
+  }
+  return best;
+}
+
+std::optional<Rival> best_rival(const SceneRows& scene, double bound) {
+  std::optional<Rival> best;
+  for (const MethodRows& method : scene.methods) {
+    const Row* row = method.method.rival ? method.cheapest(bound) : nullptr;
+    if (row != nullptr && (!best || row->time.median < best->row->time.median)) {
+      best = Rival{&method, row, row->time.median / scene.kernel().time.median};
+    }
+  }
+  return best;
+}
+
+Comparison compare(const std::vector<peers::ReferenceScene>& scenes,
+                   const MeasureOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  Comparison all;
+  all.machine = this_machine();
+  all.options = options;
+  for (const peers::ReferenceScene& scene : scenes) {
+    fmt::print(stderr, "bench: {}, {}\n", scene.name, scene.legend);
+    all.scenes.push_back(compare(scene, options));
+    if (scene.name == "S2") {
+      all.free_modes = free_modes(scene.scene, options);
+    }
+  }
+  all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return all;
+}
+
+}  // namespace stillpoint::bench

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "free_modes.hpp"
+#include "machine.hpp"
+#include "measure.hpp"
+#include "methods.hpp"
+#include "verdict.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::bench {
+
+/// A method with one setting on one scene.
+struct Row {
+  double setting{0};
+  Timing time;
+  Verdict verdict;
+};
+
+struct MethodRows {
+  Method method;
+  std::vector<Row> rows;  ///< in the order of the settings
+
+  /// The row that takes the least time of those that reach the bound.
+  [[nodiscard]] const Row* cheapest(double bound) const;
+};
+
+struct SceneRows {
+  peers::ReferenceScene scene;
+  std::vector<MethodRows> methods;  ///< the kernel first
+
+  [[nodiscard]] const Row& kernel() const { return methods.front().rows.front(); }
+};
+
+/// The fastest of the rivals on a scene at a bound on its errors.
+struct Rival {
+  const MethodRows* method;
+  const Row* row;
+  double ratio;  ///< its time by that of the kernel
+};
+
+[[nodiscard]] std::optional<Rival> best_rival(const SceneRows& scene, double bound);
+
+/// Everything that one run finds; the reports only render it.
+struct Comparison {
+  Machine machine;
+  MeasureOptions options;
+  double seconds{0};  ///< that the run took
+  std::vector<SceneRows> scenes;
+  std::vector<Unit> free_modes;  ///< on scene S2
+};
+
+[[nodiscard]] Comparison compare(const std::vector<peers::ReferenceScene>& scenes,
+                                 const MeasureOptions& options);
+
+}  // namespace stillpoint::bench

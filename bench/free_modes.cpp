@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "free_modes.hpp"
+
+#include "sqrt_probe.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+
+#include <cstddef>
+
+namespace stillpoint::bench {
+
+namespace {
+
+constexpr std::size_t roots = 1024;  // two arrays of them stay in the first cache
+
+void divide(Timing& timing, double by) {
+  timing.median /= by;
+  timing.low /= by;
+  timing.high /= by;
+}
+
+}  // namespace
+
+std::vector<Unit> free_modes(const peers::Scene& scene, const MeasureOptions& options) {
+  volatile double sink = 0;
+  const std::vector<double> numbers(roots, 2.0);
+  std::vector<double> answers(roots);
+  const auto response = [&](bool times, bool margin) {
+    return [&, times, margin] {
+      sink = free_response(scene.oscillator, scene.start, {.times = times, .margin = margin})
+                 .peak_amplitude;
+    };
+  };
+  const std::vector<std::function<void()>> calls{
+      response(false, false),
+      response(true, false),
+      response(true, true),
+      [&] { sink = free_peak(scene.oscillator, scene.start); },
+      [&] { sink = chained_sqrt(numbers[0], roots); },
+      [&] {
+        vector_sqrt(numbers, answers);
+        sink = answers[roots / 2];
+      },
+  };
+  const double half_cycles = free_response(scene.oscillator, scene.start).half_cycles.value();
+  std::vector<Timing> timings = measure(calls, options);
+  for (std::size_t i = 0; i < 3; ++i) {
+    divide(timings[i], half_cycles);
+  }
+  divide(timings[4], static_cast<double>(roots));
+  divide(timings[5], static_cast<double>(roots));
+  return {{"a half-cycle, counts and peaks alone", timings[0]},
+          {"a half-cycle, with times", timings[1]},
+          {"a half-cycle, with times and decision margin", timings[2]},
+          {"free_peak, a whole motion", timings[3]},
+          {"hardware square root, each waiting for the last", timings[4]},
+          {"hardware square root, in vectors", timings[5]}};
+}
+
+}  // namespace stillpoint::bench

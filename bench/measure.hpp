@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace stillpoint::bench {
+
+/// Seconds a call.
+struct Timing {
+  double median{0};
+  double low{0};   ///< lower quartile of the batches
+  double high{0};  ///< upper quartile
+  int batches{0};
+};
+
+struct MeasureOptions {
+  int batches{9};
+  double batch_seconds{3e-3};  ///< a batch repeats a call for about so long
+  double slow{0.2};            ///< a call that takes longer is timed once: Timing::batches is 1
+};
+
+/// Times all calls, a batch of each in turn and then the next batch of each, so that what else the
+/// machine does meets them alike.
+[[nodiscard]] std::vector<Timing> measure(const std::vector<std::function<void()>>& calls,
+                                          const MeasureOptions& options);
+
+}  // namespace stillpoint::bench

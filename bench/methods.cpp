@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "methods.hpp"
+
+#include "gsl_peer.hpp"
+#include "kernel.hpp"
+#ifdef STILLPOINT_BENCH_CVODE
+#include "cvode_peer.hpp"
+#endif
+
+#include <stillpoint/peers/methods.hpp>
+
+#include <cmath>
+#include <variant>
+
+namespace stillpoint::bench {
+
+namespace {
+
+/// From `coarsest` down, each the last one divided by `ratio`.
+std::vector<double> ladder(double coarsest, double ratio, int rungs) {
+  std::vector<double> settings;
+  for (int i = 0; i < rungs; ++i) {
+    settings.push_back(coarsest / std::pow(ratio, i));
+  }
+  return settings;
+}
+
+/// Half decades from 1e-3 to 1e-13.
+std::vector<double> tolerances() {
+  return ladder(1e-3, std::sqrt(10.0), 21);
+}
+
+/// Fractions of the sample interval of a record, where every step has to end anyway; else fractions
+/// of tau = 1/4, four a factor of 2, down to 5e-4.
+std::vector<double> steps(const Excitation& excitation) {
+  const auto* record = std::get_if<Record<>>(&excitation);
+  return record != nullptr ? ladder(record->step, 2, 5)
+                           : ladder(0.25, std::sqrt(std::sqrt(2.0)), 37);
+}
+
+}  // namespace
+
+std::vector<Method> methods(const peers::ReferenceScene& scene) {
+  std::vector<Method> all;
+  all.push_back({"stillpoint",
+                 "this project's exact kernel, with times and decision margin; it has no setting",
+                 "",
+                 false,
+                 {0},
+                 [](const peers::Scene& s, double /*none*/) { return kernel(s); }});
+  all.push_back(
+      {"dopri5",
+       "Boost.Odeint's dopri5, error-controlled, events bracketed (TOMS 748) on its dense "
+       "output; absolute and relative tolerance alike",
+       "tolerance", true, tolerances(), peers::dopri5});
+  all.push_back({"RK4",
+                 "the classical Runge-Kutta method with a fixed step, events bracketed (TOMS 748) "
+                 "by shorter steps; written out, so that W is evaluated twice a step",
+                 "step", true, steps(scene.scene.excitation), peers::runge_kutta4});
+  all.push_back({"rk8pd",
+                 "GSL's rk8pd with gsl_odeiv2_evolve_apply; it has no dense output, so events are "
+                 "bracketed (TOMS 748) by shorter steps; absolute and relative tolerance alike",
+                 "tolerance", true, tolerances(), gsl_rk8pd});
+#ifdef STILLPOINT_BENCH_CVODE
+  all.push_back({"CVODE",
+                 "SUNDIALS CVODE, Adams with fixed-point iteration, events by its own root finder",
+                 "tolerance", false, ladder(1e-3, 10, 10), cvode_adams});
+#endif
+  all.push_back({"regularised",
+                 "sgn as tanh(v / width), the point friction as a bump of that width, no events; "
+                 "dopri5 with the tolerance width / 1000",
+                 "width", false, ladder(1e-1, 10, 4),
+                 [](const peers::Scene& s, double width) { return peers::regularised(s, width); }});
+  return all;
+}
+
+}  // namespace stillpoint::bench

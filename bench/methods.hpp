@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/peers/reference.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::bench {
+
+/// A method, and how readers are told of it.
+struct Method {
+  std::string name;              ///< "RK4"
+  std::string what;              ///< one sentence: what it is and how it was used
+  std::string knob;              ///< what its setting is; empty where it has none
+  bool rival{false};             ///< of those that the speed ratio is taken against
+  std::vector<double> settings;  ///< for the scene at hand, the coarsest first
+  std::function<peers::Result(const peers::Scene&, double setting)> run;
+};
+
+/// Every method with its settings for a scene, this project's kernel first.
+[[nodiscard]] std::vector<Method> methods(const peers::ReferenceScene& scene);
+
+}  // namespace stillpoint::bench

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// One motion by an integrator: the rules of docs/forced.md section 1 around pieces in which the
+// sign s of v is constant,
+//   x' = v,   v' = -W(t) - p^2 x - s f.
+// Events are what its users take them for: a change of sign over a step, then a bracketed root on
+// the integrator's own states within the step.
+//
+// A Method integrates:
+//   begin(motion, t, state)  a new piece, or after a jump of W
+//   step(motion, limit)      one step, to `limit` at most; says where it ended and what it located
+//   state()                  at the end of that step
+//   at(motion, t)            within that step
+//   locates_events           whether the integrator looks for the events itself; it then ends its
+//                            steps at them, and at() is not used
+
+#include <stillpoint/peers/load.hpp>
+#include <stillpoint/peers/scene.hpp>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace stillpoint::peers {
+
+using State = std::array<double, 2>;  // x, v
+
+template <class Load>
+struct Motion {
+  const Load& load;
+  double stiffness;  // p^2
+  double direction;  // s
+  double friction;   // s f
+
+  void operator()(const State& now, State& rate, double t) const {
+    rate = {now[1], -load(t) - stiffness * now[0] - friction};
+  }
+};
+
+enum class Located { nothing, turn, arrival };
+
+struct Step {
+  double from;
+  double to;
+  Located event{Located::nothing};
+};
+
+/// Where `function` changes its sign in [from, to], as near as doubles go; `to` where it does not.
+/// It may vanish at `from`, where a piece begins at rest: that root is not meant.
+template <class Function>
+double bracketed_root(const Function& function, double from, double to) {
+  const double at_to = function(to);
+  double low = from;
+  double at_low = function(from);
+  for (int halvings = 1; at_low == 0 && halvings < 40; ++halvings) {
+    low = from + std::ldexp(to - from, -halvings);
+    const double there = function(low);
+    at_low = there * at_to < 0 ? there : 0;
+  }
+  if (!(at_low * at_to < 0)) {
+    return to;
+  }
+  std::uintmax_t most_evaluations = 100;
+  return boost::math::tools::toms748_solve(function, low, to, at_low, at_to,
+                                           boost::math::tools::eps_tolerance<double>(),
+                                           most_evaluations)
+      .second;
+}
+
+template <class Load, class Method>
+class EventRun {
+ public:
+  EventRun(const Scene& scene, const Load& load, Method& method)
+      : scene_(scene),
+        load_(load),
+        method_(method),
+        stiffness_(scene.oscillator.p * scene.oscillator.p),
+        notch_(2 * scene.oscillator.delta),
+        state_{scene.start.x0, scene.start.v0} {}
+
+  Result run() {
+    begin();
+    while (t_ < scene_.t_end && result_.outcome == Outcome::running) {
+      if (resting_) {
+        rest();
+      } else {
+        slide();
+      }
+    }
+    finish();
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] double& x() { return state_[0]; }
+  [[nodiscard]] double& v() { return state_[1]; }
+  [[nodiscard]] double load() const { return load_(t_) + stiffness_ * state_[0]; }
+  [[nodiscard]] bool held() const { return std::abs(load()) <= scene_.oscillator.f; }
+
+  void begin() {
+    enter_stretch();
+    if (x() == 0 && v() != 0 && v() * v() < notch_) {
+      v() = 0;
+      stop(Outcome::caught_at_start);
+    }
+    result_.peak = std::abs(x());
+    resting_ = v() == 0;
+    rest_begin_ = t_;
+    direction_ = v() < 0 ? -1 : 1;
+  }
+
+  void stop(Outcome outcome) {
+    result_.outcome = outcome;
+    result_.end_time = t_;
+  }
+
+  void stop_where_it_rests() {
+    t_ = rest_begin_;
+    stop(x() == 0 ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone);
+  }
+
+  void finish() {
+    if (result_.outcome == Outcome::running && resting_ && load_.over() && held()) {
+      stop_where_it_rests();
+    } else if (result_.outcome == Outcome::running) {
+      result_.end_time = t_;
+      result_.sticks += resting_ && t_ > rest_begin_ ? 1 : 0;
+    }
+    result_.x = x();
+    result_.v = v();
+    result_.peak = std::max(result_.peak, std::abs(x()));
+  }
+
+  /// Into the stretch of W that holds t; whether W jumped.
+  bool enter_stretch() {
+    bool jumped = false;
+    while (load_.stretch_end() <= t_) {
+      jumped = load_.next_stretch() || jumped;
+    }
+    return jumped;
+  }
+
+  void rest() {
+    if (!held()) {
+      return set_off();
+    }
+    if (load_.over()) {
+      return stop_where_it_rests();
+    }
+    const double from = t_;
+    t_ = std::min({t_ + load_.scan_step(), load_.stretch_end(), scene_.t_end});
+    if (!held()) {
+      const double limit = std::copysign(scene_.oscillator.f, load());
+      const auto excess = [&](double t) { return load_(t) + stiffness_ * x() - limit; };
+      t_ = bracketed_root(excess, from, t_);
+      return set_off(-limit);
+    }
+    enter_stretch();
+  }
+
+  void set_off() { set_off(-load()); }
+
+  void set_off(double push) {
+    result_.sticks += t_ > rest_begin_ ? 1 : 0;
+    direction_ = push < 0 ? -1 : 1;
+    resting_ = false;
+  }
+
+  void slide() {
+    const double s = direction_;
+    const Motion<Load> motion{load_, stiffness_, s, s * scene_.oscillator.f};
+    method_.begin(motion, t_, state_);
+    const bool inward = s * x() < 0;
+    while (t_ < scene_.t_end) {
+      const Step step = method_.step(motion, std::min(load_.stretch_end(), scene_.t_end));
+      ++result_.steps;
+      if (step_ends(motion, step, inward)) {
+        return;
+      }
+      if (enter_stretch()) {
+        method_.begin(motion, t_, state_);
+      }
+    }
+    count_passage(inward);
+  }
+
+  /// Takes over the step up to the event in it; whether there was one.
+  bool step_ends(const Motion<Load>& motion, const Step& step, bool inward) {
+    const double s = direction_;
+    const bool notched = inward && notch_ > 0;
+    t_ = step.to;
+    state_ = method_.state();
+    if constexpr (Method::locates_events) {
+      if (step.event == Located::turn) {
+        turn(inward);
+      } else if (step.event == Located::arrival && notched) {
+        arrive();
+      } else {
+        return false;
+      }
+      return true;
+    } else {
+      const bool turned = s * v() <= 0;
+      if (!turned && !(notched && s * x() >= 0)) {
+        return false;
+      }
+      const auto part = [&](std::size_t i) {
+        return [&, i](double t) { return method_.at(motion, t)[i]; };
+      };
+      if (turned) {
+        t_ = bracketed_root(part(1), step.from, step.to);
+        state_ = method_.at(motion, t_);
+      }
+      // Where the motion turns within the step, its place there says whether it met the notch.
+      if (notched && s * x() >= 0) {
+        t_ = bracketed_root(part(0), step.from, t_);
+        state_ = method_.at(motion, t_);
+        arrive();
+      } else {
+        turn(inward);
+      }
+      return true;
+    }
+  }
+
+  void count_passage(bool inward) { result_.passages += inward && direction_ * x() >= 0 ? 1 : 0; }
+
+  void turn(bool inward) {
+    count_passage(inward);
+    v() = 0;
+    ++result_.turns;
+    result_.peak = std::max(result_.peak, std::abs(x()));
+    resting_ = true;
+    rest_begin_ = t_;
+    enter_stretch();
+  }
+
+  void arrive() {
+    const double left = v() * v() - notch_;
+    x() = 0;
+    if (left <= 0) {
+      v() = 0;
+      return stop(Outcome::stopped_at_zero);
+    }
+    v() = direction_ * std::sqrt(left);
+    ++result_.passages;
+    enter_stretch();
+  }
+
+  const Scene& scene_;
+  Load load_;
+  Method& method_;
+  double stiffness_;
+  double notch_;
+  State state_;
+  double t_{0};
+  double direction_{1};
+  bool resting_{false};
+  double rest_begin_{0};
+  Result result_;
+};
+
+/// The motion of `scene` by `method`.
+template <class Method>
+Result run_events(const Scene& scene, Method& method) {
+  return with_load(scene.excitation,
+                   [&](const auto& load) { return EventRun(scene, load, method).run(); });
+}
+
+}  // namespace stillpoint::peers

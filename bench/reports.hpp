@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "comparison.hpp"
+
+#include <string>
+
+namespace stillpoint::bench {
+
+/// All figures, times in seconds.
+[[nodiscard]] std::string json_report(const Comparison& comparison);
+
+/// docs/performance.md. Every figure in its sentences comes from the comparison.
+[[nodiscard]] std::string markdown_report(const Comparison& comparison);
+
+/// Time against error, a panel a scene, a line a method, as SVG.
+[[nodiscard]] std::string chart(const Comparison& comparison);
+
+}  // namespace stillpoint::bench
