@@ -25,18 +25,18 @@ void add(Text& text, fmt::format_string<Arguments...> format, Arguments&&... arg
   fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
 }
 
-constexpr double width = 1000;
+constexpr double width = 860;
 constexpr double top = 96;  // title and legend
-constexpr double panel_width = 322;
-constexpr double panel_height = 292;
-constexpr double left_margin = 52;  // of a panel, for the labels of time
+constexpr double panel_width = 418;
+constexpr double panel_height = 270;
+constexpr double left_margin = 56;  // of a panel, for the labels of time
 constexpr double upper_margin = 30;
 constexpr double plot_width = panel_width - left_margin - 14;
 constexpr double plot_height = panel_height - upper_margin - 46;
-constexpr int columns = 3;
+constexpr int columns = 2;
 
-constexpr int least_error = -17;  // decades of the error axis; an error of 0 stands at its end
-constexpr int largest_error = 1;
+constexpr int least_error = -17;  // decades of the error axis
+constexpr int largest_error = 2;
 
 constexpr std::string_view style = R"(<style>
 text { font-family: system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif; font-size: 12px; fill: #333 }
@@ -83,9 +83,8 @@ struct Panel {
   int largest_time;
 
   [[nodiscard]] Point place(double error, double seconds) const {
-    const double across =
-        std::clamp(std::log10(std::max(error, 1e-300)), static_cast<double>(least_error),
-                   static_cast<double>(largest_error));
+    // What is below the spacing of doubles is luck.
+    const double across = std::log10(std::clamp(error, 1e-16, 10.0));
     return {
         left + plot_width * (across - least_error) / (largest_error - least_error),
         upper + plot_height * (largest_time - std::log10(seconds)) / (largest_time - least_time)};
@@ -145,7 +144,7 @@ std::string time_label(int decade) {
 
 void axes(Text& svg, const Panel& panel, bool names_errors) {
   for (int decade = panel.least_time; decade <= panel.largest_time; ++decade) {
-    const Point at = panel.place(0, std::pow(10.0, decade));
+    const Point at{panel.left, panel.place(1, std::pow(10.0, decade)).y};
     add(svg, "<path class='grid' d='M{:.1f} {:.1f}h{:.1f}'/>\n", at.x, at.y, plot_width);
     add(svg, "<text class='tick' x='{:.1f}' y='{:.1f}' text-anchor='end'>{}</text>\n", at.x - 6,
         at.y + 4, time_label(decade));
@@ -183,7 +182,7 @@ void method_line(Text& svg, const Panel& panel, const MethodRows& rows, std::siz
 }
 
 void legend(Text& svg, const std::vector<MethodRows>& methods) {
-  double x = 66;
+  double x = 76;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     add(svg, "<g class='{}'>\n", methods[i].method.name);
     mark(svg, i, {x, 62}, true);
@@ -224,7 +223,7 @@ std::string chart(const Comparison& comparison) {
       width, height, description(comparison));
   add(svg, "{}<rect class='paper' width='{:.0f}' height='{:.0f}'/>\n", style, width, height);
   add(svg,
-      "<text class='title' x='60' y='32'>Time of one simulation against its error</text>\n"
+      "<text class='title' x='70' y='32'>Time of one simulation against its error</text>\n"
       "<text x='{:.0f}' y='32' text-anchor='end'>lower and further left is better</text>\n",
       width - 24);
   legend(svg, comparison.scenes.front().methods);

@@ -39,6 +39,7 @@ int right_hand_side(double t, const double* y, double* rate, void* parameters) {
 class Rk8pd {
  public:
   static constexpr bool locates_events = false;
+  static constexpr bool has_dense_output = false;
 
   explicit Rk8pd(double tolerance)
       : step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2)),
@@ -74,6 +75,9 @@ class Rk8pd {
 
   template <class AnyMotion>
   State at(const AnyMotion& motion, double t) {
+    if (t == before_ || t == now_) {
+      return t == now_ ? state_ : from_;
+    }
     State state = from_;
     State error;
     const gsl_odeiv2_system equations = system(motion);

@@ -69,10 +69,14 @@ void how(Text& text, const Comparison& comparison) {
       "turns "
       "batch by batch. A call that takes more than {} s is timed once, without quartiles. One "
       "thread.\n\n"
-      "All peers follow the same rules of passage, turn and stick, integrate in between, and carry "
-      "their step length on from one piece to the next. Steps end at the kinks of a record. Each "
-      "is "
-      "compiled with the same flags as the kernel.\n\n",
+      "All peers but the regularised model follow the same rules of passage, turn and stick and "
+      "integrate in between. What makes them cheap is given to them: step lengths are carried on "
+      "from "
+      "one piece to the next, steps end at the samples of a record and not short of them, W is "
+      "looked "
+      "up without a search, and where a peer has no dense output its events are found by Newton's "
+      "method. The bump of the regularised model is switched on after the start, and what the mass "
+      "does within the bump is no turn and no passage. All are compiled with the same flags.\n\n",
       comparison.options.batches, comparison.options.batch_seconds * 1e3, comparison.options.slow);
   for (const MethodRows& rows : comparison.scenes.front().methods) {
     add(text, "- **{}**: {}.\n", rows.method.name, rows.method.what);

@@ -53,18 +53,21 @@ std::vector<Method> methods(const peers::ReferenceScene& scene) {
        "Boost.Odeint's dopri5, error-controlled, events bracketed (TOMS 748) on its dense "
        "output; absolute and relative tolerance alike",
        "tolerance", true, tolerances(), peers::dopri5});
-  all.push_back({"RK4",
-                 "the classical Runge-Kutta method with a fixed step, events bracketed (TOMS 748) "
-                 "by shorter steps; written out, so that W is evaluated twice a step",
-                 "step", true, steps(scene.scene.excitation), peers::runge_kutta4});
-  all.push_back({"rk8pd",
-                 "GSL's rk8pd with gsl_odeiv2_evolve_apply; it has no dense output, so events are "
-                 "bracketed (TOMS 748) by shorter steps; absolute and relative tolerance alike",
-                 "tolerance", true, tolerances(), gsl_rk8pd});
+  all.push_back(
+      {"RK4",
+       "the classical Runge-Kutta method with a fixed step, written out so that W is evaluated "
+       "twice a step; events bracketed by the step, then Newton's method within the bracket "
+       "on shorter steps",
+       "step", true, steps(scene.scene.excitation), peers::runge_kutta4});
+  all.push_back(
+      {"rk8pd",
+       "GSL's rk8pd with gsl_odeiv2_evolve_apply; it has no dense output, so events are found "
+       "as for RK4; absolute and relative tolerance alike",
+       "tolerance", true, tolerances(), gsl_rk8pd});
 #ifdef STILLPOINT_BENCH_CVODE
   all.push_back({"CVODE",
                  "SUNDIALS CVODE, Adams with fixed-point iteration, events by its own root finder",
-                 "tolerance", false, ladder(1e-3, 10, 10), cvode_adams});
+                 "tolerance", false, tolerances(), cvode_adams});
 #endif
   all.push_back({"regularised",
                  "sgn as tanh(v / width), the point friction as a bump of that width, no events; "

@@ -4,13 +4,14 @@
 //   x' = v,   v' = -W - p^2 x - (f + Delta bump(x)) tanh(v / e),
 //   bump(x) = 1 / (2 e cosh^2(x / e)), whose integral is 1.
 // It creeps where the mass should be held, so what it says of rests is read off a band |v| < 3 e:
-// tanh 3 = 0.995 is as good as held. A turn is an entry into the band, a stick one under a load
-// that friction can hold.
+// tanh 3 = 0.995 is as good as held. A turn is an entry into the band or a change of sign of v
+// across it, a stick an entry under a load that friction can hold. A passage is one from beyond the
+// bump to beyond it on the other side; what comes to rest within it is no turn. The bump acts once
+// the mass has been beyond it: a start at x = 0 is not a passage.
 
-#include <stillpoint/peers/event_run.hpp>
+#include "dopri5.hpp"
+
 #include <stillpoint/peers/methods.hpp>
-
-#include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,6 @@
 namespace stillpoint::peers {
 
 namespace {
-
-namespace odeint = boost::numeric::odeint;
 
 template <class Load>
 class SmoothRun {
@@ -33,30 +32,34 @@ class SmoothRun {
 
   Result run() {
     State state{scene_.start.x0, scene_.start.v0};
-    auto stepper =
-        odeint::make_controlled(width_ * 1e-3, width_ * 1e-3, odeint::runge_kutta_dopri5<State>());
+    Dopri5 method(width_ * 1e-3);
     const auto motion = [this](const State& now, State& rate, double t) {
-      rate = {now[1],
-              -load_(t) - stiffness_ * now[0] - friction(now[0]) * std::tanh(now[1] / width_)};
+      const double held = friction(now[0]) * std::tanh(now[1] / width_);
+      rate = {now[1], -load_(t) - stiffness_ * now[0] - held};
     };
-    at_rest_ = std::abs(state[1]) < band();
+    result_.peak = std::abs(state[0]);
+    at_rest_ = slow(state);
+    side_ = side(state);
     double t = 0;
-    double next = width_;
+    bool jumped = true;
     while (t < scene_.t_end && result_.steps < most_steps_ && !(at_rest_ && settled(state, t))) {
       while (load_.stretch_end() <= t) {
-        load_.next_stretch();
+        jumped = load_.next_stretch() || jumped;
+      }
+      if (jumped) {
+        method.begin(motion, t, state);
+        jumped = false;
       }
       const double limit = std::min({load_.stretch_end(), scene_.t_end, t + reach(state)});
-      const bool capped = next >= limit - t;
-      double length = capped ? limit - t : next;
-      const double x = state[0];
-      if (stepper.try_step(motion, state, t, length) == odeint::success) {
-        next = capped ? std::max(next, length) : length;
-        t = capped ? limit : t;
-        observe(x, state, t);
-      } else {
-        next = length;
+      const Step step = method.step(motion, limit);
+      t = step.to;
+      if (state[1] * method.state()[1] < 0) {
+        const auto speed = [&](double when) { return method.at(motion, when)[1]; };
+        const double top = bracketed_root(speed, step.from, step.to);
+        result_.peak = std::max(result_.peak, std::abs(method.at(motion, top)[0]));
       }
+      observe(state, method.state(), t);
+      state = method.state();
     }
     result_.outcome = outcome(state, t);
     result_.end_time = result_.outcome == Outcome::running ? t : entered_;
@@ -68,7 +71,18 @@ class SmoothRun {
  private:
   [[nodiscard]] double band() const { return 3 * width_; }
 
+  [[nodiscard]] bool slow(const State& state) const { return std::abs(state[1]) < band(); }
+
+  /// On which side of x = 0 the mass is; 0 within the bump.
+  [[nodiscard]] int side(const State& state) const {
+    const double edge = scene_.oscillator.delta > 0 ? band() : 0;
+    return state[0] > edge ? 1 : state[0] < -edge ? -1 : 0;
+  }
+
   [[nodiscard]] double friction(double x) const {
+    if (side_ == 0) {
+      return scene_.oscillator.f;
+    }
     const double c = std::cosh(std::min(std::abs(x) / width_, 300.0));
     return scene_.oscillator.f + scene_.oscillator.delta / (2 * width_ * c * c);
   }
@@ -99,18 +113,22 @@ class SmoothRun {
     return in_notch ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone;
   }
 
-  void observe(double x_before, const State& state, double t) {
+  void observe(const State& before, const State& now, double t) {
     ++result_.steps;
-    result_.peak = std::max(result_.peak, std::abs(state[0]));
-    const bool slow = std::abs(state[1]) < band();
-    if (slow && !at_rest_) {
+    result_.peak = std::max(result_.peak, std::abs(now[0]));
+    const bool enters = slow(now) && !at_rest_;
+    if (enters) {
       entered_ = t;
-      ++result_.turns;
-      result_.sticks += !load_.over() && held(state, t) ? 1 : 0;
-    } else if (!slow && x_before != 0 && x_before * state[0] <= 0) {
-      ++result_.passages;
+      result_.sticks += !load_.over() && held(now, t) ? 1 : 0;
     }
-    at_rest_ = slow;
+    const bool flies_over = !slow(now) && !at_rest_ && before[1] * now[1] < 0;
+    const bool in_bump = scene_.oscillator.delta > 0 && side(now) == 0;
+    result_.turns += (enters || flies_over) && !in_bump ? 1 : 0;
+    if (const int where = side(now); where != 0) {
+      result_.passages += where == -side_ ? 1 : 0;
+      side_ = where;
+    }
+    at_rest_ = slow(now);
   }
 
   const Scene& scene_;
@@ -119,6 +137,7 @@ class SmoothRun {
   double width_;
   std::int64_t most_steps_;
   bool at_rest_{true};
+  int side_{0};
   double entered_{0};
   Result result_;
 };

@@ -11,6 +11,7 @@ namespace {
 class FixedStep {
  public:
   static constexpr bool locates_events = false;
+  static constexpr bool has_dense_output = false;
 
   explicit FixedStep(double step) : step_(step) {}
 
@@ -44,6 +45,9 @@ class FixedStep {
 
   template <class AnyMotion>
   State at(const AnyMotion& motion, double t) {
+    if (t == before_ || t == now_) {
+      return t == now_ ? state_ : from_;
+    }
     return advanced(motion, t, motion.load(t));
   }
 

@@ -14,16 +14,20 @@
 //   at(motion, t)            within that step
 //   locates_events           whether the integrator looks for the events itself; it then ends its
 //                            steps at them, and at() is not used
+//   has_dense_output         whether at() is cheap
 
 #include <stillpoint/peers/load.hpp>
 #include <stillpoint/peers/scene.hpp>
 
+#include <boost/math/tools/roots.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace stillpoint::peers {
@@ -70,6 +74,23 @@ double bracketed_root(const Function& function, double from, double to) {
                                            boost::math::tools::eps_tolerance<double>(),
                                            most_evaluations)
       .second;
+}
+
+/// The same by Newton's method kept within the bracket, for methods whose states within a step cost
+/// as much as a step: `function` gives the value and its rate.
+template <class Function>
+double newton_root(const Function& function, double from, double to) {
+  const auto [at_from, rate_from] = function(from);
+  const auto [at_to, rate_to] = function(to);
+  if (!(at_from * at_to < 0)) {
+    return bracketed_root([&](double t) { return function(t).first; }, from, to);
+  }
+  std::uintmax_t most_evaluations = 50;
+  const double chord = from - at_from * (to - from) / (at_to - at_from);
+  // Half of the digits: Newton's last step doubles them.
+  return boost::math::tools::newton_raphson_iterate(
+      [&](double t) { return function(t); }, chord, from, to,
+      std::numeric_limits<double>::digits / 2, most_evaluations);
 }
 
 template <class Load, class Method>
@@ -209,23 +230,35 @@ class EventRun {
       if (!turned && !(notched && s * x() >= 0)) {
         return false;
       }
-      const auto part = [&](std::size_t i) {
-        return [&, i](double t) { return method_.at(motion, t)[i]; };
-      };
       if (turned) {
-        t_ = bracketed_root(part(1), step.from, step.to);
-        state_ = method_.at(motion, t_);
+        locate(motion, 1, step.from, step.to);
       }
       // Where the motion turns within the step, its place there says whether it met the notch.
       if (notched && s * x() >= 0) {
-        t_ = bracketed_root(part(0), step.from, t_);
-        state_ = method_.at(motion, t_);
+        locate(motion, 0, step.from, t_);
         arrive();
       } else {
         turn(inward);
       }
       return true;
     }
+  }
+
+  /// To where x (0) or v (1) vanishes within the step.
+  void locate(const Motion<Load>& motion, std::size_t which, double from, double to) {
+    if constexpr (Method::has_dense_output) {
+      const auto value = [&](double t) { return method_.at(motion, t)[which]; };
+      t_ = bracketed_root(value, from, to);
+    } else {
+      const auto value_and_rate = [&](double t) {
+        const State now = method_.at(motion, t);
+        State rate;
+        motion(now, rate, t);
+        return std::pair(now[which], rate[which]);
+      };
+      t_ = newton_root(value_and_rate, from, to);
+    }
+    state_ = method_.at(motion, t_);
   }
 
   void count_passage(bool inward) { result_.passages += inward && direction_ * x() >= 0 ? 1 : 0; }

@@ -10,7 +10,8 @@ namespace stillpoint::peers {
 [[nodiscard]] Result dopri5(const Scene& scene, double tolerance);
 
 /// The classical Runge-Kutta method with a fixed `step` in tau, shortened only to end at events and
-/// kinks. Events are sign changes over a step, bracketed by shorter steps from its start.
+/// kinks. Events are sign changes over a step, then Newton's method within the bracket on
+/// shorter steps from its start.
 [[nodiscard]] Result runge_kutta4(const Scene& scene, double step);
 
 /// The model without events: sgn v becomes tanh(v / width), dirac(x) a bump of that width, and

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/peers/event_run.hpp>
+
+#include <boost/numeric/odeint.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace stillpoint::peers {
+
+/// What odeint::make_dense_output does, with steps that can be told to end at a kink: from one to
+/// the next the last derivative of a step stays the first of the next.
+class Dopri5 {
+ public:
+  static constexpr bool locates_events = false;
+  static constexpr bool has_dense_output = true;
+
+  explicit Dopri5(double tolerance)
+      : controlled_(boost::numeric::odeint::make_controlled(tolerance, tolerance, Dopri())) {}
+
+  template <class AnyMotion>
+  void begin(const AnyMotion& motion, double t, const State& state) {
+    now_ = {t, state, {}};
+    motion(now_.state, now_.rate, t);
+  }
+
+  template <class AnyMotion>
+  Step step(const AnyMotion& motion, double limit) {
+    std::swap(before_, now_);
+    for (;;) {
+      const double room = limit - before_.t;
+      const bool capped = next_ >= room;
+      double length = capped ? room : next_;
+      now_.t = before_.t;
+      const auto verdict = controlled_.try_step(motion, before_.state, before_.rate, now_.t,
+                                                now_.state, now_.rate, length);
+      if (verdict == boost::numeric::odeint::success) {
+        // A step that a kink cut short says little of the next one.
+        next_ = capped ? std::max(next_, length) : length;
+        now_.t = capped ? limit : now_.t;
+        return {before_.t, now_.t};
+      }
+      next_ = length;
+    }
+  }
+
+  [[nodiscard]] const State& state() const { return now_.state; }
+
+  template <class AnyMotion>
+  State at(const AnyMotion& /*motion*/, double t) {
+    State state;
+    controlled_.stepper().calc_state(t, state, before_.state, before_.rate, before_.t, now_.state,
+                                     now_.rate, now_.t);
+    return state;
+  }
+
+ private:
+  using Dopri = boost::numeric::odeint::runge_kutta_dopri5<State>;
+  struct Point {
+    double t{0};
+    State state{};
+    State rate{};
+  };
+
+  boost::numeric::odeint::controlled_runge_kutta<Dopri> controlled_;
+  Point before_;
+  Point now_;
+  double next_{1e-2};
+};
+
+}  // namespace stillpoint::peers
