@@ -101,7 +101,8 @@ Panel panel(const SceneRows& scene, std::size_t index) {
     }
   }
   const auto column = static_cast<double>(index % columns);
-  const auto line = static_cast<double>(index / columns);
+  const std::size_t above = index / columns;
+  const auto line = static_cast<double>(above);
   return {14 + column * panel_width + left_margin, top + line * panel_height + upper_margin,
           static_cast<int>(std::floor(std::log10(least * 0.9))),
           static_cast<int>(std::ceil(std::log10(largest * 1.1)))};
@@ -212,7 +213,8 @@ std::string description(const Comparison& comparison) {
 
 std::string chart(const Comparison& comparison) {
   const std::size_t count = comparison.scenes.size();
-  const auto lines = static_cast<double>((count + columns - 1) / columns);
+  const std::size_t panels_high = (count + columns - 1) / columns;
+  const auto lines = static_cast<double>(panels_high);
   const double height = top + lines * panel_height + 6;
   Text svg;
   add(svg,

@@ -30,12 +30,12 @@ class CvodeAdams {
  public:
   static constexpr bool locates_events = true;
 
-  explicit CvodeAdams(double tolerance) {
-    require(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
-    y_ = N_VNew_Serial(2, context_);
+  explicit CvodeAdams(double tolerance)
+      : context_(new_context()),
+        y_(N_VNew_Serial(2, context_)),
+        solver_(SUNNonlinSol_FixedPoint(y_, 0, context_)),
+        memory_(CVodeCreate(CV_ADAMS, context_)) {
     N_VConst(0, y_);
-    solver_ = SUNNonlinSol_FixedPoint(y_, 0, context_);
-    memory_ = CVodeCreate(CV_ADAMS, context_);
     require(CVodeInit(memory_, right_hand_side, 0, y_), "CVodeInit");
     require(CVodeSStolerances(memory_, tolerance, tolerance), "CVodeSStolerances");
     require(CVodeSetNonlinearSolver(memory_, solver_), "CVodeSetNonlinearSolver");
@@ -87,6 +87,12 @@ class CvodeAdams {
   [[nodiscard]] const State& state() const { return state_; }
 
  private:
+  static SUNContext new_context() {
+    SUNContext context = nullptr;
+    require(SUNContext_Create(nullptr, &context), "SUNContext_Create");
+    return context;
+  }
+
   Located located() {
     std::array<int, 2> found{};
     require(CVodeGetRootInfo(memory_, found.data()), "CVodeGetRootInfo");
@@ -109,10 +115,10 @@ class CvodeAdams {
     return 0;
   }
 
-  SUNContext context_{nullptr};
-  N_Vector y_{nullptr};
-  SUNNonlinearSolver solver_{nullptr};
-  void* memory_{nullptr};
+  SUNContext context_;
+  N_Vector y_;
+  SUNNonlinearSolver solver_;
+  void* memory_;
   const void* motion_{nullptr};
   void (*rate_)(const void*, const State&, State&, double){nullptr};
   double direction_{1};

@@ -10,6 +10,7 @@
 #include <stillpoint/peers/methods.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <variant>
 
 namespace stillpoint::bench {
@@ -19,6 +20,7 @@ namespace {
 /// From `coarsest` down, each the last one divided by `ratio`.
 std::vector<double> ladder(double coarsest, double ratio, int rungs) {
   std::vector<double> settings;
+  settings.reserve(static_cast<std::size_t>(rungs));
   for (int i = 0; i < rungs; ++i) {
     settings.push_back(coarsest / std::pow(ratio, i));
   }

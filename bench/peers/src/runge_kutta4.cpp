@@ -58,7 +58,7 @@ class FixedStep {
   /// The method from the start of the step to `t`, where W is `load`. Written out, so that W is
   /// evaluated twice a step and not four times.
   template <class AnyMotion>
-  State advanced(const AnyMotion& motion, double t, double load) const {
+  [[nodiscard]] State advanced(const AnyMotion& motion, double t, double load) const {
     const double h = t - before_;
     const double middle = motion.load(before_ + h / 2);
     const auto rate = [&](double w, const State& now) {

@@ -49,8 +49,8 @@ struct Motion {
 enum class Located { nothing, turn, arrival };
 
 struct Step {
-  double from;
-  double to;
+  double from{0};
+  double to{0};
   Located event{Located::nothing};
 };
 

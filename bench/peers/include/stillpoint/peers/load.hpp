@@ -18,10 +18,10 @@ inline constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 struct NoLoad {
   double operator()(double /*t*/) const { return 0; }
-  [[nodiscard]] double stretch_end() const { return for_ever; }
-  [[nodiscard]] bool over() const { return true; }
-  [[nodiscard]] double scan_step() const { return for_ever; }
-  bool next_stretch() { return false; }
+  [[nodiscard]] static double stretch_end() { return for_ever; }
+  [[nodiscard]] static bool over() { return true; }
+  [[nodiscard]] static double scan_step() { return for_ever; }
+  static bool next_stretch() { return false; }
 };
 
 /// k sin(lambda t + phase) up to `end`, then 0.
@@ -67,7 +67,7 @@ class RecordLoad {
   [[nodiscard]] double stretch_end() const { return end_; }
   [[nodiscard]] bool over() const { return next_ >= record_->values.size(); }
   /// Looking at the samples is enough: the largest load between is at one of them.
-  [[nodiscard]] double scan_step() const { return for_ever; }
+  [[nodiscard]] static double scan_step() { return for_ever; }
   bool next_stretch() {
     const std::size_t i = next_++;
     begin_ = end_;
