@@ -188,11 +188,11 @@ void legend(Text& svg, const std::vector<MethodRows>& methods) {
     add(svg, "<g class='{}'>\n", methods[i].method.name);
     mark(svg, i, {x, 62}, true);
     add(svg, "</g>\n<text x='{:.1f}' y='66'>{}</text>\n", x + 11, methods[i].method.name);
-    x += 46 + 7.0 * static_cast<double>(methods[i].method.name.size());
+    x += 32 + 7.0 * static_cast<double>(methods[i].method.name.size());
   }
   add(svg, "<g class='regularised'>\n");
-  mark(svg, 1, {x + 10, 62}, false);
-  add(svg, "</g>\n<text x='{:.1f}' y='66'>hollow and crossed: a wrong count</text>\n", x + 22);
+  mark(svg, 1, {x, 62}, false);
+  add(svg, "</g>\n<text x='{:.1f}' y='66'>crossed: a wrong count</text>\n", x + 12);
 }
 
 std::string description(const Comparison& comparison) {
