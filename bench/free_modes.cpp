@@ -53,7 +53,7 @@ std::vector<Unit> free_modes(const peers::Scene& scene, const MeasureOptions& op
           {"a half-cycle, with times", timings[1]},
           {"a half-cycle, with times and decision margin", timings[2]},
           {"free_peak, a whole motion", timings[3]},
-          {"hardware square root, each waiting for the last", timings[4]},
+          {"hardware square root and a sum, each waiting for the last", timings[4]},
           {"hardware square root, in vectors", timings[5]}};
 }
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "markdown_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace stillpoint::bench {
+
+namespace {
+
+/// Microseconds with three digits.
+std::string microseconds(double seconds) {
+  const double us = seconds * 1e6;
+  const int decimals = us < 1 ? 3 : us < 10 ? 2 : us < 100 ? 1 : 0;
+  return fmt::format("{:.{}f}", us, decimals);
+}
+
+/// A round factor needs no digits that the spread would not bear.
+std::string factor(double ratio) {
+  return fmt::format("{:.{}f}", ratio, ratio < 10 ? 1 : 0);
+}
+
+std::string error(double value) {
+  return value == 0 ? std::string("0") : fmt::format("{:.1e}", value);
+}
+
+std::string setting(const MethodRows& method, const Row& row) {
+  return method.method.knob.empty() ? std::string("")
+                                    : fmt::format("{} {:.2g}", method.method.knob, row.setting);
+}
+
+}  // namespace
+
+void ratios(Text& text, const Comparison& comparison) {
+  add(text,
+      "## How many times faster\n\n"
+      "The kernel against the best of dopri5, RK4 and rk8pd, each at its cheapest setting with "
+      "right "
+      "counts and no error above the bound.\n\n"
+      "| scene | kernel, us | its largest error | 1e-6 | 1e-8 | 1e-10 "
+      "|\n|---|---|---|---|---|---|\n");
+  for (const SceneRows& scene : comparison.scenes) {
+    const Row& kernel = scene.kernel();
+    add(text, "| {}: {} | {} | {} |", scene.scene.name, scene.scene.legend,
+        microseconds(kernel.time.median), error(kernel.verdict.largest()));
+    for (const double bound : {1e-6, 1e-8, 1e-10}) {
+      if (const auto rival = best_rival(scene, bound)) {
+        add(text, " {} x: {}, {}, {} us |", factor(rival->ratio), rival->method->method.name,
+            setting(*rival->method, *rival->row), microseconds(rival->row->time.median));
+      } else {
+        add(text, " none reached it |");
+      }
+    }
+    add(text, "\n");
+  }
+  add(text, "\n");
+}
+
+void each_peer(Text& text, const Comparison& comparison) {
+  add(text,
+      "## Each peer at 1e-8\n\n"
+      "Its time by that of the kernel, at its cheapest setting with right counts and no error "
+      "above "
+      "1e-8; in brackets how many of its settings had a wrong count.\n\n| scene |");
+  const auto& methods = comparison.scenes.front().methods;
+  for (std::size_t i = 1; i < methods.size(); ++i) {
+    add(text, " {} |", methods[i].method.name);
+  }
+  add(text, "\n|---|");
+  for (std::size_t i = 1; i < methods.size(); ++i) {
+    add(text, "---|");
+  }
+  add(text, "\n");
+  for (const SceneRows& scene : comparison.scenes) {
+    add(text, "| {} |", scene.scene.name);
+    for (std::size_t i = 1; i < scene.methods.size(); ++i) {
+      const MethodRows& rows = scene.methods[i];
+      const auto wrong = std::count_if(rows.rows.begin(), rows.rows.end(),
+                                       [](const Row& row) { return !row.verdict.counts_right; });
+      const Row* best = rows.cheapest(1e-8);
+      add(text, " {} ({} of {}) |",
+          best != nullptr ? factor(best->time.median / scene.kernel().time.median) + " x"
+                          : std::string("not reached"),
+          wrong, rows.rows.size());
+    }
+    add(text, "\n");
+  }
+  add(text, "\n");
+}
+
+void free_kernel(Text& text, const Comparison& comparison) {
+  add(text,
+      "## The free kernel and the square root\n\n"
+      "A half-cycle is one square root that waits for the one before it. Scene S2, one motion at a "
+      "time; nanoseconds.\n\n| | median | quartiles |\n|---|---|---|\n");
+  for (const Unit& unit : comparison.free_modes) {
+    add(text, "| {} | {:.2f} | {:.2f} .. {:.2f} |\n", unit.what, unit.seconds.median * 1e9,
+        unit.seconds.low * 1e9, unit.seconds.high * 1e9);
+  }
+  add(text, "\n");
+}
+
+void all_rows(Text& text, const SceneRows& scene) {
+  const peers::Result& truth = scene.scene.truth;
+  add(text, "### {}: {}\n\n", scene.scene.name, scene.scene.legend);
+  if (scene.scene.free) {
+    add(text, "Peak {:.17g}, stops at tau = {:.17g}, counts {}.\n\n", truth.peak, truth.end_time,
+        counts_of(truth));
+  } else {
+    add(text, "Peak {:.17g}, x({:g}) = {:.17g}, v = {:.17g}, counts {}.\n\n", truth.peak,
+        scene.scene.scene.t_end, truth.x, truth.v, counts_of(truth));
+  }
+  add(text,
+      "<details><summary>Every setting</summary>\n\n"
+      "| method | setting | median, us | quartiles | error of peak | error of end | counts | by "
+      "kernel |\n"
+      "|---|---|---|---|---|---|---|---|\n");
+  for (const MethodRows& method : scene.methods) {
+    for (const Row& row : method.rows) {
+      const std::string quartiles =
+          row.time.batches > 1
+              ? fmt::format("{} .. {}", microseconds(row.time.low), microseconds(row.time.high))
+              : std::string("timed once");
+      add(text, "| {} | {} | {} | {} | {} | {} | {} | {} |\n", method.method.name,
+          setting(method, row), microseconds(row.time.median), quartiles, error(row.verdict.peak),
+          error(row.verdict.end),
+          row.verdict.counts_right ? std::string("right") : "**wrong: " + row.verdict.counts + "**",
+          factor(row.time.median / scene.kernel().time.median));
+    }
+  }
+  add(text, "\n</details>\n\n");
+}
+
+}  // namespace stillpoint::bench
