@@ -15,8 +15,8 @@ struct Timing {
 };
 
 struct MeasureOptions {
-  int batches{9};
-  double batch_seconds{3e-3};  ///< a batch repeats a call for about so long
+  int batches{21};
+  double batch_seconds{1e-3};  ///< a batch repeats a call for about so long: less than a time slice
   double slow{0.2};            ///< a call that takes longer is timed once: Timing::batches is 1
 };
 
