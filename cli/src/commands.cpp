@@ -44,6 +44,9 @@ SimulateAnswer free_answer(const SimulateInput& input) {
   SimulateAnswer answer;
   answer.response = free_response(input.oscillator, input.start, ask);
   answer.half_cycles = first_half_cycles(input.oscillator, input.start, input.max_half_cycles);
+  if (input.trajectory) {
+    answer.trajectory = free_trajectory_csv(input, answer.response);
+  }
   return answer;
 }
 
@@ -55,6 +58,17 @@ SimulateAnswer forced_answer(const SimulateInput& input) {
   ask.half_cycle_limit = input.half_cycle_limit;
   ask.go_on = [&progress](double tau) { return progress.goes_on(tau); };
   SimulateAnswer answer;
+  const auto trace = [&](double horizon) {
+    if (input.trajectory && !answer.trajectory) {
+      answer.trajectory = forced_trajectory_csv(input, horizon, ask.go_on);
+    }
+    if (Progress::interrupted()) {
+      throw Interrupted("interrupted while tracing the motion, nothing is written");
+    }
+  };
+  if (input.t_end) {
+    trace(*input.t_end);  // first: a run that is too long for it shall not be followed for nothing
+  }
   answer.forced = forced_response(input.oscillator, input.start, excitation, ask);
   if (answer.forced->cancelled) {
     throw Interrupted(fmt::format("interrupted at tau = {:.6g}, nothing is written",
@@ -62,9 +76,10 @@ SimulateAnswer forced_answer(const SimulateInput& input) {
   }
   const Response& what_any_motion_has = *answer.forced;
   answer.response = what_any_motion_has;
-  answer.half_cycles =
-      forced_half_cycles(input.oscillator, input.start, excitation, forced_horizon(input, answer),
-                         input.max_half_cycles, ask.go_on);
+  const double horizon = forced_horizon(input, *answer.forced);
+  trace(horizon);
+  answer.half_cycles = forced_half_cycles(input.oscillator, input.start, excitation, horizon,
+                                          input.max_half_cycles, ask.go_on);
   if (Progress::interrupted()) {
     throw Interrupted("interrupted while listing half-cycles, nothing is written");
   }
@@ -123,8 +138,8 @@ ExitCode run_region(const Settings& settings, Output& output) {
 ExitCode run_simulate(const Settings& settings, Output& output) {
   const SimulateInput input = simulate_input(settings);
   const SimulateAnswer answer = input.excitation ? forced_answer(input) : free_answer(input);
-  if (input.trajectory) {
-    output.write_file("trajectory", *input.trajectory, trajectory_csv(input, answer));
+  if (answer.trajectory) {
+    output.write_file("trajectory", *input.trajectory, *answer.trajectory);
   }
   report(
       settings, [&] { return simulate_json(input, answer); },

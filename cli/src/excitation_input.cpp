@@ -71,11 +71,30 @@ ExcitationInput record(const Settings& settings, double time_s, double gravity) 
   for (double& time : file.times) {
     time /= time_s;
   }
-  return {Record<>{std::move(file.values), file.step / time_s, std::move(file.times)}, "record",
-          path, file.description};
+  return {Record<>{std::move(file.values), file.step / time_s, std::move(file.times)},
+          "record",
+          path,
+          file.description,
+          settings.text("record-units"),
+          settings.number("record-step"),
+          settings.number("record-scale")};
 }
 
 }  // namespace
+
+void let_flags_choose_the_excitation(const Settings& flags, Settings& scene) {
+  const std::string type = flags.text("excitation").value_or(flags.has("record") ? "record" : "");
+  if (type == "record") {
+    for (const std::string_view name : wave_options) {
+      scene.drop(name);
+    }
+    scene.drop("excitation");
+  } else if (!type.empty()) {
+    for (const std::string_view name : record_options) {
+      scene.drop(name);
+    }
+  }
+}
 
 std::optional<ExcitationInput> excitation_input(const Settings& settings, double time_s,
                                                 double gravity) {
@@ -104,7 +123,9 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, double
       throw InputError("excitation", type,
                        "must be harmonic, half-sine, full-sine, rectangle or record");
     }
-    input = ExcitationInput{excitation, type, std::nullopt, {}};
+    input.emplace();
+    input->excitation = excitation;
+    input->type = type;
   }
   require_valid(input->excitation);
   return input;

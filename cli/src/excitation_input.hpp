@@ -13,10 +13,17 @@ namespace stillpoint::cli {
 /// What shakes the base, and how a report names it.
 struct ExcitationInput {
   Excitation excitation;
-  std::string type;                   ///< as in --excitation
-  std::optional<std::string> record;  ///< the file
-  std::string description;            ///< what the file says of itself
+  std::string type;                         ///< as in --excitation
+  std::optional<std::string> record;        ///< the file
+  std::string description;                  ///< what the file says of itself
+  std::optional<std::string> record_units;  ///< these three as asked for
+  std::optional<double> record_step;
+  std::optional<double> record_scale;
 };
+
+/// Where a flag asks for a record the scene's wave is no more, and the other way round: drops the
+/// options of it.
+void let_flags_choose_the_excitation(const Settings& flags, Settings& scene);
 
 /// Empty where nothing is asked for. A record's seconds are divided by `time_s`, the unit of tau.
 /// Throws UsageError for options that do not go together or a file that is not in order, and

@@ -126,10 +126,16 @@ ordered_json excitation_json(const std::optional<ExcitationInput>& input) {
   if (!input) {
     return nullptr;
   }
-  ordered_json json{{"type", input->type}, {"k", nullptr},
-                    {"lambda", nullptr},   {"phase", nullptr},
-                    {"duration", nullptr}, {"record", text(input->record.value_or(""))},
-                    {"samples", nullptr}};
+  ordered_json json{{"type", input->type},
+                    {"k", nullptr},
+                    {"lambda", nullptr},
+                    {"phase", nullptr},
+                    {"duration", nullptr},
+                    {"record", text(input->record.value_or(""))},
+                    {"samples", nullptr},
+                    {"record_units", text(input->record_units.value_or(""))},
+                    {"record_step", number(input->record_step)},
+                    {"record_scale", number(input->record_scale)}};
   const double lasts = duration(input->excitation);
   json["duration"] = std::isfinite(lasts) ? number(lasts) : ordered_json(nullptr);
   if (const auto* harmonic = std::get_if<Harmonic<>>(&input->excitation)) {

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -31,6 +33,7 @@ struct SimulateAnswer {
   Response response;
   std::optional<ForcedResponse> forced;  ///< where there is an excitation; response is its part
   std::vector<HalfCycle> half_cycles;
+  std::optional<std::string> trajectory;  ///< the file's text, where one was asked for
 };
 
 /// The reports that docs/reports.md describes. Numbers carry a double's full precision; a value

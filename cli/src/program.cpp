@@ -3,6 +3,7 @@
 
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "excitation_input.hpp"
 #include "page.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
@@ -53,6 +54,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   Settings scene;
   if (invocation.scene) {
     scene = read_scene(*invocation.scene);
+    let_flags_choose_the_excitation(invocation.flags, scene);
     settings.complete_with(scene);
   }
   const ExitCode code = run_command(invocation.command, settings, output);

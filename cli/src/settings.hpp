@@ -41,6 +41,8 @@ class Settings {
   /// The same, but InputError where not set, saying what else would do.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
 
+  void drop(std::string_view name) { values_.erase(name); }
+
   /// Sets here what `other` has and this has not.
   void complete_with(const Settings& other) {
     values_.insert(other.values_.begin(), other.values_.end());

@@ -26,34 +26,10 @@ std::optional<double> free_horizon(const SimulateInput& input, const Response& r
   return input.t_end || response.stop_time ? input.t_end : ten_periods(input);
 }
 
-std::vector<State> states(const SimulateInput& input, const SimulateAnswer& answer) {
-  if (input.excitation) {
-    return ForcedTrajectory(input.oscillator, input.start, input.excitation->excitation,
-                            {forced_horizon(input, answer)})
-        .sampled(input.samples);
-  }
-  return Trajectory(input.oscillator, input.start, {free_horizon(input, answer.response)})
-      .sampled(input.samples);
-}
-
-}  // namespace
-
-double forced_horizon(const SimulateInput& input, const SimulateAnswer& answer) {
-  // The end of the motion comes from the free kernel, which may round it an ulp earlier than the
-  // forced one that lists what led to it.
-  constexpr double behind_the_end = 1 + 1e-12;
-  const std::optional<double>& stop_time = answer.forced->stop_time;
-  if (input.t_end) {
-    return *input.t_end;
-  }
-  return stop_time && *stop_time > 0 ? *stop_time * behind_the_end
-                                     : duration(input.excitation->excitation) + ten_periods(input);
-}
-
-std::string trajectory_csv(const SimulateInput& input, const SimulateAnswer& answer) {
+std::string csv(const SimulateInput& input, const std::vector<State>& states) {
   std::string text = input.physical ? "tau,x,v,t_s,x_m,v_m_per_s\n" : "tau,x,v\n";
   auto end = std::back_inserter(text);
-  for (const State& state : states(input, answer)) {
+  for (const State& state : states) {
     fmt::format_to(end, "{},{},{}", state.tau, state.x, state.v);
     if (input.physical) {
       const design::Scales& scales = input.physical->scales;
@@ -63,6 +39,34 @@ std::string trajectory_csv(const SimulateInput& input, const SimulateAnswer& ans
     text += '\n';
   }
   return text;
+}
+
+}  // namespace
+
+double forced_horizon(const SimulateInput& input, const ForcedResponse& response) {
+  // The end of the motion comes from the free kernel, which may round it an ulp earlier than the
+  // forced one that lists what led to it.
+  constexpr double behind_the_end = 1 + 1e-12;
+  const std::optional<double>& stop_time = response.stop_time;
+  if (input.t_end) {
+    return *input.t_end;
+  }
+  return stop_time && *stop_time > 0 ? *stop_time * behind_the_end
+                                     : duration(input.excitation->excitation) + ten_periods(input);
+}
+
+std::string free_trajectory_csv(const SimulateInput& input, const Response& response) {
+  const Trajectory path(input.oscillator, input.start, {free_horizon(input, response)});
+  return csv(input, path.sampled(input.samples));
+}
+
+std::string forced_trajectory_csv(const SimulateInput& input, double horizon,
+                                  const std::function<bool(double)>& go_on) {
+  ForcedTrajectoryLimits limits;
+  limits.horizon = horizon;
+  limits.go_on = go_on;
+  const ForcedTrajectory path(input.oscillator, input.start, input.excitation->excitation, limits);
+  return csv(input, path.sampled(input.samples));
 }
 
 }  // namespace stillpoint::cli

@@ -40,8 +40,10 @@ class ForcedTrajectory::Watcher {
  private:
   void keep(const Piece& piece) {
     if (static_cast<std::int64_t>(path_.pieces_.size()) >= most_) {
-      throw InputError("horizon", path_.horizon_,
-                       fmt::format("the motion up to there has more than {} pieces", most_));
+      throw InputError("t_end", path_.horizon_,
+                       fmt::format("the motion up to there has more than {} pieces, too many for a "
+                                   "trajectory",
+                                   most_));
     }
     path_.pieces_.push_back(piece);
   }
@@ -56,7 +58,8 @@ ForcedTrajectory::ForcedTrajectory(const Oscillator<double>& oscillator, const S
     : p_(oscillator.p), horizon_(limits.horizon) {
   require_valid(oscillator, start, excitation, limits.horizon);
   Watcher watcher(*this, limits.pieces);
-  ForcedRun<double, Watcher> run(oscillator, start, watcher);
+  constexpr int ask_every = 1024;
+  ForcedRun<double, Watcher> run(oscillator, start, watcher, Patience{limits.go_on, ask_every});
   std::visit([&](const auto& kind) { run_until(run, kind, limits.horizon); }, excitation);
   if (!run.state().outcome) {
     events_.push_back({ForcedEventKind::end, {horizon_, run.state().u / p_, run.state().v}});

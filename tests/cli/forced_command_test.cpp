@@ -307,6 +307,31 @@ BOOST_AUTO_TEST_CASE(flag_overrides_the_scene) {
   BOOST_TEST(near(other["input"]["excitation"]["duration"], 2 * pi / 3, 1e-15));
 }
 
+BOOST_AUTO_TEST_CASE(flag_puts_a_record_in_the_place_of_the_wave_of_a_scene_and_back) {
+  write("w.txt", "0.3\n-0.2\n");
+  write("wave.json", R"({"p": 1, "f": 0.1, "delta": 0.01,
+                         "excitation": {"type": "half-sine", "k": 9, "lambda": 2}})");
+  write("record.json", R"({"p": 1, "f": 0.1, "delta": 0.01,
+                           "excitation": {"type": "record", "record": "w.txt", "record_step": 1}})");
+  const Arguments record{"--record", "w.txt", "--record-step", "1"};
+  const Arguments wave{"--excitation", "half-sine", "--k", "9", "--lambda", "2"};
+  BOOST_TEST(report_of(*this, joined({"simulate", "wave.json"}, record)) ==
+             report_of(*this, {"simulate", "record.json"}));
+  BOOST_TEST(report_of(*this, joined({"simulate", "record.json"}, wave)) ==
+             report_of(*this, {"simulate", "wave.json"}));
+}
+
+BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
+  write("w.txt", "0.3\n-0.2\n");
+  const json given = report_of(*this, at_rest({"--record", "w.txt", "--record-step", "1",
+                                               "--record-units", "m/s2", "--record-scale", "2"}));
+  const json& excitation = given["input"]["excitation"];
+  BOOST_TEST(excitation["record_units"] == "m/s2");
+  BOOST_TEST(excitation["record_step"] == 1);
+  BOOST_TEST(excitation["record_scale"] == 2);
+  BOOST_TEST(report_of(*this, harmonic)["input"]["excitation"]["record_units"].is_null());
+}
+
 BOOST_AUTO_TEST_CASE(scene_of_an_excitation_serves_other_commands_with_a_note) {
   Surroundings surroundings;
   surroundings.input = R"({"v0": 1, "p": 1, "beta": 0.9,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #define BOOST_TEST_MODULE long_run
 #include "forced_arguments.hpp"
+#include "refusal.hpp"
 #include "run_program.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -33,10 +34,16 @@ BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
     BOOST_TEST(stopped.exit_code == 130);
     BOOST_TEST(stopped.out.empty(), stopped.out);
     BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
-    BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted at tau = "), stopped.err);
+    BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted "), stopped.err);
     BOOST_TEST(contents().size() == 1U);
     BOOST_TEST(read("old.json") == "an old report\n");
   }
+}
+
+BOOST_AUTO_TEST_CASE(is_refused_at_once_where_a_trajectory_of_it_would_be_too_long) {
+  check_refused(*this, {"",
+                        endless({"--trajectory", "motion.csv"}),
+                        {"t_end = 1000000000", "too many for a trajectory"}});
 }
 
 BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end) {

@@ -94,6 +94,17 @@ BOOST_AUTO_TEST_CASE(at_a_passage_the_state_is_that_after_the_notch) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(it_ends_where_it_is_told_to) {
+  ForcedTrajectoryLimits limits;
+  limits.horizon = 1e6;
+  int asked = 0;
+  limits.go_on = [&asked](double) { return ++asked < 3; };
+  const ForcedTrajectory path({1, 0.05, 0.01}, {0, 0.5}, Harmonic<>{0.2, 1}, limits);
+  BOOST_TEST(asked == 3);
+  BOOST_TEST(path.events().size() > 100U);
+  BOOST_TEST(path.events().size() < 20'000U);
+}
+
 BOOST_AUTO_TEST_CASE(outside_the_horizon_and_beyond_the_limit_it_refuses) {
   const ForcedTrajectory path({1, 0.05, 0.01}, {0, 0.5}, Harmonic<>{0.2, 1}, {20});
   BOOST_CHECK_THROW((void)path.at(-1), InputError);

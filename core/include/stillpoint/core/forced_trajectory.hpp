@@ -10,6 +10,7 @@
 #include <stillpoint/core/state.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <variant>
 #include <vector>
 
@@ -21,8 +22,10 @@ struct ForcedEvent {
 };
 
 struct ForcedTrajectoryLimits {
-  double horizon{0};                ///< tau up to which; > 0
-  std::int64_t pieces{10'000'000};  ///< at most; a motion with more throws InputError
+  double horizon{0};               ///< tau up to which; > 0
+  std::int64_t pieces{2'000'000};  ///< at most; a motion with more throws InputError of t_end
+  /// As in ForcedAsk; where it says no, the trajectory ends there.
+  std::function<bool(double)> go_on{};
 };
 
 /// A forced motion with its state at any instant of [0, horizon] and its events in order of time.
