@@ -22,6 +22,12 @@ InputError InputError::missing(const std::string& field, const std::string& hint
   return {field, Whole{fmt::format("{} is missing: {}", field, hint)}};
 }
 
+InputError InputError::in_entry(std::ptrdiff_t index) const {
+  const std::string after_field = std::string(what()).substr(field_.size());
+  const std::string entry = fmt::format("{}[{}]", field_, index);
+  return {entry, Whole{entry + after_field}};
+}
+
 TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)
     : std::runtime_error(fmt::format("f and delta are so small that the motion may take {:.3g} "
                                      "half-cycles; at most {:.3g} are allowed (half-cycle-limit)",
@@ -32,6 +38,10 @@ TooManyHalfCycles::TooManyHalfCycles(const std::string& message) : std::runtime_
 TooManyHalfCycles TooManyHalfCycles::in_trajectory(double limit) {
   return TooManyHalfCycles(fmt::format(
       "the trajectory has more than {:.6g} half-cycles: give it an earlier end (t_end)", limit));
+}
+
+TooManyHalfCycles TooManyHalfCycles::in_entry(std::ptrdiff_t index) const {
+  return TooManyHalfCycles(fmt::format("entry {}: {}", index, what()));
 }
 
 void require_within(const char* field, double value, double low, double high) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -15,6 +16,9 @@ class InputError : public std::invalid_argument {
 
   /// "FIELD is missing: HINT"
   [[nodiscard]] static InputError missing(const std::string& field, const std::string& hint);
+
+  /// The same error in entry `index` of arrays: "f = -1: ..." becomes "f[17] = -1: ...".
+  [[nodiscard]] InputError in_entry(std::ptrdiff_t index) const;
 
   [[nodiscard]] const std::string& field() const noexcept { return field_; }
 
@@ -36,6 +40,9 @@ class TooManyHalfCycles : public std::runtime_error {
 
   /// There are more than `limit` half-cycles up to the end of a trajectory.
   [[nodiscard]] static TooManyHalfCycles in_trajectory(double limit);
+
+  /// The same error in entry `index` of arrays: "entry 17: ...".
+  [[nodiscard]] TooManyHalfCycles in_entry(std::ptrdiff_t index) const;
 
  private:
   explicit TooManyHalfCycles(const std::string& message);
