@@ -10,7 +10,7 @@ namespace stillpoint {
 
 /// What is computed beyond the counts, the peaks and the place of rest.
 struct Ask {
-  bool times{true};   ///< stop_time: one arctangent a half-cycle
+  bool times{true};   ///< stop_time: two square roots more a half-cycle
   bool margin{true};  ///< decision_margin: one division a half-cycle
   /// With both frictions the number of half-cycles is bounded before the run; a larger bound than
   /// this is refused with TooManyHalfCycles. Motions with one friction or none are closed forms and
