@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #define BOOST_TEST_MODULE batch
 #include "support/checks.hpp"
-#include "support/random_scene.hpp"
-#include "support/scene.hpp"
 
 #include <stillpoint/core/batch.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
 #include <limits>
+#include <string>
 
 namespace stillpoint::test {
 
@@ -30,6 +30,63 @@ BOOST_AUTO_TEST_CASE(outcomes_can_be_counted_and_absent_values_are_as_documented
   BOOST_TEST(result.half_cycles[1] == 0);
   BOOST_TEST(result.half_cycles[2] == 2);
   near("stop_position", result.stop_position[3], std::sqrt(2.0) - 1, 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_names_the_first_entry_at_fault) {
+  // Whatever the number of threads: blocks of some thousand entries are run at once.
+  Eigen::ArrayXd f = Eigen::ArrayXd::Constant(40000, 0.1);
+  Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(40000, 0.01);
+  f[39999] = -1;
+  delta[20011] = std::numeric_limits<double>::quiet_NaN();
+  f[20017] = -1;
+  for (const int threads : {1, 2, 7}) {
+    const auto run = [&] { static_cast<void>(free_batch(1, 1, f, delta, {.threads = threads})); };
+    BOOST_TEST(message_of<InputError>(run) ==
+               "delta[20011] = nan: must be a number from 0 to 1e+300");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_value_for_all_is_named_without_an_entry) {
+  const Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, 0.1);
+  BOOST_TEST(message_of<InputError>([&] { static_cast<void>(free_batch(1, -1, one, one)); }) ==
+             "p = -1: must be a number from 1e-150 to 1e+150");
+  BOOST_TEST(message_of<InputError>([&] {
+               static_cast<void>(free_batch(one, one - 1.1, one, one));
+             }) == "p[0] = -1: must be a number from 1e-150 to 1e+150");
+}
+
+BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_entry) {
+  Eigen::ArrayXd f = Eigen::ArrayXd::Constant(100, 0.1);
+  Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(100, 0.01);
+  f[77] = 1e-9;
+  delta[77] = 1e-9;
+  const std::string message = message_of<TooManyHalfCycles>(
+      [&] { static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 1000})); });
+  BOOST_TEST(message.starts_with("entry 77: f and delta are so small"), message);
+  // 25 half-cycles at most, by (16): 1/2 / 0.02 = 25, as a limit just enough.
+  f.setConstant(0.02 / 100);
+  delta.setConstant(0.02);
+  static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 25}));
+  BOOST_CHECK_THROW(static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 24.9})),
+                    TooManyHalfCycles);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_asked_for_is_checked) {
+  const Eigen::ArrayXd two = Eigen::ArrayXd::Constant(2, 0.1);
+  const Eigen::ArrayXd three = Eigen::ArrayXd::Constant(3, 0.1);
+  const auto message = [&](const BatchValues& v0, const BatchValues& p, const BatchValues& delta,
+                           const BatchAsk& ask) {
+    return message_of<InputError>([&] { static_cast<void>(free_batch(v0, p, two, delta, ask)); });
+  };
+  BOOST_TEST(message(three, two, two, {}) ==
+             "v0 = an array of 3: must have as many entries as f, 2");
+  BOOST_TEST(message(two, three, two, {}) ==
+             "p = an array of 3: must have as many entries as f, 2");
+  BOOST_TEST(message(two, two, three, {}) ==
+             "delta = an array of 3: must have as many entries as f, 2");
+  BOOST_TEST(message(two, two, two, {.threads = -1}) == "threads = -1: must be 0 or more");
+  BOOST_TEST(message(two, two, two, {.half_cycle_limit = 0}) ==
+             "half_cycle_limit = 0: must be a number from 1 to 1000000000000000");
 }
 
 }  // namespace stillpoint::test
