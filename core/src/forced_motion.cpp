@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "forced_response_of_valid.hpp"
+
 #include <stillpoint/core/excitation_run.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/forced_run.hpp>
@@ -107,6 +109,12 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator<double>
 ForcedResponse forced_response(const Oscillator<double>& oscillator, const Start<double>& start,
                                const Excitation& excitation, const ForcedAsk& ask) {
   require_valid(oscillator, start, excitation, ask.t_end);
+  return forced_response_of_valid(oscillator, start, excitation, ask);
+}
+
+ForcedResponse forced_response_of_valid(const Oscillator<double>& oscillator,
+                                        const Start<double>& start, const Excitation& excitation,
+                                        const ForcedAsk& ask) {
   NoWatcher nobody;
   Run run(oscillator, start, nobody, Patience{ask.go_on, ask.ask_every});
   std::visit(

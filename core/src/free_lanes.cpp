@@ -162,11 +162,13 @@ struct Results {
 template <bool times>
 class FreeLanes {
  public:
-  FreeLanes(const FreeLanesInput& input, const FreeLanesOutput& output, FreeLanesSource& source)
-      : input_(input),
+  FreeLanes(const BatchEntries& entries, double half_cycle_limit, const FreeLanesOutput& output,
+            FreeLanesSource& source)
+      : entries_(entries),
+        half_cycle_limit_(half_cycle_limit),
         output_(output),
         source_(source),
-        unit_p_(input.p.stride == 0 && *input.p.data == 1) {}
+        unit_p_(entries.p.stride == 0 && *entries.p.data == 1) {}
 
   HWY_INLINE void run() {
     for (Index i = 0; i < lanes; i += width) {
@@ -225,10 +227,10 @@ class FreeLanes {
 
   /// The first leg from x = 0, (10) and (11).
   HWY_INLINE void prepare(Index begin) {
-    const V speed = hn::Abs(values(input_.v0, begin));
-    const V p = values(input_.p, begin);
-    const V delta = values(input_.delta, begin);
-    const V phi = over(values(input_.f, begin), p);
+    const V speed = hn::Abs(values(entries_.v0, begin));
+    const V p = values(entries_.p, begin);
+    const V delta = values(entries_.delta, begin);
+    const V phi = over(values(entries_.f, begin), p);
     const V notch = hn::Add(delta, delta);
     const V energy = hn::Mul(speed, speed);
     const V radius = hn::Sqrt(hn::Add(energy, hn::Mul(phi, phi)));
@@ -276,7 +278,7 @@ class FreeLanes {
 
   /// (16) is below the limit, with room for the rounding of this test.
   HWY_INLINE M surely_ends(V energy, V notch, V radius, V phi) const {
-    const V limit = all(input_.half_cycle_limit * (1 - 0x1p-40));
+    const V limit = all(half_cycle_limit_ * (1 - 0x1p-40));
     return hn::Or(hn::Le(energy, hn::Mul(notch, limit)),
                   hn::Le(radius, hn::Mul(hn::Add(phi, phi), limit)));
   }
@@ -417,8 +419,8 @@ class FreeLanes {
   }
 
   HWY_INLINE void work_out(Index i) {
-    const V v0 = values_of_retired(input_.v0, i);
-    const V p = values_of_retired(input_.p, i);
+    const V v0 = values_of_retired(entries_.v0, i);
+    const V p = values_of_retired(entries_.p, i);
     const V speed = hn::Abs(v0);
     const V phi = at(retired_.phi + i);
     const V energy = at(retired_.energy + i);
@@ -483,7 +485,8 @@ class FreeLanes {
   /// v / p.
   HWY_INLINE V over(V v, V p) const { return unit_p_ ? v : hn::Div(v, p); }
 
-  const FreeLanesInput& input_;
+  const BatchEntries& entries_;
+  double half_cycle_limit_;
   const FreeLanesOutput& output_;
   FreeLanesSource& source_;
   bool unit_p_;  // the same for all, and no division by it is needed
@@ -508,12 +511,12 @@ class FreeLanes {
   Results results_{};
 };
 
-void run_lanes(const FreeLanesInput& input, const FreeLanesOutput& output,
+void run_lanes(const BatchEntries& entries, double half_cycle_limit, const FreeLanesOutput& output,
                FreeLanesSource& source) {
   if (output.stop_time != nullptr) {
-    FreeLanes<true>(input, output, source).run();
+    FreeLanes<true>(entries, half_cycle_limit, output, source).run();
   } else {
-    FreeLanes<false>(input, output, source).run();
+    FreeLanes<false>(entries, half_cycle_limit, output, source).run();
   }
 }
 
@@ -529,9 +532,9 @@ namespace {
 HWY_EXPORT(run_lanes);
 }  // namespace
 
-void run_free_lanes(const FreeLanesInput& input, const FreeLanesOutput& output,
-                    FreeLanesSource& source) {
-  HWY_DYNAMIC_DISPATCH(run_lanes)(input, output, source);
+void run_free_lanes(const BatchEntries& entries, double half_cycle_limit,
+                    const FreeLanesOutput& output, FreeLanesSource& source) {
+  HWY_DYNAMIC_DISPATCH(run_lanes)(entries, half_cycle_limit, output, source);
 }
 
 }  // namespace stillpoint

@@ -46,6 +46,19 @@ BOOST_AUTO_TEST_CASE(an_error_names_the_first_entry_at_fault) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_first_entry_is_named_even_where_a_later_one_fails_sooner) {
+  // Two threads begin at entries 0 and 4096.
+  const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(8192, 0.001);
+  Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(8192, 0.001);
+  delta[4095] = -1;
+  delta[4096] = -2;
+  for (int i = 0; i < 50; ++i) {
+    BOOST_TEST(message_of<InputError>([&] {
+                 static_cast<void>(free_batch(1, 1, f, delta, {.threads = 2}));
+               }) == "delta[4095] = -1: must be a number from 0 to 1e+300");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_value_for_all_is_named_without_an_entry) {
   const Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, 0.1);
   BOOST_TEST(message_of<InputError>([&] { static_cast<void>(free_batch(1, -1, one, one)); }) ==
@@ -63,9 +76,9 @@ BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_entry) {
   const std::string message = message_of<TooManyHalfCycles>(
       [&] { static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 1000})); });
   BOOST_TEST(message.starts_with("entry 77: f and delta are so small"), message);
-  // 25 half-cycles at most, by (16): 1/2 / 0.02 = 25, as a limit just enough.
-  f.setConstant(0.02 / 100);
-  delta.setConstant(0.02);
+  // By (16) at most 1 / (2 * 0.02) = 25 half-cycles. 64 entries leave no lane empty.
+  f = Eigen::ArrayXd::Constant(64, 0.0002);
+  delta = Eigen::ArrayXd::Constant(64, 0.02);
   static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 25}));
   BOOST_CHECK_THROW(static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 24.9})),
                     TooManyHalfCycles);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/forced_motion.hpp>
+
+namespace stillpoint {
+
+/// forced_response for input that has been checked.
+ForcedResponse forced_response_of_valid(const Oscillator<double>& oscillator,
+                                        const Start<double>& start, const Excitation& excitation,
+                                        const ForcedAsk& ask);
+
+}  // namespace stillpoint
