@@ -25,16 +25,16 @@ class FreeLanesSource {
  public:
   FreeLanesSource() = default;
   FreeLanesSource(const FreeLanesSource&) = delete;
+  FreeLanesSource(FreeLanesSource&&) = delete;
   FreeLanesSource& operator=(const FreeLanesSource&) = delete;
+  FreeLanesSource& operator=(FreeLanesSource&&) = delete;
+  virtual ~FreeLanesSource() = default;
 
   /// The next entries to run; an empty range where there are no more.
   virtual EntryRange next() = 0;
 
   /// Runs one entry by the scalar kernel: those that take no loop, and all that are not ordinary.
   virtual void run_alone(std::ptrdiff_t entry) = 0;
-
- protected:
-  ~FreeLanesSource() = default;
 };
 
 /// Runs all entries of `source`, by the widest instruction set of this machine. docs/batch.md.
