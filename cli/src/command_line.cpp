@@ -47,6 +47,19 @@ constexpr std::array command_helps{
                 "  stillpoint simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.01 \\\n"
                 "      --trajectory motion.csv --samples 500\n"
                 "Exit codes: 0 done, 2 wrong input, 130 interrupted."},
+    CommandHelp{Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy",
+                "AXIS is a number, first:last:count, first:last:count:log, or numbers a,b,c; the "
+                "entries are\nall combinations. With --beta each entry is designed, else "
+                "simulated.\n"
+                "Examples:\n"
+                "  stillpoint sweep --v0 1 --p 1 --f 0.001:0.35:50 --delta 0:0.5:50\n"
+                "  stillpoint sweep --v0 1 --p 1 --f 1e-3:0.3:200:log --delta 0.01 --times "
+                "--output s.npy\n"
+                "  stillpoint sweep --v0 1 --p 1 --beta 0.75:0.95:5 --tolerance 0.05\n"
+                "  stillpoint sweep --p 1 --f 0.05:0.2:16 --delta 0 --excitation harmonic \\\n"
+                "      --k 0.2 --lambda 0.35 --t-end 200\n"
+                "  stillpoint sweep --v0 1 --p 1 --list dampers.csv --output s.csv --resume\n"
+                "Exit codes: 0 done, 2 wrong input, 130 interrupted; go on with --resume."},
 };
 
 constexpr std::string_view about =
@@ -85,7 +98,9 @@ void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
         option.kind == OptionKind::flag
             ? app.add_flag(flag, collected.flags[option.name], std::string(option.help))
             : app.add_option(flag, collected.texts[option.name], std::string(option.help))
-                  ->type_name(std::string(option.placeholder))
+                  ->type_name(std::string(option.kind_in(help.command) == OptionKind::axis
+                                              ? "AXIS"
+                                              : option.placeholder))
                   ->expected(1)
                   ->allow_extra_args(false)
                   ->take_all();
@@ -112,7 +127,22 @@ void refuse_extras(const CLI::App& app) {
                                     : fmt::format("{}: unknown option{}", first, suggestion(bare)));
 }
 
-Settings from_flags(const CLI::App& app, const Collected& collected) {
+Settings::Value typed(const Option& option, const std::string& text, Command command) {
+  switch (option.kind_in(command)) {
+    case OptionKind::axis:
+      return parse_axis(option.name, text);
+    case OptionKind::number:
+      return parse_number(option.name, text);
+    case OptionKind::integer:
+      return parse_integer(option.name, text);
+    case OptionKind::text:
+    case OptionKind::flag:
+      break;
+  }
+  return text;
+}
+
+Settings from_flags(const CLI::App& app, const Collected& collected, Command command) {
   Settings settings;
   for (const Option& option : options()) {
     const CLI::Option* given = app.get_option_no_throw(fmt::format("--{}", option.name));
@@ -123,25 +153,16 @@ Settings from_flags(const CLI::App& app, const Collected& collected) {
       throw UsageError(fmt::format("--{} is given {} times: an option may stand only once",
                                    option.name, given->count()));
     }
-    if (option.kind == OptionKind::flag) {
-      settings.set(option, collected.flags.at(option.name));
-      continue;
-    }
-    const std::string& text = collected.texts.at(option.name).front();
-    if (option.kind == OptionKind::number) {
-      settings.set(option, parse_number(option.name, text));
-    } else if (option.kind == OptionKind::integer) {
-      settings.set(option, parse_integer(option.name, text));
-    } else {
-      settings.set(option, text);
-    }
+    settings.set(option, option.kind == OptionKind::flag
+                             ? Settings::Value(collected.flags.at(option.name))
+                             : typed(option, collected.texts.at(option.name).front(), command));
   }
   return settings;
 }
 
 [[noreturn]] void refuse_command(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
-  throw UsageError(fmt::format("{}: must be design, region or simulate (stillpoint --help)",
+  throw UsageError(fmt::format("{}: must be design, region, simulate or sweep (stillpoint --help)",
                                extras.empty() ? "no command" : "command " + extras.front()));
 }
 
@@ -185,7 +206,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
       command_helps.begin());
   refuse_extras(chosen);
   invocation.command = command_helps[index].command;
-  invocation.flags = from_flags(chosen, collected[index]);
+  invocation.flags = from_flags(chosen, collected[index], invocation.command);
   if (chosen.get_option("scene")->count() > 0) {
     invocation.scene = collected[index].scene;
   }

@@ -52,7 +52,7 @@ SimulateAnswer free_answer(const SimulateInput& input) {
 
 SimulateAnswer forced_answer(const SimulateInput& input) {
   const Excitation& excitation = input.excitation->excitation;
-  Progress progress(input.t_end.value_or(0));
+  Progress progress(progress_in_tau(input.t_end.value_or(0)));
   ForcedAsk ask;
   ask.t_end = input.t_end;
   ask.half_cycle_limit = input.half_cycle_limit;

@@ -13,6 +13,7 @@ namespace stillpoint::cli {
 
 namespace {
 
+using enum Command;
 using enum OptionKind;
 
 constexpr std::string_view motion = "Motion (dimensionless)";
@@ -20,83 +21,101 @@ constexpr std::string_view physical =
     "Motion in metres and seconds (in place of the dimensionless)";
 constexpr std::string_view damper = "Damper";
 constexpr std::string_view shaking = "Excitation (W in units of g, time in tau)";
-constexpr std::string_view search = "Search";
+constexpr std::string_view searching = "Search";
+constexpr std::string_view sweeping = "Sweep";
 constexpr std::string_view output = "Output";
 
+constexpr CommandSet every = design | region | simulate | sweep;
+/// For a number that sweep takes an axis of.
+constexpr bool swept = true;
+
 constexpr std::array table{
-    // name, kind, placeholder, group, help, design, region, simulate
-    Option{"v0", number, "V", motion, "initial velocity", true, true, true},
-    Option{"p", number, "P", motion, "square root of the stiffness", true, true, true},
-    Option{"beta", number, "B", motion, "largest admissible displacement", true, true, false},
+    // name, kind, placeholder, group, help, commands, swept
+    Option{"v0", number, "V", motion, "initial velocity", every, swept},
+    Option{"p", number, "P", motion, "square root of the stiffness", every, swept},
+    Option{"beta", number, "B", motion, "largest admissible displacement", design | region | sweep,
+           swept},
     Option{"pulse", text, "TYPE", motion,
-           "half-sine or rectangle, with --k and --lambda: in place of the initial velocity", true,
-           false, false},
-    Option{"x0", number, "X", motion, "initial displacement (default 0)", false, false, true},
+           "half-sine or rectangle, with --k and --lambda: in place of the initial velocity",
+           design},
+    Option{"x0", number, "X", motion, "initial displacement (default 0)", simulate | sweep, swept},
 
-    Option{"velocity", number, "M/S", physical, "initial velocity in m/s", true, true, true},
-    Option{"max-displacement", number, "M", physical, "largest admissible displacement in m", true,
-           true, false},
-    Option{"period", number, "S", physical, "natural period without friction in s", true, true,
-           true},
-    Option{"stiffness", number, "N/M", physical, "in place of the period, with --mass", true, true,
-           true},
-    Option{"mass", number, "KG", physical, "for forces and energies in the report", true, true,
-           true},
-    Option{"gravity", number, "M/S2", physical, "default 9.80665", true, true, true},
-    Option{"x0-m", number, "M", physical, "initial displacement in m", false, false, true},
+    Option{"velocity", number, "M/S", physical, "initial velocity in m/s",
+           design | region | simulate},
+    Option{"max-displacement", number, "M", physical, "largest admissible displacement in m",
+           design | region},
+    Option{"period", number, "S", physical, "natural period without friction in s",
+           design | region | simulate},
+    Option{"stiffness", number, "N/M", physical, "in place of the period, with --mass",
+           design | region | simulate},
+    Option{"mass", number, "KG", physical, "for forces and energies in the report",
+           design | region | simulate},
+    Option{"gravity", number, "M/S2", physical, "default 9.80665", design | region | simulate},
+    Option{"x0-m", number, "M", physical, "initial displacement in m", simulate},
 
-    Option{"f", number, "F", damper, "constant friction coefficient", false, true, true},
-    Option{"delta", number, "D", damper, "point friction", false, true, true},
-    Option{"delta-m", number, "M", damper, "point friction in m, with physical input", false, true,
-           true},
+    Option{"f", number, "F", damper, "constant friction coefficient", region | simulate | sweep,
+           swept},
+    Option{"delta", number, "D", damper, "point friction", region | simulate | sweep, swept},
+    Option{"delta-m", number, "M", damper, "point friction in m, with physical input",
+           region | simulate},
     Option{"criterion", text, "NAME", damper, "lower bound of delta: published (default) or exact",
-           true, true, false},
+           design | region | sweep},
     Option{"tolerance", number, "R", damper,
-           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", true, true,
-           false},
-    Option{"f-max", number, "F", damper, "largest f that can be manufactured", true, true, false},
-    Option{"delta-max", number, "D", damper, "largest delta that can be manufactured", true, true,
-           false},
-    Option{"delta-max-m", number, "M", damper, "the same in m, with physical input", true, true,
-           false},
+           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0",
+           design | region | sweep},
+    Option{"f-max", number, "F", damper, "largest f that can be manufactured",
+           design | region | sweep},
+    Option{"delta-max", number, "D", damper, "largest delta that can be manufactured",
+           design | region | sweep},
+    Option{"delta-max-m", number, "M", damper, "the same in m, with physical input",
+           design | region},
 
-    Option{"objective", text, "NAME", search, "robust (default), amplitude, time or acceleration",
-           true, false, false},
-    Option{"algorithm", text, "NAME", search, "an NLopt algorithm (default LD_SLSQP)", true, false,
-           false},
+    Option{"objective", text, "NAME", searching,
+           "robust (default), amplitude, time or acceleration", design | sweep},
+    Option{"algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design},
 
     Option{"excitation", text, "TYPE", shaking,
-           "harmonic, half-sine, full-sine, rectangle or record", false, false, true},
-    Option{"k", number, "K", shaking, "its peak in g, or that of the pulse", true, false, true},
+           "harmonic, half-sine, full-sine, rectangle or record", simulate | sweep},
+    Option{"k", number, "K", shaking, "its peak in g, or that of the pulse",
+           design | simulate | sweep},
     Option{"lambda", number, "L", shaking,
-           "angular frequency; half-sine and rectangle last pi/L, full-sine 2 pi/L", true, false,
-           true},
-    Option{"phase", number, "PHI", shaking, "of harmonic, W = K sin(L tau + PHI); default 0", false,
-           false, true},
-    Option{"duration", number, "TAU", shaking, "of harmonic; default for ever", false, false, true},
+           "angular frequency; half-sine and rectangle last pi/L, full-sine 2 pi/L",
+           design | simulate | sweep},
+    Option{"phase", number, "PHI", shaking, "of harmonic, W = K sin(L tau + PHI); default 0",
+           simulate | sweep},
+    Option{"duration", number, "TAU", shaking, "of harmonic; default for ever", simulate | sweep},
     Option{"record", text, "FILE", shaking,
-           "accelerations: PEER .AT2 or columns; in s with physical input, else in tau", false,
-           false, true},
-    Option{"record-units", text, "UNITS", shaking, "g (default), m/s2 or cm/s2", false, false,
-           true},
-    Option{"record-step", number, "DT", shaking, "between values that have no time column", false,
-           false, true},
-    Option{"record-scale", number, "X", shaking, "factor on every value", false, false, true},
+           "accelerations: PEER .AT2 or columns; in s with physical input, else in tau",
+           simulate | sweep},
+    Option{"record-units", text, "UNITS", shaking, "g (default), m/s2 or cm/s2", simulate | sweep},
+    Option{"record-step", number, "DT", shaking, "between values that have no time column",
+           simulate | sweep},
+    Option{"record-scale", number, "X", shaking, "factor on every value", simulate | sweep},
     Option{"t-end", number, "TAU", shaking,
-           "end of the run; default: the end of the motion, which a harmonic has not", false, false,
-           true},
+           "end of the run; default: the end of the motion, which a harmonic has not",
+           simulate | sweep},
 
-    Option{"max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", false,
-           false, true},
+    Option{"list", text, "FILE", sweeping,
+           "entries by rows: CSV with a header, or JSON lines; - for standard input", sweep},
+    Option{"list-format", text, "NAME", sweeping,
+           "csv or jsonl; default: jsonl where the list begins with {", sweep},
+    Option{"format", text, "NAME", sweeping,
+           "csv or npy; default: by the end of the output's name, else csv", sweep},
+    Option{"columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep},
+    Option{"times", flag, "", sweeping, "write stop_time as well", sweep},
+    Option{"threads", integer, "N", sweeping, "default: all. No result depends on it", sweep},
+    Option{"resume", flag, "", sweeping, "go on with what an interrupted sweep left", sweep},
+
+    Option{"max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate},
     Option{"half-cycle-limit", number, "N", output,
-           "refuse a motion that may take more steps (default 1e8)", false, false, true},
-    Option{"trajectory", text, "FILE", output, "write tau,x,v to a CSV file", false, false, true},
+           "refuse a motion that may take more steps (default 1e8)", simulate | sweep},
+    Option{"trajectory", text, "FILE", output, "write tau,x,v to a CSV file", simulate},
     Option{"samples", integer, "N", output,
-           "evenly spaced instants in it, besides every event (default 1000)", false, false, true},
-    Option{"title", text, "TEXT", output, "a heading for the report", true, true, true},
-    Option{"json", flag, "", output, "print the JSON report, and nothing else", true, true, true},
-    Option{"output", text, "FILE", output, "write the JSON report to FILE, whole or not at all",
-           true, true, true},
+           "evenly spaced instants in it, besides every event (default 1000)", simulate},
+    Option{"title", text, "TEXT", output, "a heading for the report", every},
+    Option{"json", flag, "", output, "print the JSON report, and nothing else", every},
+    Option{"output", text, "FILE", output,
+           "write the JSON report (of sweep: the rows) to FILE, whole or not at all", every},
 };
 
 /// Levenshtein's distance.
@@ -125,22 +144,11 @@ std::string_view name(Command command) noexcept {
       return "region";
     case Command::simulate:
       return "simulate";
+    case Command::sweep:
+      return "sweep";
   }
   assert(false && "a Command outside its enumeration");
   return "";
-}
-
-bool Option::serves(Command command) const {
-  switch (command) {
-    case Command::design:
-      return design;
-    case Command::region:
-      return region;
-    case Command::simulate:
-      return simulate;
-  }
-  assert(false && "a Command outside its enumeration");
-  return false;
 }
 
 std::span<const Option> options() {

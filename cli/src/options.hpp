@@ -7,11 +7,33 @@
 
 namespace stillpoint::cli {
 
-enum class Command { design, region, simulate };
+enum class Command { design, region, simulate, sweep };
 
 [[nodiscard]] std::string_view name(Command command) noexcept;
 
-enum class OptionKind { number, integer, text, flag };
+/// Some of the commands: design | sweep.
+class CommandSet {
+ public:
+  constexpr CommandSet(Command one) : bits_(1U << static_cast<unsigned>(one)) {}
+
+  [[nodiscard]] constexpr bool has(Command command) const {
+    return (bits_ & CommandSet(command).bits_) != 0;
+  }
+  friend constexpr CommandSet operator|(CommandSet a, CommandSet b) {
+    a.bits_ |= b.bits_;
+    return a;
+  }
+
+ private:
+  unsigned bits_;
+};
+
+constexpr CommandSet operator|(Command a, Command b) {
+  return CommandSet(a) | CommandSet(b);
+}
+
+/// An axis is one number or many, see Axis.
+enum class OptionKind { number, integer, text, flag, axis };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
 /// '-' and '_' are the same.
@@ -21,11 +43,13 @@ struct Option {
   std::string_view placeholder;  ///< in --help
   std::string_view group;        ///< heading in --help
   std::string_view help;
-  bool design;
-  bool region;
-  bool simulate;
+  CommandSet commands;
+  bool sweeps{false};  ///< a number, but in a sweep an axis
 
-  [[nodiscard]] bool serves(Command command) const;
+  [[nodiscard]] constexpr bool serves(Command command) const { return commands.has(command); }
+  [[nodiscard]] constexpr OptionKind kind_in(Command command) const {
+    return sweeps && command == Command::sweep ? OptionKind::axis : kind;
+  }
 };
 
 /// Every option of every command, in the order of --help.

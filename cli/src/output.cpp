@@ -2,6 +2,7 @@
 #include "output.hpp"
 
 #include "settings.hpp"
+#include "writing.hpp"
 
 #include <fmt/format.h>
 
@@ -18,43 +19,9 @@ namespace stillpoint::cli {
 
 namespace {
 
-[[noreturn]] void refuse(std::string_view field, const std::string& path, int error) {
-  throw UsageError(fmt::format("{} {}: cannot be written: {}", field, path, std::strerror(error)));
-}
-
-/// Writes everything; 0 or the error.
-int write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written >= 0) {
-      text.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      return errno;
-    }
-  }
-  return 0;
-}
-
 int write_and_close(int descriptor, std::string_view text) {
   const int error = write_all(descriptor, text);
   return ::close(descriptor) != 0 && error == 0 ? errno : error;
-}
-
-bool is_standard_output(const std::string& path) {
-  struct stat file {};
-  struct stat standard {};
-  return ::stat(path.c_str(), &file) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 &&
-         file.st_dev == standard.st_dev && file.st_ino == standard.st_ino;
-}
-
-/// Where a chain of links leads, to a file that may not exist yet.
-std::filesystem::path behind_links(std::filesystem::path path) {
-  constexpr int longest_chain = 40;
-  std::error_code none;
-  for (int i = 0; i < longest_chain && std::filesystem::is_symlink(path, none); ++i) {
-    path = path.parent_path() / std::filesystem::read_symlink(path, none);
-  }
-  return path;
 }
 
 bool same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -81,19 +48,9 @@ Output::~Output() {
 }
 
 void Output::write_file(std::string_view field, const std::string& path, std::string_view text) {
-  if (path.empty()) {
-    throw UsageError(fmt::format("{} is empty: must be the name of a file", field));
-  }
-  if (path == "-") {
-    throw UsageError(fmt::format("{} = -: must be the name of a file", field));
-  }
-  std::error_code unknown;
-  const auto status = std::filesystem::status(path, unknown);
-  if (std::filesystem::is_directory(status)) {
-    refuse(field, path, EISDIR);
-  }
+  require_file_name(field, path);
   const bool standard = is_standard_output(path);
-  if (standard || (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+  if (standard || is_special_file(path)) {
     direct_.push_back({std::string(field), path, std::string(text), standard});
     return;
   }
@@ -113,14 +70,14 @@ void Output::stage(std::string_view field, const std::filesystem::path& target,
   std::string temporary = target.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary.data());
   if (descriptor < 0) {
-    refuse(field, target.string(), errno);
+    refuse_writing(field, target.string(), errno);
   }
   staged_.push_back({std::string(field), temporary, target});
   const bool permitted = ::fchmod(descriptor, permissions_for_new_files()) == 0;
   const int refused = permitted ? 0 : errno;
   const int error = write_and_close(descriptor, text);
   if (error != 0 || refused != 0) {
-    refuse(field, target.string(), error != 0 ? error : refused);
+    refuse_writing(field, target.string(), error != 0 ? error : refused);
   }
 }
 
@@ -128,14 +85,14 @@ void Output::commit() {
   for (const Direct& file : direct_) {
     if (file.is_standard_output) {
       if (const int error = write_all(STDOUT_FILENO, file.text); error != 0) {
-        refuse(file.field, file.target, error);
+        refuse_writing(file.field, file.target, error);
       }
       continue;
     }
     const int descriptor = ::open(file.target.c_str(), O_WRONLY | O_CLOEXEC);
     const int error = descriptor < 0 ? errno : write_and_close(descriptor, file.text);
     if (error != 0) {
-      refuse(file.field, file.target, error);
+      refuse_writing(file.field, file.target, error);
     }
   }
   if (std::fwrite(printed_.data(), 1, printed_.size(), stdout) != printed_.size() ||
@@ -147,7 +104,7 @@ void Output::commit() {
     std::error_code error;
     std::filesystem::rename(file.temporary, file.target, error);
     if (error) {
-      refuse(file.field, file.target.string(), error.value());
+      refuse_writing(file.field, file.target.string(), error.value());
     }
     staged_.pop_back();
   }

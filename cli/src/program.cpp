@@ -7,6 +7,7 @@
 #include "page.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
+#include "sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ void say(const std::string& text) {
 
 /// A scene may serve several commands; what this one does not use is said, not passed over.
 void note_unused(const Settings& scene, Command command) {
-  scene.for_each_name([&](std::string_view option) {
+  scene.for_each([&](std::string_view option, const Settings::Value& /*value*/) {
     if (!find_option(option)->serves(command)) {
       say(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
@@ -40,6 +41,8 @@ ExitCode run_command(Command command, const Settings& settings, Output& output) 
       return run_region(settings, output);
     case Command::simulate:
       return run_simulate(settings, output);
+    case Command::sweep:
+      return run_sweep(settings, output);
   }
   assert(false && "a Command outside its enumeration");
   return exit_wrong_input;
@@ -52,8 +55,11 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   }
   Settings settings = invocation.flags;
   Settings scene;
+  if (invocation.scene == "-" && settings.text("list") == "-") {
+    throw UsageError("the scene and the list cannot both be standard input: give a file for one");
+  }
   if (invocation.scene) {
-    scene = read_scene(*invocation.scene);
+    scene = read_scene(*invocation.scene, invocation.command);
     let_flags_choose_the_excitation(invocation.flags, scene);
     settings.complete_with(scene);
   }

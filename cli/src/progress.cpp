@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "progress.hpp"
 
+#include "seconds.hpp"
+
 #include <fmt/format.h>
 
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <utility>
 
 namespace stillpoint::cli {
 
@@ -19,15 +21,10 @@ void note_interrupt(int /*signal*/) {
   interrupt_seen = 1;
 }
 
-double seconds_now() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
-
 }  // namespace
 
-Progress::Progress(double end)
-    : end_(end),
+Progress::Progress(Line line)
+    : line_(std::move(line)),
       shown_(::isatty(STDERR_FILENO) == 1),
       started_s_(seconds_now()),
       previous_(std::signal(SIGINT, note_interrupt)) {
@@ -44,15 +41,14 @@ Progress::~Progress() {
   }
 }
 
-bool Progress::goes_on(double tau) {
+bool Progress::goes_on(double done) {
   constexpr double quiet_s = 1;  // a run shorter than this needs no line
   constexpr double between_s = 0.2;
   const double now = seconds_now();
   if (shown_ && now - started_s_ > quiet_s && now - last_shown_s_ > between_s) {
     last_shown_s_ = now;
     line_open_ = true;
-    fmt::print(stderr, "\rtau {:.6g}{}\x1b[K", tau,
-               end_ > 0 ? fmt::format(" of {:.6g}, {:.0f} %", end_, 100 * tau / end_) : "");
+    fmt::print(stderr, "\r{}\x1b[K", line_(done, now - started_s_));
     std::fflush(stderr);
   }
   return !interrupted();
@@ -60,6 +56,13 @@ bool Progress::goes_on(double tau) {
 
 bool Progress::interrupted() {
   return interrupt_seen != 0;
+}
+
+Progress::Line progress_in_tau(double end) {
+  return [end](double tau, double /*seconds*/) {
+    return end > 0 ? fmt::format("tau {:.6g} of {:.6g}, {:.0f} %", tau, end, 100 * tau / end)
+                   : fmt::format("tau {:.6g}", tau);
+  };
 }
 
 }  // namespace stillpoint::cli

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace stillpoint::cli {
 
@@ -15,25 +17,30 @@ class Interrupted : public std::runtime_error {
 /// ends the run instead of the program. One at a time.
 class Progress {
  public:
-  /// The run goes from 0 to `end`; 0 where that is not known.
-  explicit Progress(double end);
+  /// The line for what is done, after so many seconds.
+  using Line = std::function<std::string(double done, double seconds)>;
+
+  explicit Progress(Line line);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   Progress(Progress&&) = delete;
   Progress& operator=(Progress&&) = delete;
   ~Progress();
 
-  /// To be asked now and then, with the tau reached: false after an interrupt.
-  [[nodiscard]] bool goes_on(double tau);
+  /// To be asked now and then, with what is done: false after an interrupt.
+  [[nodiscard]] bool goes_on(double done);
   [[nodiscard]] static bool interrupted();
 
  private:
-  double end_;
+  Line line_;
   bool shown_;
   bool line_open_{false};
   double last_shown_s_{0};
   double started_s_;
   void (*previous_)(int);
 };
+
+/// "tau 3 of 10, 30 %"; `end` 0 where that is not known.
+[[nodiscard]] Progress::Line progress_in_tau(double end);
 
 }  // namespace stillpoint::cli

@@ -133,27 +133,6 @@ std::optional<double> point_friction(const Settings& settings, std::string_view 
   return settings.number(plain);
 }
 
-design::Criterion criterion(const Settings& settings) {
-  const std::string wanted = settings.text("criterion").value_or("published");
-  for (const auto value : {design::Criterion::published, design::Criterion::exact}) {
-    if (wanted == name(value)) {
-      return value;
-    }
-  }
-  throw InputError("criterion", wanted, "must be published or exact");
-}
-
-design::Objective objective(const Settings& settings) {
-  using enum design::Objective;
-  const std::string wanted = settings.text("objective").value_or("robust");
-  for (const auto value : {robust, amplitude, time, acceleration}) {
-    if (wanted == name(value)) {
-      return value;
-    }
-  }
-  throw InputError("objective", wanted, "must be robust, amplitude, time or acceleration");
-}
-
 struct Task {
   design::Problem problem;
   design::Limits limits;
@@ -198,6 +177,27 @@ std::int64_t count(const Settings& settings, std::string_view name, std::int64_t
 }
 
 }  // namespace
+
+design::Criterion criterion(const Settings& settings) {
+  const std::string wanted = settings.text("criterion").value_or("published");
+  for (const auto value : {design::Criterion::published, design::Criterion::exact}) {
+    if (wanted == name(value)) {
+      return value;
+    }
+  }
+  throw InputError("criterion", wanted, "must be published or exact");
+}
+
+design::Objective objective(const Settings& settings) {
+  using enum design::Objective;
+  const std::string wanted = settings.text("objective").value_or("robust");
+  for (const auto value : {robust, amplitude, time, acceleration}) {
+    if (wanted == name(value)) {
+      return value;
+    }
+  }
+  throw InputError("objective", wanted, "must be robust, amplitude, time or acceleration");
+}
 
 DesignInput design_input(const Settings& settings) {
   DesignInput input;

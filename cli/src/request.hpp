@@ -63,4 +63,8 @@ struct SimulateInput {
 [[nodiscard]] RegionInput region_input(const Settings& settings);
 [[nodiscard]] SimulateInput simulate_input(const Settings& settings);
 
+/// The options of those names, or their defaults. Throw InputError.
+[[nodiscard]] design::Criterion criterion(const Settings& settings);
+[[nodiscard]] design::Objective objective(const Settings& settings);
+
 }  // namespace stillpoint::cli

@@ -101,11 +101,36 @@ json parse_json(std::string_view text, std::string_view source) {
   }
 }
 
-Settings::Value typed(const Option& option, const json& value) {
+/// A number, a text "first:last:count" or an array of numbers.
+Axis axis(const Option& option, const json& value) {
+  const std::string field(option.name);
+  const auto wrong = [&] {
+    return InputError(field, value.dump(),
+                      "must be a number, a range \"first:last:count\" or an array of numbers");
+  };
+  if (value.is_string()) {
+    return parse_axis(field, value.get<std::string>());
+  }
+  std::vector<double> values;
+  for (const json& entry : value.is_array() ? value : json::array({value})) {
+    if (!entry.is_number()) {
+      throw wrong();
+    }
+    values.push_back(entry.get<double>());
+  }
+  if (values.empty()) {
+    throw wrong();
+  }
+  return Axis(std::move(values));
+}
+
+Settings::Value typed(const Option& option, const json& value, Command command) {
   const auto wrong_type = [&](std::string_view wanted) {
     return InputError(std::string(option.name), value.dump(), fmt::format("must be {}", wanted));
   };
-  switch (option.kind) {
+  switch (option.kind_in(command)) {
+    case OptionKind::axis:
+      return axis(option, value);
     case OptionKind::number:
       if (!value.is_number()) {
         throw wrong_type("a number");
@@ -134,18 +159,19 @@ Settings::Value typed(const Option& option, const json& value) {
   return value.get<bool>();
 }
 
-void add_key(Settings& settings, const std::string& key, const json& value, const Option* option) {
+void add_key(Settings& settings, const std::string& key, const json& value, const Option* option,
+             Command command) {
   if (option == nullptr) {
     throw InputError(key, value.dump(), fmt::format("is not a key of a scene{}", suggestion(key)));
   }
   if (settings.has(option->name)) {
     refuse_twice(key);
   }
-  settings.set(*option, typed(*option, value));
+  settings.set(*option, typed(*option, value, command));
 }
 
 /// "excitation" may be an object of its own; its "type" is the option excitation.
-void add_keys(Settings& settings, const json& object, std::string_view within) {
+void add_keys(Settings& settings, const json& object, std::string_view within, Command command) {
   for (const auto& [key, value] : object.items()) {
     std::string wanted = key;
     std::ranges::replace(wanted, '_', '-');
@@ -154,43 +180,44 @@ void add_keys(Settings& settings, const json& object, std::string_view within) {
       if (value.empty()) {
         throw InputError(key, "{}", "must have a type");
       }
-      add_keys(settings, value, wanted);
+      add_keys(settings, value, wanted, command);
     } else if (within.empty()) {
-      add_key(settings, key, value, option);
+      add_key(settings, key, value, option, command);
     } else {
       const bool of_it = option != nullptr && option->group == find_option(within)->group &&
                          option->name != within;
       add_key(settings, fmt::format("{}.{}", within, key), value,
               wanted == "type" ? find_option(within)
               : of_it          ? option
-                               : nullptr);
+                               : nullptr,
+              command);
     }
   }
 }
 
 }  // namespace
 
-Settings parse_scene(std::string_view text, std::string_view source) {
+Settings parse_scene(std::string_view text, std::string_view source, Command command) {
   const json scene = parse_json(text, source);
   if (!scene.is_object()) {
     throw UsageError(
         fmt::format("scene {}: is a JSON {}, must be an object", source, scene.type_name()));
   }
   Settings settings;
-  add_keys(settings, scene, "");
+  add_keys(settings, scene, "", command);
   return settings;
 }
 
-Settings read_scene(const std::string& path) {
+Settings read_scene(const std::string& path, Command command) {
   if (path == "-") {
-    return parse_scene(read_all(stdin, "from standard input"), "from standard input");
+    return parse_scene(read_all(stdin, "from standard input"), "from standard input", command);
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) {
     throw UsageError(fmt::format("scene {}: cannot be read: {}", path, std::strerror(errno)));
   }
-  return parse_scene(read_all(file.get(), path), path);
+  return parse_scene(read_all(file.get(), path), path, command);
 }
 
 }  // namespace stillpoint::cli

@@ -10,10 +10,11 @@ namespace stillpoint::cli {
 
 /// Reads a scene: a JSON object whose keys are option names ('-' and '_' are the same). `path` "-"
 /// is standard input. Throws UsageError where it cannot be read, is larger than 1 MiB or is no
-/// JSON, and InputError for a key that is unknown or repeated and for a value of the wrong type.
-[[nodiscard]] Settings read_scene(const std::string& path);
+/// JSON, and InputError for a key that is unknown or repeated and for a value of the wrong type for
+/// `command`.
+[[nodiscard]] Settings read_scene(const std::string& path, Command command);
 
 /// The same from text; `source` names it in messages.
-[[nodiscard]] Settings parse_scene(std::string_view text, std::string_view source);
+[[nodiscard]] Settings parse_scene(std::string_view text, std::string_view source, Command command);
 
 }  // namespace stillpoint::cli

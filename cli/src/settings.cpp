@@ -56,6 +56,10 @@ bool Settings::flag(std::string_view name) const {
   return get<bool>(name).value_or(false);
 }
 
+std::optional<Axis> Settings::axis(std::string_view name) const {
+  return get<Axis>(name);
+}
+
 double Settings::required(std::string_view name, std::string_view hint) const {
   if (const auto value = number(name)) {
     return *value;

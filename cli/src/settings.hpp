@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "axis.hpp"
 #include "options.hpp"
 
 #include <cstdint>
@@ -27,16 +28,17 @@ class UsageError : public std::runtime_error {
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {
  public:
-  using Value = std::variant<double, std::int64_t, bool, std::string>;
+  using Value = std::variant<double, std::int64_t, bool, std::string, Axis>;
 
   void set(const Option& option, Value value) { values_[option.name] = std::move(value); }
   [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
 
-  /// The value of a number, integer, text or flag option; empty (false) where not set.
+  /// The value of a number, integer, text, flag or axis option; empty (false) where not set.
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
   [[nodiscard]] std::optional<std::int64_t> integer(std::string_view name) const;
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
   [[nodiscard]] bool flag(std::string_view name) const;
+  [[nodiscard]] std::optional<Axis> axis(std::string_view name) const;
 
   /// The same, but InputError where not set, saying what else would do.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
@@ -48,11 +50,11 @@ class Settings {
     values_.insert(other.values_.begin(), other.values_.end());
   }
 
-  /// Every name that is set.
+  /// Every name that is set, with its value.
   template <class Visit>
-  void for_each_name(const Visit& visit) const {
+  void for_each(const Visit& visit) const {
     for (const auto& [name, value] : values_) {
-      visit(name);
+      visit(name, value);
     }
   }
 

@@ -181,8 +181,8 @@ BOOST_FIXTURE_TEST_CASE(no_option_takes_a_text_for_a_number, Sandbox) {
     if (option.kind != cli::OptionKind::number && option.kind != cli::OptionKind::integer) {
       continue;
     }
-    for (const cli::Command command :
-         {cli::Command::design, cli::Command::region, cli::Command::simulate}) {
+    for (const cli::Command command : {cli::Command::design, cli::Command::region,
+                                       cli::Command::simulate, cli::Command::sweep}) {
       if (option.serves(command)) {
         check_no_number(*this, cli::name(command), option.name, "nan");
         check_no_number(*this, cli::name(command), option.name, "1e400");
@@ -260,8 +260,8 @@ BOOST_DATA_TEST_CASE_F(Sandbox, combination, data::make(combinations), wrong) {
 namespace {
 
 const std::vector<Wrong> command_lines{
-    {"no_command", {}, {"no command", "design, region or simulate"}},
-    {"unknown_command", {"dezign"}, {"command dezign", "design, region or simulate"}},
+    {"no_command", {}, {"no command", "design, region, simulate or sweep"}},
+    {"unknown_command", {"dezign"}, {"command dezign", "design, region, simulate or sweep"}},
     {"command_behind_another", design({"region"}), {"region"}},
     {"unknown_option", design({"--betta", "2"}), {"--betta", "unknown option", "mean beta?"}},
     {"unknown_option_without_a_neighbour", design({"--frobnicate"}), {"--frobnicate", "unknown"}},

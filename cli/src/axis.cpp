@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "axis.hpp"
+
+#include "settings.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace stillpoint::cli {
+
+namespace {
+
+constexpr std::int64_t most_values = 1'000'000'000'000'000;
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) {
+      return parts;
+    }
+    text.remove_prefix(end + 1);
+  }
+}
+
+Axis parse_range(std::string_view field, std::string_view text) {
+  const auto wrong = [&](std::string_view bound) {
+    return InputError(std::string(field), std::string(text), std::string(bound));
+  };
+  const std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() < 3 || parts.size() > 4 || (parts.size() == 4 && parts[3] != "log")) {
+    throw wrong("must be first:last:count or first:last:count:log");
+  }
+  const double first = parse_number(field, parts[0]);
+  const double last = parse_number(field, parts[1]);
+  const std::int64_t count = parse_integer(field, parts[2]);
+  if (count < 1 || count > most_values) {
+    throw wrong(fmt::format("must have a count from 1 to {}", most_values));
+  }
+  if (!std::isfinite(last - first)) {
+    throw wrong("must have a length that a double holds");
+  }
+  if (parts.size() == 3) {
+    return {first, last, count, Axis::Spacing::linear};
+  }
+  if (!(first > 0 && last > 0)) {
+    throw wrong("must have both ends above 0, as it is logarithmic");
+  }
+  return {first, last, count, Axis::Spacing::logarithmic};
+}
+
+}  // namespace
+
+Axis::Axis(std::vector<double> values)
+    : values_(std::move(values)), size_(static_cast<std::int64_t>(values_.size())), range_(false) {
+  assert(!values_.empty());
+}
+
+Axis::Axis(double first, double last, std::int64_t count, Spacing spacing)
+    : values_{first, last}, size_(count), range_(true), spacing_(spacing) {
+  assert(count >= 1);
+}
+
+double Axis::operator[](std::int64_t i) const {
+  if (!range_) {
+    return values_[static_cast<std::size_t>(i)];
+  }
+  const double first = values_[0];
+  const double last = values_[1];
+  if (i == 0) {
+    return first;
+  }
+  if (i == size_ - 1) {
+    return last;
+  }
+  if (spacing_ == Spacing::linear) {
+    return static_cast<double>(i) * ((last - first) / static_cast<double>(size_ - 1)) + first;
+  }
+  // In long double, so that the last bit hardly depends on the C library.
+  const long double part = static_cast<long double>(i) / static_cast<long double>(size_ - 1);
+  const long double low = std::log(static_cast<long double>(first));
+  const long double high = std::log(static_cast<long double>(last));
+  return static_cast<double>(std::exp(low + part * (high - low)));
+}
+
+std::string Axis::text() const {
+  if (!range_) {
+    return fmt::format("{}", fmt::join(values_, ","));
+  }
+  return fmt::format("{}:{}:{}{}", values_[0], values_[1], size_,
+                     spacing_ == Spacing::linear ? "" : ":log");
+}
+
+Axis parse_axis(std::string_view field, std::string_view text) {
+  if (text.find(':') != std::string_view::npos) {
+    return parse_range(field, text);
+  }
+  std::vector<double> values;
+  for (const std::string_view part : split(text, ',')) {
+    values.push_back(parse_number(field, part));
+  }
+  return Axis(std::move(values));
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "checkpoint.hpp"
+
+#include "settings.hpp"
+#include "text_file.hpp"
+#include "writing.hpp"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr auto schema = "stillpoint/sweep-checkpoint/1";
+constexpr std::size_t largest = std::size_t{1} << 26U;  // a task holds axes, which may be long
+
+ordered_json to_json(const Checkpoint& checkpoint) {
+  const SweepState& state = checkpoint.state;
+  return {{"schema", schema},           {"rows", state.rows},
+          {"bytes", checkpoint.bytes},  {"complete", checkpoint.complete},
+          {"digest", state.digest},     {"outcomes", state.outcomes},
+          {"feasible", state.feasible}, {"task", checkpoint.task}};
+}
+
+Checkpoint from_json(const ordered_json& json) {
+  if (json.at("schema") != schema) {
+    throw UsageError("");
+  }
+  Checkpoint checkpoint;
+  checkpoint.task = json.at("task");
+  json.at("rows").get_to(checkpoint.state.rows);
+  json.at("bytes").get_to(checkpoint.bytes);
+  json.at("complete").get_to(checkpoint.complete);
+  json.at("digest").get_to(checkpoint.state.digest);
+  json.at("outcomes").get_to(checkpoint.state.outcomes);
+  json.at("feasible").get_to(checkpoint.state.feasible);
+  return checkpoint;
+}
+
+std::string text(const ordered_json& task, const std::string& key) {
+  return task.contains(key) ? task.at(key).dump() : "nothing";
+}
+
+}  // namespace
+
+std::optional<Checkpoint> read_checkpoint(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) {
+    return std::nullopt;
+  }
+  const std::string content = read_text_file("resume", path, largest);
+  try {
+    return from_json(ordered_json::parse(content));
+  } catch (const std::exception&) {
+    throw UsageError(
+        fmt::format("resume {}: is not what a sweep leaves: remove it to start anew", path));
+  }
+}
+
+int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+  const std::string next = path + ".new";
+  const int descriptor = ::open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) {
+    return errno;
+  }
+  const int error = write_all(descriptor, to_json(checkpoint).dump(2) + "\n");
+  if (::close(descriptor) != 0 || error != 0) {
+    return error != 0 ? error : errno;
+  }
+  return std::rename(next.c_str(), path.c_str()) == 0 ? 0 : errno;
+}
+
+std::string difference(const ordered_json& was, const ordered_json& is) {
+  if (was == is) {
+    return {};
+  }
+  for (const ordered_json* const task : {&was, &is}) {
+    for (const auto& [key, value] : task->items()) {
+      if (text(was, key) != text(is, key)) {
+        return fmt::format("{} was {}, is {}", key, text(was, key), text(is, key));
+      }
+    }
+  }
+  return "the options stand in another order";
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "json_row.hpp"
+
+#include "printable.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using nlohmann::json;
+
+/// What the parser calls for each part of the text; false ends it.
+class RowHandler {
+ public:
+  explicit RowHandler(JsonRow& row) : row_(row) {}
+
+  bool null() { return refuse_value("null"); }
+  bool boolean(bool /*value*/) { return refuse_value("a truth value"); }
+  bool string(std::string& /*value*/) { return refuse_value("a text"); }
+  bool binary(json::binary_t& /*value*/) { return refuse_value("binary"); }
+  bool start_array(std::size_t /*size*/) { return refuse_value("an array"); }
+  bool end_array() { return false; }
+  bool number_integer(std::int64_t value) { return number(static_cast<double>(value)); }
+  bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
+  bool number_float(double value, const std::string& /*text*/) { return number(value); }
+
+  bool start_object(std::size_t /*size*/) {
+    if (inside_) {
+      return refuse_value("an object");
+    }
+    inside_ = true;
+    return true;
+  }
+  bool end_object() { return true; }
+
+  bool key(std::string& key) {
+    if (std::ranges::find(row_.fields, key, &std::pair<std::string, double>::first) !=
+        row_.fields.end()) {
+      return refuse(fmt::format("the key {} stands twice", shown(key)));
+    }
+    row_.fields.emplace_back(key, 0.0);
+    return true;
+  }
+
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const json::exception& error) {
+    const std::string_view message = error.what();
+    const std::size_t prefix = message.find("] ");
+    return refuse(fmt::format(
+        "is not valid JSON: {}",
+        printable(prefix == std::string_view::npos ? message : message.substr(prefix + 2), 200)));
+  }
+
+ private:
+  static std::string shown(const std::string& key) { return printable(key, 60); }
+
+  bool refuse(std::string error) {
+    row_.error = std::move(error);
+    return false;
+  }
+  bool refuse_value(std::string_view kind) {
+    return inside_ && !row_.fields.empty()
+               ? refuse(fmt::format("{} is {}: must be a number", shown(row_.fields.back().first),
+                                    kind))
+               : refuse(fmt::format("is {}: must be a JSON object", kind));
+  }
+  bool number(double value) {
+    if (!inside_) {
+      return refuse_value("a number");
+    }
+    row_.fields.back().second = value;
+    return std::isfinite(value) || refuse_value("beyond a double");
+  }
+
+  JsonRow& row_;
+  bool inside_{false};
+};
+
+}  // namespace
+
+JsonRow parse_json_row(std::string_view text) {
+  JsonRow row;
+  RowHandler handler(row);
+  json::sax_parse(text, &handler);
+  if (row.error.empty() && row.fields.empty()) {
+    row.error = "is {}: must have keys";
+  }
+  return row;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "output.hpp"
+#include "program.hpp"
+#include "settings.hpp"
+
+namespace stillpoint::cli {
+
+/// Runs the command sweep: the rows go to their file or to standard output as they are found, the
+/// report to `output`. Wrong input and an interrupt leave as an exception, that of what is kept.
+ExitCode run_sweep(const Settings& settings, Output& output);
+
+}  // namespace stillpoint::cli
