@@ -156,7 +156,7 @@ void PartFile::synchronize() {
 }
 
 void PartFile::save() {
-  constexpr double least_between_s = 0.25;
+  constexpr double least_between_s = 0.1;
   constexpr double pause = 20;  // times what it took: so at most 5 % go into this
   const double begun = seconds_now();
   if (bytes_ > saved_.bytes) {

@@ -18,7 +18,9 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <stop_token>
 #include <system_error>
+#include <thread>
 
 namespace stillpoint::cli_test {
 
@@ -209,6 +211,20 @@ void interrupt(pid_t child, int err, const Surroundings& surroundings, Clock::ti
   ::kill(child, SIGINT);  // not waited for yet, so the number is still its own
 }
 
+/// Sends the signal once its time has come, unless the program has `ended` before.
+void send_signal(pid_t child, const Surroundings& surroundings, const std::stop_token& ended) {
+  if (!surroundings.signal_when) {
+    return;
+  }
+  while (!ended.stop_requested()) {
+    if (surroundings.signal_when()) {
+      ::kill(child, surroundings.signal);
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 /// Reads both until the program has closed them; false where that takes too long.
 bool read_both(int out, int err, ProgramRun& run, Clock::time_point deadline) {
   std::array<pollfd, 2> watched{pollfd{out, POLLIN, 0}, pollfd{err, POLLIN, 0}};
@@ -289,11 +305,16 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   if (surroundings.interrupt) {
     interrupt(child, err.reader->get(), surroundings, deadline);
   }
+  std::jthread sender([&surroundings, child](const std::stop_token& ended) {
+    send_signal(child, surroundings, ended);
+  });
   ProgramRun result;
   const bool in_time = read_both(out.reader->get(), err.reader->get(), result, deadline);
   if (!in_time) {
     ::kill(child, SIGKILL);
   }
+  sender.request_stop();
+  sender.join();  // before the number of the child may become another's
   result.exit_code = wait_for(child);
   return result;
 }

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,7 +19,7 @@ using Arguments = std::vector<std::string>;
 
 /// What a run left behind.
 struct ProgramRun {
-  int exit_code{-1};  ///< -1: it crashed, or was ended after its time
+  int exit_code{-1};  ///< -1: it crashed, or was ended by a signal or after its time
   std::string out;
   std::string err;
 
@@ -39,6 +41,9 @@ struct Surroundings {
   /// Sends SIGINT as soon as the program handles it; with error_is_terminal once it has said
   /// something there.
   bool interrupt{false};
+  /// Sends `signal` once this holds; it is asked every millisecond.
+  std::function<bool()> signal_when{};
+  int signal{SIGINT};
   std::chrono::seconds patience{120};
 };
 

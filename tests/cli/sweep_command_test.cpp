@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE sweep_command
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+
+Arguments sweep(const Arguments& more = {}) {
+  return joined({"sweep", "--v0", "1", "--p", "1"}, more);
+}
+
+SweepTable table_of(const ProgramRun& run) {
+  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
+  BOOST_TEST(run.err.empty(), run.err);
+  return read_csv(run.out);
+}
+
+/// A text of a report, or a number to the last bit, as a sweep writes it; "" for null.
+bool is_same(const json& reported, const std::string& written) {
+  if (reported.is_null()) {
+    return written.empty();
+  }
+  if (reported.is_string()) {
+    return written == reported;
+  }
+  if (reported.is_boolean()) {
+    return written == (reported.get<bool>() ? "true" : "false");
+  }
+  return !written.empty() && std::stod(written) == reported.get<double>();
+}
+
+/// Asserts that the columns of a row are those of a report's object.
+void check_row(const SweepTable& table, std::size_t row, const json& reported,
+               const Arguments& columns) {
+  for (const std::string& column : columns) {
+    BOOST_TEST(is_same(reported.at(column), table.at(row, column)),
+               column << ": " << table.at(row, column) << " in the sweep, " << reported.at(column)
+                      << " in the report");
+  }
+}
+
+const Arguments free_columns{"peak_amplitude", "half_cycles", "outcome", "stop_position",
+                             "stop_time"};
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(grid, Sandbox)
+
+BOOST_AUTO_TEST_CASE(has_the_metrics_of_simulate_and_turns_its_last_axis_first) {
+  const Arguments fs{"0", "0.02", "0.4"};
+  const Arguments deltas{"0", "0.03", "0.7"};
+  const SweepTable table =
+      table_of(run(sweep({"--f", "0,0.02,0.4", "--delta", "0,0.03,0.7", "--times"})));
+  BOOST_TEST((table.columns == joined({"f", "delta"}, free_columns)));
+  BOOST_TEST_REQUIRE(table.rows.size() == fs.size() * deltas.size());
+  std::size_t row = 0;
+  for (const std::string& f : fs) {
+    for (const std::string& delta : deltas) {
+      BOOST_TEST(table.at(row, "f") == f);
+      BOOST_TEST(table.at(row, "delta") == delta);
+      const json report =
+          run({"simulate", "--v0", "1", "--p", "1", "--f", f, "--delta", delta, "--json"}).json();
+      check_row(table, row, report.at("response"), free_columns);
+      ++row;
+    }
+  }
+  BOOST_TEST(table.at(0, "outcome") == "never_stops");
+  BOOST_TEST(table.at(2, "outcome") == "caught_at_start");
+  BOOST_TEST(table.at(3, "outcome") == "stopped_in_dead_zone");
+}
+
+BOOST_AUTO_TEST_CASE(may_have_axes_of_the_start_and_the_spring) {
+  const SweepTable table = table_of(run({"sweep", "--delta", "0.01,0.02", "--f", "0.05", "--x0",
+                                         "-1:1:3", "--p", "1,2", "--v0", "0.5,1", "--times"}));
+  BOOST_TEST((table.columns == joined({"v0", "p", "x0", "delta"}, free_columns)));
+  BOOST_TEST_REQUIRE(table.rows.size() == 24U);
+  for (const std::size_t row : {std::size_t{0}, std::size_t{7}, std::size_t{16}}) {
+    const json report =
+        run({"simulate", "--v0", table.at(row, "v0"), "--p", table.at(row, "p"), "--x0",
+             table.at(row, "x0"), "--f", "0.05", "--delta", table.at(row, "delta"), "--json"})
+            .json();
+    check_row(table, row, report.at("response"), free_columns);
+  }
+  BOOST_TEST((table.rows.back().front() == "1" && table.at(23, "p") == "2"));
+}
+
+BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_metrics_of_simulate) {
+  const Arguments forced{"--excitation", "harmonic", "--k", "0.2", "--lambda", "0.35"};
+  const Arguments columns = joined(
+      free_columns, {"end_time", "final_position", "final_velocity", "sticks", "stick_time"});
+  for (const Arguments& more :
+       {joined(forced, {"--t-end", "100"}), joined(forced, {"--duration", "20"})}) {
+    const SweepTable table = table_of(run(joined(
+        {"sweep", "--p", "1", "--f", "0.05,0.18,0.3", "--delta", "0,0.01", "--times"}, more)));
+    BOOST_TEST_REQUIRE(table.rows.size() == 6U);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      const json report = run(joined({"simulate", "--p", "1", "--f", table.at(row, "f"), "--delta",
+                                      table.at(row, "delta"), "--json"},
+                                     more))
+                              .json();
+      check_row(table, row, report.at("response"), columns);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_design) {
+  const Arguments limits{"--tolerance", "0.05", "--objective", "time", "--criterion", "exact"};
+  const SweepTable table =
+      table_of(run(sweep(joined({"--beta", "0.6,0.8,0.95", "--times"}, limits))));
+  BOOST_TEST_REQUIRE(table.rows.size() == 3U);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const json report =
+        run(joined({"design", "--v0", "1", "--p", "1", "--beta", table.at(row, "beta"), "--json"},
+                   limits))
+            .json();
+    check_row(table, row, report.at("region"), {"feasible"});
+    if (report.at("design").is_null()) {
+      BOOST_TEST(table.at(row, "f").empty());
+      BOOST_TEST(table.at(row, "peak_amplitude").empty());
+      continue;
+    }
+    check_row(table, row, report.at("design"), {"f", "delta", "tolerance"});
+    check_row(table, row, report.at("response"), {"peak_amplitude", "stop_time"});
+  }
+  BOOST_TEST(table.at(0, "feasible") == "false");
+  BOOST_TEST(table.at(2, "feasible") == "true");
+}
+
+BOOST_AUTO_TEST_CASE(range_is_even_and_ends_where_it_says) {
+  const SweepTable even = table_of(run(sweep({"--f", "0.1:0.7:4", "--delta", "0"})));
+  BOOST_TEST_REQUIRE(even.rows.size() == 4U);
+  BOOST_TEST(even.number(0, "f") == 0.1);
+  BOOST_TEST(even.number(1, "f") == 1 * ((0.7 - 0.1) / 3) + 0.1);
+  BOOST_TEST(even.number(2, "f") == 2 * ((0.7 - 0.1) / 3) + 0.1);
+  BOOST_TEST(even.number(3, "f") == 0.7);
+  const SweepTable log = table_of(run(sweep({"--f", "1e-3:1e1:5:log", "--delta", "0"})));
+  BOOST_TEST_REQUIRE(log.rows.size() == 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    // Powers of ten: expl(logl()) errs by less than an ulp of a double.
+    BOOST_TEST(std::abs(log.number(i, "f") / std::pow(10, static_cast<double>(i) - 3) - 1) < 3e-16);
+  }
+  BOOST_TEST(table_of(run(sweep({"--f", "0.1:0.7:1", "--delta", "0"}))).columns.front() ==
+             "peak_amplitude");
+}
+
+BOOST_AUTO_TEST_CASE(may_come_from_a_scene) {
+  const std::string scene =
+      R"({"v0": 1, "p": [1, 2], "f": "0.1:0.3:3", "delta": 0.02, "times": true, "threads": 1})";
+  Surroundings surroundings;
+  surroundings.input = scene;
+  const ProgramRun by_scene = run({"sweep", "-"}, surroundings);
+  const ProgramRun by_flags =
+      run({"sweep", "--v0", "1", "--p", "1,2", "--f", "0.1:0.3:3", "--delta", "0.02", "--times"});
+  BOOST_TEST(table_of(by_scene).rows.size() == 6U);
+  BOOST_TEST(by_scene.out == by_flags.out);
+}
+
+BOOST_AUTO_TEST_CASE(does_not_depend_on_the_threads) {
+  for (const Arguments& more : {Arguments{"--f", "0:0.3:60", "--delta", "0:0.5:70", "--times"},
+                                Arguments{"--f", "0:0.3:20", "--delta", "0:0.1:15", "--x0", "0.5"},
+                                Arguments{"--f", "0:0.3:20", "--delta", "0:0.1:15", "--excitation",
+                                          "full-sine", "--k", "0.3", "--lambda", "0.7"}}) {
+    const ProgramRun one = run(sweep(joined(more, {"--threads", "1"})));
+    BOOST_TEST(one.exit_code == 0, one.err);
+    BOOST_TEST(one.out.size() > 10'000U);
+    for (const char* threads : {"2", "7"}) {
+      BOOST_TEST((run(sweep(joined(more, {"--threads", threads}))).out == one.out));
+    }
+  }
+  const Arguments designs{"--beta", "0.6:1.2:40"};
+  BOOST_TEST((run(sweep(joined(designs, {"--threads", "1"}))).out ==
+              run(sweep(joined(designs, {"--threads", "3"}))).out));
+}
+
+BOOST_AUTO_TEST_CASE(writes_the_columns_that_are_asked_for) {
+  const Arguments entries{"--f", "0.1,0.2", "--delta", "0.3"};
+  const SweepTable table =
+      table_of(run(sweep(joined(entries, {"--columns", "stop-time,delta,outcome,v0"}))));
+  BOOST_TEST((table.columns == Arguments{"stop_time", "delta", "outcome", "v0"}));
+  const SweepTable all = table_of(run(sweep(joined(entries, {"--times"}))));
+  BOOST_TEST(table.at(1, "stop_time") == all.at(1, "stop_time"));
+  BOOST_TEST(table.at(1, "v0") == "1");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE sweep_list
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <ostream>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+namespace data = boost::unit_test::data;
+
+Arguments sweep(const Arguments& more = {}) {
+  return joined({"sweep", "--v0", "1", "--p", "1", "--list", "-"}, more);
+}
+
+Surroundings with_input(const std::string& text) {
+  Surroundings surroundings;
+  surroundings.input = text;
+  return surroundings;
+}
+
+const std::string plain = "f,delta\n0.1,0.2\n0.02,0.03\n0,0\n";
+
+/// A list that holds the entries of `plain`.
+struct Spelling {
+  const char* name;
+  std::string text;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Spelling& spelling) {
+  return stream << spelling.name;
+}
+
+const std::vector<Spelling> spellings{
+    {"without_a_last_line_end", "f,delta\n0.1,0.2\n0.02,0.03\n0,0"},
+    {"with_carriage_returns", "f,delta\r\n0.1,0.2\r\n0.02,0.03\r\n0,0\r\n"},
+    {"with_a_byte_order_mark", "\xEF\xBB\xBF" + plain},
+    {"with_blank_lines", "\n \nf,delta\n\n0.1,0.2\n\t\n0.02,0.03\n0,0\n\n"},
+    {"with_spaces", " f , delta\n 0.1 ,\t0.2\n0.02, 0.03 \n0,0\n"},
+    {"with_quoted_names", "\"f\",\"delta\"\n0.1,0.2\n0.02,0.03\n0,0\n"},
+    {"with_other_numerals", "f,delta\n+1e-1,.2\n2E-2,3e-02\n0.0,-0\n"},
+    {"as_json_lines",
+     "{\"f\": 0.1, \"delta\": 0.2}\n{\"delta\": 0.03, \"f\": 0.02}\n\n{\"f\": 0, \"delta\": 0}"},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, spelling, data::make(spellings), one) {
+  const ProgramRun expected = run(sweep(), with_input(plain));
+  BOOST_TEST_REQUIRE(expected.exit_code == 0, expected.err);
+  const ProgramRun answer = run(sweep(), with_input(one.text));
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  // 0 and -0 are one damper, but the columns repeat what was given.
+  if (std::string(one.name) != "with_other_numerals") {
+    BOOST_TEST(answer.out == expected.out);
+  } else {
+    BOOST_TEST(read_csv(answer.out).at(1, "peak_amplitude") ==
+               read_csv(expected.out).at(1, "peak_amplitude"));
+  }
+}
+
+BOOST_FIXTURE_TEST_SUITE(list, Sandbox)
+
+BOOST_AUTO_TEST_CASE(has_the_metrics_of_simulate_in_its_own_order) {
+  const SweepTable table = read_csv(run(sweep({"--times"}), with_input(plain)).out);
+  BOOST_TEST((table.columns == Arguments{"f", "delta", "peak_amplitude", "half_cycles", "outcome",
+                                         "stop_position", "stop_time"}));
+  BOOST_TEST_REQUIRE(table.rows.size() == 3U);
+  const auto report =
+      run({"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.03", "--json"})
+          .json()["response"];
+  BOOST_TEST(table.number(1, "peak_amplitude") == report["peak_amplitude"].get<double>());
+  BOOST_TEST(table.number(1, "stop_time") == report["stop_time"].get<double>());
+  BOOST_TEST(table.number(1, "half_cycles") == report["half_cycles"].get<double>());
+  BOOST_TEST(table.at(2, "outcome") == "never_stops");
+}
+
+BOOST_AUTO_TEST_CASE(of_scenes_gives_each_its_own_start) {
+  write("scenes.jsonl",
+        "{\"v0\": 1, \"p\": 2, \"f\": 0.1, \"delta\": 0.1}\n"
+        "{\"v0\": 2, \"p\": 1, \"f\": 0.1, \"delta\": 0.1}\n");
+  const ProgramRun answer = run({"sweep", "--list", "scenes.jsonl"});
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const SweepTable table = read_csv(answer.out);
+  BOOST_TEST(table.columns.front() == "v0");
+  for (std::size_t row = 0; row < 2; ++row) {
+    const auto report = run({"simulate", "--v0", table.at(row, "v0"), "--p", table.at(row, "p"),
+                             "--f", "0.1", "--delta", "0.1", "--json"})
+                            .json()["response"];
+    BOOST_TEST(table.number(row, "peak_amplitude") == report["peak_amplitude"].get<double>());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_problems_is_designed) {
+  write("problems.csv", "beta\n0.8\n0.5\n0.9\n");
+  const ProgramRun answer = run({"sweep", "--v0", "1", "--p", "1", "--list", "problems.csv"});
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const SweepTable table = read_csv(answer.out);
+  BOOST_TEST(table.at(0, "feasible") == "true");
+  BOOST_TEST(table.at(1, "feasible") == "false");
+  BOOST_TEST(table.at(1, "f").empty());
+}
+
+BOOST_AUTO_TEST_CASE(of_many_entries_comes_through_whole_and_in_order) {
+  std::string text = "f,delta\n";
+  constexpr int entries = 20'000;
+  for (int i = 0; i < entries; ++i) {
+    text += std::to_string(i) + "e-5,0.5\n";
+  }
+  const ProgramRun answer = run(sweep({"--columns", "f"}), with_input(text));
+  const SweepTable table = read_csv(answer.out);
+  BOOST_TEST_REQUIRE(table.rows.size() == static_cast<std::size_t>(entries));
+  for (int i = 0; i < entries; ++i) {
+    const std::string given = std::to_string(i) + "e-5";
+    BOOST_TEST_REQUIRE(table.number(static_cast<std::size_t>(i), "f") == std::stod(given));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_entries_gives_none) {
+  BOOST_TEST(run(sweep(), with_input("f,delta\n")).out ==
+             "f,delta,peak_amplitude,half_cycles,outcome,stop_position\n");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// ---- wrong lists
+
+namespace {
+
+struct Wrong {
+  const char* name;
+  std::string text;
+  Arguments says;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
+  return stream << wrong.name;
+}
+
+const std::vector<Wrong> wrong_lists{
+    {"empty", "", {"list standard input", "is empty"}},
+    {"blank", "\n\n", {"is empty"}},
+    {"no_header", "0.1,0.2\n", {"line 1", "\"0.1\"", "no column", "delta"}},
+    {"unknown_column", "\nf,colour\n", {"line 2", "colour", "no column"}},
+    {"result_for_a_column", "f,half_cycles\n", {"half_cycles", "no column"}},
+    {"column_twice", "f,delta,f\n", {"line 1", "f", "twice"}},
+    {"column_missing", "f\n0.1\n", {"delta is missing", "column of the list"}},
+    {"column_that_is_an_option", "f,delta,v0\n1,1,1\n", {"v0", "column", "option", "give one"}},
+    {"too_few_values", "f,delta\n0.1,0.2\n0.1\n", {"line 3", "1 values", "2 columns"}},
+    {"too_many_values", "f,delta\n0.1,0.2,0.3\n", {"line 2", "3 values"}},
+    {"no_number", "f,delta\n0.1,0.2\n\nabc,1\n", {"line 4", "f = \"abc\"", "finite number"}},
+    {"empty_value", "f,delta\n,1\n", {"line 2", "f = \"\"", "finite number"}},
+    {"nan", "f,delta\nnan,1\n", {"line 2", "f = \"nan\""}},
+    {"beyond_a_double", "f,delta\n1e999,1\n", {"line 2", "1e999"}},
+    {"negative", "f,delta\n0.1,0.2\n0.1,-3\n", {"line 3", "delta = -3", "from 0"}},
+    {"the_first_of_several", "f,delta\n0.1,0.2\n0.1,-3\n-1,1\n", {"line 3", "delta = -3"}},
+    {"too_many_half_cycles", "f,delta\n0.1,0.2\n1e-12,1e-30\n", {"line 3", "half-cycle-limit"}},
+    {"line_without_an_end", "f,delta\n" + std::string(100'000, '1'), {"line 2", "longer"}},
+    {"json_broken", "{\"f\": 1, \"delta\": 1}\n{\"f\": 1,\n", {"line 2", "not valid JSON"}},
+    {"json_array", "{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}},
+    {"json_number", "{\"f\": 1, \"delta\": 1}\n7\n", {"line 2", "number", "object"}},
+    {"json_nested", "{\"f\": {\"a\": 1}, \"delta\": 1}\n", {"line 1", "f is an object"}},
+    {"json_text", "{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a text", "number"}},
+    {"json_null", "{\"f\": null, \"delta\": 1}\n", {"line 1", "f is null", "number"}},
+    {"json_key_twice", "{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1", "key f", "twice"}},
+    {"json_unknown_key", "{\"f\": 1, \"delta\": 1, \"g\": 2}\n", {"line 1", "\"g\"", "no key"}},
+    {"json_key_missing", "{\"f\": 1, \"delta\": 1}\n{\"f\": 1}\n", {"line 2", "1 keys", "has 2"}},
+    {"json_key_too_many",
+     "{\"f\": 1, \"delta\": 1}\n{\"f\": 1, \"delta\": 1, \"x0\": 1}\n",
+     {"line 2", "x0", "first object"}},
+    {"json_two_on_a_line", "{\"f\": 1, \"delta\": 1} {}\n", {"line 1", "not valid JSON"}},
+    {"json_without_keys", "{}\n", {"line 1", "keys"}},
+    {"json_beyond_a_double", "{\"f\": 1e999, \"delta\": 1}\n", {"line 1", "1e999"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_list, data::make(wrong_lists), wrong) {
+  for (const Arguments& more : {Arguments{}, Arguments{"--output", "rows.npy"}}) {
+    const ProgramRun answer = run(sweep(more), with_input(wrong.text));
+    BOOST_TEST(answer.exit_code == 2);
+    BOOST_TEST(answer.out.empty(), answer.out);
+    BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
+    for (const std::string& part : wrong.says) {
+      BOOST_TEST(answer.err.find(part) != std::string::npos, "no " << part << " in " << answer.err);
+    }
+    BOOST_TEST(contents().empty());
+  }
+}

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE sweep_resume
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <system_error>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// A sweep of some tenths of a second.
+Arguments sweep(const Arguments& more = {}) {
+  return joined({"sweep", "--p", "1", "--f", "0.001:0.01:60", "--delta", "0:0.001:50",
+                 "--excitation", "harmonic", "--k", "0.1", "--lambda", "0.9", "--t-end", "700"},
+                more);
+}
+
+std::uintmax_t size_of(const fs::path& path) {
+  std::error_code none;
+  const std::uintmax_t size = fs::file_size(path, none);
+  return none ? 0 : size;
+}
+
+/// Sends the signal as soon as the file has more than so many bytes.
+Surroundings signalled(int signal, const fs::path& path, std::uintmax_t above) {
+  Surroundings surroundings;
+  surroundings.signal = signal;
+  surroundings.signal_when = [path, above] { return size_of(path) > above; };
+  return surroundings;
+}
+
+/// A sandbox with rows of an interrupted sweep into rows.csv, and the text they are to become.
+struct Interrupted : Sandbox {
+  Interrupted() {
+    if (whole.empty()) {
+      report = run(sweep({"--output", "rows.csv", "--json"})).json();
+      whole = read("rows.csv");
+      fs::remove(path("rows.csv"));
+    }
+    stopped = run(sweep({"--output", "rows.csv"}), signalled(SIGINT, path("rows.csv.part"), 0));
+    BOOST_TEST_REQUIRE(stopped.exit_code == 130, stopped.err);
+  }
+
+  [[nodiscard]] ProgramRun resume(const Arguments& more = {}) const {
+    return run(sweep(joined({"--output", "rows.csv", "--resume"}, more)));
+  }
+
+  [[nodiscard]] json checkpoint() const { return json::parse(read("rows.csv.part.json")); }
+
+  /// Asserts that resuming is refused and changes nothing.
+  void check_refused(const Arguments& more, const Arguments& says) const {
+    const auto before = contents();
+    const ProgramRun answer = resume(more);
+    BOOST_TEST(answer.exit_code == 2);
+    BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
+    for (const std::string& part : says) {
+      BOOST_TEST(answer.err.find(part) != std::string::npos, "no " << part << " in " << answer.err);
+    }
+    BOOST_TEST((contents() == before));
+  }
+
+  inline static std::string whole;
+  inline static json report;  ///< on the whole
+  ProgramRun stopped;
+};
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(interrupt, Interrupted)
+
+BOOST_AUTO_TEST_CASE(keeps_the_rows_and_says_how_to_go_on) {
+  BOOST_TEST(stopped.out.empty(), stopped.out);
+  BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
+  BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
+  BOOST_TEST(stopped.err.find("kept in rows.csv.part") != std::string::npos, stopped.err);
+  BOOST_TEST(stopped.err.find("--resume") != std::string::npos, stopped.err);
+  BOOST_TEST(contents().size() == 2U);
+  const std::string part = read("rows.csv.part");
+  BOOST_TEST(part.ends_with('\n'));
+  BOOST_TEST((whole.starts_with(part)));
+}
+
+BOOST_AUTO_TEST_CASE(can_be_resumed_into_the_same_bytes) {
+  const ProgramRun answer = resume({"--json", "--threads", "1"});
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.json()["resumed_at"] > 0);
+  BOOST_TEST(answer.json()["rows"] == 3000);
+  BOOST_TEST(answer.json()["outcomes"] == report["outcomes"]);
+  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(contents().size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(is_not_passed_over) {
+  const auto before = contents();
+  const ProgramRun answer = run(sweep({"--output", "rows.csv"}));
+  BOOST_TEST(answer.exit_code == 2);
+  for (const char* part : {"rows.csv.part", "--resume", "remove"}) {
+    BOOST_TEST(answer.err.find(part) != std::string::npos, answer.err);
+  }
+  BOOST_TEST((contents() == before));
+}
+
+BOOST_AUTO_TEST_CASE(is_forgotten_with_its_part) {
+  fs::remove(path("rows.csv.part"));
+  BOOST_TEST(run(sweep({"--output", "rows.csv"})).exit_code == 0);
+  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(contents().size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_another_task) {
+  check_refused({"--times"}, {"rows.csv.part", "columns was", "other options"});
+  const ProgramRun other = run({"sweep", "--v0", "1", "--p", "1", "--f", "0.1", "--delta", "0",
+                                "--output", "rows.csv", "--resume"});
+  BOOST_TEST(other.exit_code == 2);
+  BOOST_TEST(other.err.find("kind was \"forced\", is \"free\"") != std::string::npos, other.err);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {
+  fs::resize_file(path("rows.csv.part"), 100);
+  check_refused({}, {"100 bytes", "rows.csv.part.json says", "remove"});
+}
+
+BOOST_AUTO_TEST_CASE(cuts_off_what_came_after_its_checkpoint) {
+  write("rows.csv.part", read("rows.csv.part") + "0.0010");
+  BOOST_TEST(resume().exit_code == 0);
+  BOOST_TEST((read("rows.csv") == whole));
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none) {
+  const std::string text = read("rows.csv.part.json");
+  fs::remove(path("rows.csv.part.json"));
+  check_refused({}, {"rows.csv.part.json", "is missing"});
+  for (const char* wrong : {"", "{}", "[]", "{\"schema\": 1}", "nonsense"}) {
+    write("rows.csv.part.json", wrong);
+    check_refused({}, {"rows.csv.part.json", "is not what a sweep leaves"});
+  }
+  write("rows.csv.part.json", text);
+  BOOST_TEST(resume().exit_code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
+  const int other = ::open(path("rows.csv.part").c_str(), O_RDWR | O_CLOEXEC);
+  BOOST_TEST_REQUIRE(::flock(other, LOCK_EX) == 0);
+  check_refused({}, {"rows.csv.part", "another sweep"});
+  ::close(other);
+  BOOST_TEST(resume().exit_code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(between_the_last_two_steps_is_tidied_up) {
+  json last = checkpoint();
+  last["complete"] = true;
+  last["rows"] = 3000;
+  last["bytes"] = whole.size();
+  write("rows.csv.part", whole);
+  write("rows.csv.part.json", last.dump());
+  BOOST_TEST(resume().exit_code == 0);  // only the name was missing
+  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(contents().size() == 1U);
+  write("rows.csv.part.json", last.dump());
+  BOOST_TEST(resume().exit_code == 0);  // only the checkpoint was left
+  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(contents().size() == 1U);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(killed, Sandbox)
+
+BOOST_AUTO_TEST_CASE(at_any_moment_leaves_what_can_be_resumed) {
+  for (const std::string name : {"rows.csv", "rows.npy"}) {
+    BOOST_TEST_REQUIRE(run(sweep({"--output", "whole-" + name})).exit_code == 0);
+    const std::string whole = read("whole-" + name);
+    std::int64_t resumed_at = 0;
+    for (std::uintmax_t above : {std::uintmax_t{0}, whole.size() / 3, whole.size() / 2}) {
+      const ProgramRun ended = run(sweep({"--output", name, "--resume"}),
+                                   signalled(SIGKILL, path(name + ".part"), above));
+      BOOST_TEST(ended.exit_code == -1);
+      BOOST_TEST(!fs::exists(path(name)));
+      resumed_at = json::parse(read(name + ".part.json"))["rows"];
+    }
+    BOOST_TEST(resumed_at > 0);
+    const ProgramRun answer = run(sweep({"--output", name, "--resume", "--json"}));
+    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    BOOST_TEST(answer.json()["resumed_at"] == resumed_at);
+    BOOST_TEST((read(name) == whole));
+    BOOST_TEST(!fs::exists(path(name + ".part")));
+    BOOST_TEST(!fs::exists(path(name + ".part.json")));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(list, Sandbox)
+
+namespace {
+
+std::string rows(int count, const std::string& last) {
+  std::string text = "f,delta\n";
+  for (int i = 1; i < count; ++i) {
+    text += std::to_string(i) + "e-5,0.5\n";
+  }
+  return text + last + "\n";
+}
+
+ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Arguments& more = {}) {
+  Surroundings surroundings;
+  surroundings.input = list;
+  return sandbox.run(
+      joined({"sweep", "--v0", "1", "--p", "1", "--list", "-", "--output", "rows.npy", "--resume"},
+             more),
+      surroundings);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
+  constexpr int count = 3000;
+  const std::string right = rows(count, "0.1,0.5");
+  BOOST_TEST(resume(*this, right).exit_code == 0);
+  const std::string whole = read("rows.npy");
+  fs::remove(path("rows.npy"));
+
+  const ProgramRun refused = resume(*this, rows(count, "-0.1,0.5"));
+  BOOST_TEST(refused.exit_code == 2);
+  BOOST_TEST(refused.err.find("line 3001: f = -0.1") != std::string::npos, refused.err);
+  BOOST_TEST(refused.err.find("kept in rows.npy.part") != std::string::npos, refused.err);
+  BOOST_TEST(!fs::exists(path("rows.npy")));
+
+  const auto before = contents();
+  std::string other = right;
+  other.replace(other.find("1e-5"), 4, "2e-5");
+  for (const std::string& wrong : {other, rows(10, "0.1,0.5")}) {
+    const ProgramRun changed = resume(*this, wrong);
+    BOOST_TEST(changed.exit_code == 2);
+    BOOST_TEST(changed.err.find("are not those") != std::string::npos, changed.err);
+    BOOST_TEST((contents() == before));
+  }
+
+  const ProgramRun mended = resume(*this, right, {"--json"});
+  BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
+  BOOST_TEST(mended.json()["resumed_at"] > 0);
+  BOOST_TEST((read("rows.npy") == whole));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(resume_option, Sandbox)
+
+BOOST_AUTO_TEST_CASE(begins_where_nothing_is_left) {
+  const ProgramRun answer = run(sweep({"--output", "rows.csv", "--resume", "--json"}));
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.json()["resumed_at"] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(needs_a_file) {
+  const ProgramRun answer = run(sweep({"--resume"}));
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(answer.err.find("give --output FILE") != std::string::npos, answer.err);
+}
+
+BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
+  Surroundings surroundings;
+  surroundings.interrupt = true;
+  const ProgramRun stopped =
+      run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-4:1:1000000", "--delta", "1e-4:1:1000000"},
+          surroundings);
+  BOOST_TEST(stopped.exit_code == 130);
+  BOOST_TEST((stopped.out.empty() || stopped.out.ends_with('\n')));
+  BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
+}
+
+BOOST_AUTO_TEST_CASE(progress_is_shown_on_a_terminal) {
+  if (!has_terminals()) {
+    return;
+  }
+  Surroundings surroundings;
+  surroundings.interrupt = true;
+  surroundings.error_is_terminal = true;
+  const ProgramRun stopped = run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-4:1:1000000",
+                                  "--delta", "1e-4:1:1000000", "--output", "/dev/null"},
+                                 surroundings);
+  BOOST_TEST(stopped.exit_code == 130);
+  for (const char* part : {" of 1e+12 rows, 0 %, ", " rows/s, ", " left\x1b[K"}) {
+    BOOST_TEST(stopped.err.find(part) != std::string::npos, stopped.err);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
