@@ -4,6 +4,7 @@
 #include "entry_threads.hpp"
 #include "progress.hpp"
 
+#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -44,6 +45,16 @@ void set_response(SweepBlock& block, Index i, const Response& response) {
   block[stop_time][i] = response.stop_time.value_or(missing);
 }
 
+void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
+  const double missing = response.outcome == Outcome::never_stops ? never : absent;
+  set_response(block, i, response);
+  block[end_time][i] = response.end_time.value_or(missing);
+  block[final_position][i] = response.final_position.value_or(absent);
+  block[final_velocity][i] = response.final_velocity.value_or(absent);
+  block[sticks][i] = response.sticks;
+  block[stick_time][i] = response.stick_time;
+}
+
 void make_room_for_response(SweepBlock& block) {
   make_room(block, {peak_amplitude, half_cycles, outcome, stop_position, stop_time});
 }
@@ -63,29 +74,21 @@ void SweepRun::operator()(SweepBlock& block) {
 }
 
 void SweepRun::run_free(SweepBlock& block) {
-  const auto one_by_one = [&] {
-    make_room_for_response(block);
-    const Ask ask{
-        .times = task_.times, .margin = false, .half_cycle_limit = task_.half_cycle_limit};
-    for_each_entry(block.size, task_.threads, [&](Index i) {
-      set_response(block, i, free_response(oscillator(block, i), start(block, i), ask));
-    });
-  };
   if (!task_.from_zero) {
-    return one_by_one();
+    return run_free_one_by_one(block);
   }
   const BatchAsk ask{
       .times = task_.times, .half_cycle_limit = task_.half_cycle_limit, .threads = task_.threads};
   try {
-    if (task_.one_v0_and_p && block.size > 0) {
+    if (task_.one_v0_and_p) {
       free_batch(block[v0][0], block[p][0], block[f], block[delta], ask, batch_);
     } else {
       free_batch(block[v0], block[p], block[f], block[delta], ask, batch_);
     }
   } catch (const InputError&) {
-    return one_by_one();  // which says what is wrong with the entry alone
+    return run_free_one_by_one(block);  // which says what is wrong with the entry alone
   } catch (const TooManyHalfCycles&) {
-    return one_by_one();
+    return run_free_one_by_one(block);
   }
   block[peak_amplitude].swap(batch_.peak_amplitude);
   block[half_cycles].swap(batch_.half_cycles);
@@ -100,6 +103,14 @@ void SweepRun::run_free(SweepBlock& block) {
   }
 }
 
+void SweepRun::run_free_one_by_one(SweepBlock& block) const {
+  make_room_for_response(block);
+  const Ask ask{.times = task_.times, .margin = false, .half_cycle_limit = task_.half_cycle_limit};
+  for_each_entry(block.size, task_.threads, [&](Index i) {
+    set_response(block, i, free_response(oscillator(block, i), start(block, i), ask));
+  });
+}
+
 void SweepRun::run_forced(SweepBlock& block) const {
   make_room_for_response(block);
   make_room(block, {end_time, final_position, final_velocity, sticks, stick_time});
@@ -107,16 +118,21 @@ void SweepRun::run_forced(SweepBlock& block) const {
   ask.t_end = task_.t_end;
   ask.half_cycle_limit = task_.half_cycle_limit;
   ask.go_on = [](double /*tau*/) { return !Progress::interrupted(); };
+  if (task_.from_zero) {
+    try {
+      const auto responses = forced_batch(block[v0], block[p], block[f], block[delta],
+                                          task_.excitation, {ask, task_.threads});
+      for (Index i = 0; i < block.size; ++i) {
+        set_forced(block, i, responses[static_cast<std::size_t>(i)]);
+      }
+      return;
+    } catch (const InputError&) {  // said below, of the entry alone
+    } catch (const TooManyHalfCycles&) {
+    }
+  }
   for_each_entry(block.size, task_.threads, [&](Index i) {
-    const ForcedResponse response =
-        forced_response(oscillator(block, i), start(block, i), task_.excitation, ask);
-    const double missing = response.outcome == Outcome::never_stops ? never : absent;
-    set_response(block, i, response);
-    block[end_time][i] = response.end_time.value_or(missing);
-    block[final_position][i] = response.final_position.value_or(absent);
-    block[final_velocity][i] = response.final_velocity.value_or(absent);
-    block[sticks][i] = response.sticks;
-    block[stick_time][i] = response.stick_time;
+    set_forced(block, i,
+               forced_response(oscillator(block, i), start(block, i), task_.excitation, ask));
   });
 }
 

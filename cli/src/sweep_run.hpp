@@ -19,6 +19,7 @@ class SweepRun {
 
  private:
   void run_free(SweepBlock& block);
+  void run_free_one_by_one(SweepBlock& block) const;
   void run_forced(SweepBlock& block) const;
   void run_design(SweepBlock& block) const;
 
