@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -88,6 +89,11 @@ double Axis::operator[](std::int64_t i) const {
   const long double low = std::log(static_cast<long double>(first));
   const long double high = std::log(static_cast<long double>(last));
   return static_cast<double>(std::exp(low + part * (high - low)));
+}
+
+std::pair<double, double> Axis::ends() const {
+  const auto [least, most] = std::ranges::minmax(values_);
+  return {least, most};
 }
 
 std::string Axis::text() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -22,6 +23,8 @@ class Axis {
   [[nodiscard]] std::int64_t size() const { return size_; }
   /// Value i, 0 <= i < size(). Of a linear range what numpy.linspace gives, to the last bit.
   [[nodiscard]] double operator[](std::int64_t i) const;
+  /// The least and the largest value.
+  [[nodiscard]] std::pair<double, double> ends() const;
   /// As on the command line, with every digit.
   [[nodiscard]] std::string text() const;
 

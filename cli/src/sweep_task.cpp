@@ -5,6 +5,7 @@
 #include "excitation_input.hpp"
 #include "request.hpp"
 #include "sweep_columns.hpp"
+#include "sweep_corners.hpp"
 #include "version.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -275,6 +276,9 @@ SweepTask sweep_task(const Settings& settings) {
   task.one_v0_and_p = !spreads(Quantity::v0) && !spreads(Quantity::p);
   task.from_zero = !given(settings, entries, Quantity::x0);
   task.identity = identity(task, settings);
+  if (!entries.list) {
+    check_corners(entries.axes, task);
+  }
   task.source = entries.list ? list_source(std::move(*entries.list), std::move(entries.axes))
                              : grid_source(std::move(entries.axes));
   return task;

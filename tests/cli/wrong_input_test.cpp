@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -402,6 +403,125 @@ BOOST_AUTO_TEST_CASE(that_is_empty_or_no_scene) {
   check_refused(*this, {"", {"design", "empty.json"}, {"empty.json", "empty"}});
   write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01", 6));
   check_refused(*this, {"", {"design", "binary.json"}, {"binary.json", "not valid JSON"}});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// ---- sweeps
+
+namespace {
+
+Arguments sweep(const Arguments& more) {
+  return joined({"sweep", "--v0", "1", "--p", "1"}, more);
+}
+
+Wrong axis(const char* name, const char* text, const Texts& says) {
+  return {name, sweep({"--delta", "0", "--f", text}), says};
+}
+
+Wrong forced(const char* name, const Arguments& more, const Texts& says) {
+  return {name, joined(sweep({"--f", "0.1", "--delta", "0,1"}), more), says};
+}
+
+const std::vector<Wrong> sweeps{
+    axis("axis_without_a_count", "0:1", {"f = 0:1", "first:last:count"}),
+    axis("axis_with_too_many_parts", "0:1:2:3", {"f = 0:1:2:3", "first:last:count:log"}),
+    axis("axis_of_no_number", "a:1:2", {"f = \"a\"", "finite number"}),
+    axis("axis_with_a_gap", "0.1,,0.2", {"f = \"\"", "finite number"}),
+    axis("axis_with_a_fraction_of_a_value", "0:1:2.5", {"f = \"2.5\"", "whole number"}),
+    axis("axis_of_nothing", "0:1:0", {"f = 0:1:0", "count from 1"}),
+    axis("axis_logarithmic_from_zero", "0:1:3:log", {"f = 0:1:3:log", "above 0"}),
+    axis("axis_longer_than_a_double", "-1e308:1e308:3", {"f = -1e308", "length"}),
+    axis("axis_with_a_negative_end", "0.1:-0.1:3",
+         {"stillpoint: f = -0.1: must be a number from 0"}),
+    axis("one_negative_value", "-1", {"stillpoint: f = -1: must be a number from 0"}),
+    {"too_many_half_cycles",
+     sweep({"--f", "1,1e-12", "--delta", "1e-30,1"}),
+     {"entry 3 (f = 1e-12, delta = 1e-30): f and delta are so small"}},
+    {"grid_beyond_counting",
+     sweep({"--f", "0:1:1000000000", "--delta", "0:1:10000000"}),
+     {"grid", "more than 1000000000000000"}},
+    {"f_missing", sweep({"--delta", "0"}), {"f is missing", "first:last:count"}},
+    {"v0_missing", {"sweep", "--p", "1", "--f", "1", "--delta", "1"}, {"v0 is missing"}},
+    {"beta_and_f", sweep({"--f", "1", "--beta", "1"}), {"beta and f exclude each other"}},
+    {"beta_and_excitation",
+     sweep({"--beta", "1", "--excitation", "harmonic"}),
+     {"beta and excitation exclude"}},
+    {"wrong_beta", sweep({"--beta", "0.9,-1"}), {"beta = -1", "from 1e-300"}},
+    {"wrong_tolerance", sweep({"--beta", "0.9", "--tolerance", "2"}), {"tolerance = 2"}},
+    forced("tolerance_without_beta", {"--tolerance", "0.1"}, {"tolerance is for designs"}),
+    forced("objective_without_beta", {"--objective", "time"}, {"objective is for designs"}),
+    forced("t_end_without_an_excitation", {"--t-end", "9"}, {"t-end is for an excitation"}),
+    forced("k_without_an_excitation", {"--k", "9"}, {"k is for an excitation"}),
+    forced("harmonic_for_ever", {"--excitation", "harmonic", "--k", "1", "--lambda", "1"},
+           {"t-end is missing", "never ends"}),
+    forced("wrong_lambda", {"--excitation", "full-sine", "--k", "1", "--lambda", "0"},
+           {"lambda = 0"}),
+    forced("record_that_does_not_exist", {"--record", "none.txt"}, {"none.txt", "No such file"}),
+    forced("wrong_format", {"--format", "xls"}, {"format = xls", "csv or npy"}),
+    forced("unknown_column", {"--columns", "f,fast"}, {"columns", "\"fast\"", "peak_amplitude"}),
+    forced("column_of_another_kind", {"--columns", "sticks"}, {"columns", "\"sticks\"", "none"}),
+    forced("no_columns", {"--columns", ""}, {"columns", "\"\""}),
+    forced("column_twice", {"--columns", "f,f"}, {"columns", "f stands twice"}),
+    forced("columns_and_times", {"--columns", "f", "--times"}, {"columns and times exclude"}),
+    forced("no_threads", {"--threads", "0"}, {"threads = 0", "from 1 to 1024"}),
+    forced("list_format_without_a_list", {"--list-format", "csv"}, {"give --list FILE"}),
+    forced("list_that_does_not_exist", {"--list", "none.csv"}, {"none.csv", "No such file"}),
+    {"wrong_list_format",
+     {"sweep", "--list", "-", "--list-format", "xml"},
+     {"list-format = xml", "csv or jsonl"},
+     "f,delta\n"},
+    {"range_beside_a_list",
+     {"sweep", "--v0", "1", "--p", "1,2", "--list", "-"},
+     {"list and p exclude each other"},
+     "f,delta\n1,1\n"},
+    {"beta_column_and_f",
+     sweep({"--f", "1", "--list", "-"}),
+     {"beta and f exclude each other"},
+     "beta\n1\n"},
+    {"list_and_scene_on_standard_input",
+     {"sweep", "-", "--list", "-"},
+     {"scene and the list", "standard input"},
+     "f,delta\n1,1\n"},
+    {"physical_option", sweep({"--period", "1"}), {"--period", "no option of sweep"}},
+    {"axis_for_simulate", with(simulate(), "--f", "0:1:2"), {"f = \"0:1:2\"", "finite number"}},
+    {"scene_with_an_axis_of_texts",
+     {"sweep", "-"},
+     {"f = [\"1\"]", "an array of numbers"},
+     R"({"v0": 1, "p": 1, "delta": 0, "f": ["1"]})"},
+    {"scene_with_an_empty_axis",
+     {"sweep", "-"},
+     {"f = []", "an array of numbers"},
+     R"({"v0": 1, "p": 1, "delta": 0, "f": []})"},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, sweep_input, data::make(sweeps), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_FIXTURE_TEST_SUITE(sweep_output, Sandbox)
+
+BOOST_AUTO_TEST_CASE(that_cannot_be) {
+  const auto entries = [](const Arguments& more) {
+    return joined(sweep({"--f", "0.1", "--delta", "0,1"}), more);
+  };
+  for (const auto& [more, says] : std::vector<std::pair<Arguments, Texts>>{
+           {{"--json"}, {"json and the rows", "give --output FILE"}},
+           {{"--resume"}, {"resume is for a file"}},
+           {{"--output", ""}, {"output is empty"}},
+           {{"--output", "-"}, {"output = -"}},
+           {{"--output", "."}, {"output .", "directory"}},
+           {{"--output", "no/where.csv"}, {"output no/where.csv", "No such file"}},
+           {{"--output", "/dev/full"}, {"output /dev/full", "No space left"}}}) {
+    check_refusal(run(entries(more)), says);
+    BOOST_TEST(contents().empty());
+  }
+  check_refusal(run(entries({}), to_a_full_device), {"standard output", "No space left"});
+  Surroundings list;
+  list.input = "f,delta\n1,1\n";
+  check_refusal(run(sweep({"--list", "-", "--format", "npy"}), list), {"npy of a list", "a file"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
