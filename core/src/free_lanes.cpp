@@ -34,7 +34,10 @@ namespace stillpoint::HWY_NAMESPACE {
 
 namespace {
 
-constexpr Index lanes = 8 * width;        // so many vectors hide the latency of a square root
+/// So many vectors hide the latency of a square root, and more where what a lane holds does not
+/// stay in registers: measured, docs/batch.md.
+constexpr Index vectors = width >= 8 ? 8 : 12;
+constexpr Index lanes = vectors * width;
 constexpr int steps_between_refills = 4;  // a lane that has ended waits for half of them
 constexpr double no_entry = -1;
 
@@ -413,7 +416,7 @@ class FreeLanes {
   /// A vector is refilled when so few of its lanes go on: a few idle steps cost less than a refill
   /// for each lane, and with times a step costs more.
   std::size_t most_going_on_{times ? width * 3 / 4 : width * 5 / 8};
-  Column<lanes / width, std::size_t> going_on_;  // in each vector, some steps ago
+  Column<vectors, std::size_t> going_on_;  // in each vector, some steps ago
 
   Runs<2 * width> retired_{};
   Index retired_count_{0};

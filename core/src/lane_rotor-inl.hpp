@@ -15,8 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace stillpoint::HWY_NAMESPACE {
 
-namespace {
-
 struct VectorRotor {
   V cosine;
   V sine;
@@ -53,8 +51,6 @@ HWY_INLINE VectorDirection between(const VectorRotor& a, const VectorRotor& b) {
   const V scale = unit_scale(hn::Add(x, hn::Abs(y)));
   return {hn::Mul(x, scale), hn::Mul(y, scale)};
 }
-
-}  // namespace
 
 }  // namespace stillpoint::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

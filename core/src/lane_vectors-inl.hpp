@@ -21,8 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace stillpoint::HWY_NAMESPACE {
 
-namespace {
-
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Index = std::ptrdiff_t;
@@ -32,7 +30,7 @@ using M = hn::Mask<D>;
 using Bits = hn::RebindToUnsigned<D>;
 using Whole = hn::RebindToSigned<D>;
 
-constexpr Index width = static_cast<Index>(hn::MaxLanes(D()));
+inline constexpr Index width = static_cast<Index>(hn::MaxLanes(D()));
 
 HWY_INLINE V all(double value) {
   return hn::Set(D(), value);
@@ -79,7 +77,7 @@ HWY_INLINE M within(V v, double low, double high) {
 using Order = decltype(hn::IndicesFromVec(D(), hn::Zero(Bits())));
 
 /// For each mask, the numbers of the lanes in it, then of the others: four bits each.
-constexpr auto chosen_first = [] {
+inline constexpr auto chosen_first = [] {
   std::array<std::uint64_t, 1U << width> table{};
   for (std::size_t mask = 0; mask < table.size(); ++mask) {
     unsigned place = 0;
@@ -108,8 +106,6 @@ HWY_INLINE Order to_front(M mask) {
 HWY_INLINE V reordered(V v, Order order) {
   return hn::TableLookupLanes(v, order);
 }
-
-}  // namespace
 
 }  // namespace stillpoint::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -35,7 +35,7 @@ struct BatchResult {
 /// where its size is another; a large sweep in blocks thus keeps to the same memory.
 ///
 /// Counts, outcomes and values are bit for bit those of free_response, whatever the instruction set
-/// and the number of threads.
+/// and the number of threads: docs/batch.md.
 ///
 /// Throws InputError for input that free_response refuses, with the entry in the field ("f[17]"),
 /// for arrays of different lengths, and for threads < 0; TooManyHalfCycles, naming the entry, as
