@@ -6,6 +6,7 @@
 #include "writing.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -28,7 +29,7 @@ ordered_json to_json(const Checkpoint& checkpoint) {
   return {{"schema", schema},           {"rows", state.rows},
           {"bytes", checkpoint.bytes},  {"complete", checkpoint.complete},
           {"digest", state.digest},     {"outcomes", state.outcomes},
-          {"feasible", state.feasible}, {"task", checkpoint.task}};
+          {"feasible", state.feasible}, {"task", ordered_json::parse(checkpoint.task)}};
 }
 
 Checkpoint from_json(const ordered_json& json) {
@@ -36,7 +37,7 @@ Checkpoint from_json(const ordered_json& json) {
     throw UsageError("");
   }
   Checkpoint checkpoint;
-  checkpoint.task = json.at("task");
+  checkpoint.task = json.at("task").dump();
   json.at("rows").get_to(checkpoint.state.rows);
   json.at("bytes").get_to(checkpoint.bytes);
   json.at("complete").get_to(checkpoint.complete);
@@ -79,7 +80,9 @@ int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   return std::rename(next.c_str(), path.c_str()) == 0 ? 0 : errno;
 }
 
-std::string difference(const ordered_json& was, const ordered_json& is) {
+std::string difference(const std::string& old_task, const std::string& new_task) {
+  const ordered_json was = ordered_json::parse(old_task);
+  const ordered_json is = ordered_json::parse(new_task);
   for (const ordered_json* const task : {&was, &is}) {
     for (const auto& [key, value] : task->items()) {
       if (text(was, key) != text(is, key)) {

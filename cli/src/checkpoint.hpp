@@ -3,8 +3,6 @@
 
 #include "sweep_state.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <optional>
 #include <string>
 
@@ -12,7 +10,7 @@ namespace stillpoint::cli {
 
 /// What is known of an unfinished file beside it: so many of its bytes are whole rows.
 struct Checkpoint {
-  nlohmann::ordered_json task;  ///< SweepTask::identity
+  std::string task;  ///< SweepTask::identity
   SweepState state;
   std::int64_t bytes{0};
   bool complete{false};  ///< the file only lacks its name
@@ -26,7 +24,6 @@ struct Checkpoint {
 [[nodiscard]] int write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
 
 /// The first thing in which the tasks differ, "f was 0:1:10, is 0:1:20"; empty where they are one.
-[[nodiscard]] std::string difference(const nlohmann::ordered_json& was,
-                                     const nlohmann::ordered_json& is);
+[[nodiscard]] std::string difference(const std::string& was, const std::string& is);
 
 }  // namespace stillpoint::cli

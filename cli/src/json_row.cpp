@@ -25,7 +25,7 @@ class RowHandler {
   bool string(std::string& /*value*/) { return refuse_value("a text"); }
   bool binary(json::binary_t& /*value*/) { return refuse_value("binary"); }
   bool start_array(std::size_t /*size*/) { return refuse_value("an array"); }
-  bool end_array() { return false; }
+  static bool end_array() { return false; }
   bool number_integer(std::int64_t value) { return number(static_cast<double>(value)); }
   bool number_unsigned(std::uint64_t value) { return number(static_cast<double>(value)); }
   bool number_float(double value, const std::string& /*text*/) { return number(value); }
@@ -37,7 +37,7 @@ class RowHandler {
     inside_ = true;
     return true;
   }
-  bool end_object() { return true; }
+  static bool end_object() { return true; }
 
   bool key(std::string& key) {
     if (std::ranges::find(row_.fields, key, &std::pair<std::string, double>::first) !=

@@ -14,6 +14,7 @@ enum class Command { design, region, simulate, sweep };
 /// Some of the commands: design | sweep.
 class CommandSet {
  public:
+  // One command is a set of one. NOLINTNEXTLINE(google-explicit-constructor)
   constexpr CommandSet(Command one) : bits_(1U << static_cast<unsigned>(one)) {}
 
   [[nodiscard]] constexpr bool has(Command command) const {

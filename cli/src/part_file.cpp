@@ -36,7 +36,7 @@ std::string plural_rows(std::int64_t rows) {
 
 }  // namespace
 
-PartFile::PartFile(const std::string& path, nlohmann::ordered_json task, bool resume)
+PartFile::PartFile(const std::string& path, std::string task, bool resume)
     : target_(behind_links(path).string()) {
   saved_.task = std::move(task);
   if (resume) {

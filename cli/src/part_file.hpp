@@ -15,7 +15,7 @@ namespace stillpoint::cli {
 class PartFile : public RowSink {
  public:
   /// Throws UsageError, see open_rows.
-  PartFile(const std::string& path, nlohmann::ordered_json task, bool resume);
+  PartFile(const std::string& path, std::string task, bool resume);
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
   PartFile(PartFile&&) = delete;

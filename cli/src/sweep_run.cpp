@@ -36,19 +36,25 @@ void make_room(SweepBlock& block, std::initializer_list<Quantity> quantities) {
   }
 }
 
+/// What stands for a time that is none.
+double missing_time(Outcome outcome) {
+  if (outcome == Outcome::never_stops) {
+    return never;
+  }
+  return absent;
+}
+
 void set_response(SweepBlock& block, Index i, const Response& response) {
-  const double missing = response.outcome == Outcome::never_stops ? never : absent;
   block[peak_amplitude][i] = response.peak_amplitude;
   block[half_cycles][i] = response.half_cycles.value_or(never);
   block[outcome][i] = static_cast<double>(response.outcome);
   block[stop_position][i] = response.stop_position.value_or(absent);
-  block[stop_time][i] = response.stop_time.value_or(missing);
+  block[stop_time][i] = response.stop_time.value_or(missing_time(response.outcome));
 }
 
 void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
-  const double missing = response.outcome == Outcome::never_stops ? never : absent;
   set_response(block, i, response);
-  block[end_time][i] = response.end_time.value_or(missing);
+  block[end_time][i] = response.end_time.value_or(missing_time(response.outcome));
   block[final_position][i] = response.final_position.value_or(absent);
   block[final_velocity][i] = response.final_velocity.value_or(absent);
   block[sticks][i] = response.sticks;

@@ -43,7 +43,7 @@ class SweepSource {
 
 /// What one input of a sweep may be.
 struct SweepAxis {
-  Quantity quantity;
+  Quantity quantity{};
   Axis axis;
 };
 

@@ -13,6 +13,7 @@
 #include <stillpoint/design/physical.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -275,7 +276,7 @@ SweepTask sweep_task(const Settings& settings) {
   task.times = std::ranges::find(task.columns, Quantity::stop_time) != task.columns.end();
   task.one_v0_and_p = !spreads(Quantity::v0) && !spreads(Quantity::p);
   task.from_zero = !given(settings, entries, Quantity::x0);
-  task.identity = identity(task, settings);
+  task.identity = identity(task, settings).dump();
   if (!entries.list) {
     check_corners(entries.axes, task);
   }

@@ -8,8 +8,6 @@
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,8 +50,8 @@ struct SweepTask {
   std::optional<std::string> output;  ///< empty: standard output
   RowFormat format{RowFormat::csv};
   bool resume{false};
-  /// Everything that the rows depend on but the list itself: another task gives other rows.
-  nlohmann::ordered_json identity;
+  /// Everything that the rows depend on but the list itself, in JSON: another task, other rows.
+  std::string identity;
 };
 
 /// Throws UsageError for something missing or contradictory and InputError for a wrong value.
