@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -45,14 +47,17 @@ void check(const Rectangle<>& pulse) {
   require_wave(pulse.k, pulse.lambda);
 }
 
-/// The first value of a larger magnitude, or that is no number. Counted to the end first, which
-/// compiles to vector instructions: a record is checked before each run.
+/// The first value of a larger magnitude, or that is no number; limit >= 0. First whether there is
+/// any, since a record is checked before each run: magnitudes are ordered as their bits are, those
+/// of no number last, and differences of integers compile to vector instructions.
 std::optional<std::size_t> first_beyond(const std::vector<double>& values, double limit) {
-  std::size_t beyond = 0;
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  const auto limit_bits = std::bit_cast<std::uint64_t>(limit);
+  std::uint64_t differences = 0;
   for (const double value : values) {
-    beyond += std::abs(value) <= limit ? 0U : 1U;
+    differences |= limit_bits - (std::bit_cast<std::uint64_t>(value) & ~sign);
   }
-  if (beyond == 0) {
+  if ((differences & sign) == 0) {
     return std::nullopt;
   }
   std::size_t i = 0;
@@ -119,14 +124,15 @@ void check_scaled(const Wave& wave, double p, double t_end) {
 }
 
 void check_scaled(const Record<>& record, double p, double /*t_end*/) {
-  if (const auto i = first_beyond(record.values, largest_speed * p)) {
+  const auto i = p < 1 ? first_beyond(record.values, largest_speed * p) : std::nullopt;
+  if (i) {  // else the values themselves are small enough
     throw InputError(fmt::format("record value {}", *i + 1), record.values[*i],
                      fmt::format("value / p must be at most {} (p = {})", largest_speed, p));
   }
-  for (std::size_t i = 1; i < record.times.size(); ++i) {
-    if (!(p * (record.times[i] - record.times[i - 1]) >= smallest_speed)) {
+  for (std::size_t j = 1; j < record.times.size(); ++j) {
+    if (!(p * (record.times[j] - record.times[j - 1]) >= smallest_speed)) {
       throw InputError(
-          fmt::format("record time {}", i + 1), record.times[i],
+          fmt::format("record time {}", j + 1), record.times[j],
           fmt::format("must be at least {} after the one before, times p = {}", smallest_speed, p));
     }
   }

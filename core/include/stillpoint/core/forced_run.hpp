@@ -49,11 +49,20 @@ class ForcedRun {
   /// Follows the motion for `length` under one drive; `for_ever` says that no other drive follows.
   template <class Drive>
   void through(Drive& drive, const ExactSum<Real>& length, bool for_ever) {
+    std::optional<Crossing<Drive, Real>> last;
+    through(drive, length, for_ever, last);
+    arrived(last);
+  }
+
+  /// The same, but the last crossing of x = 0 without a notch is left to the caller: one that goes
+  /// through many drives finds the speed of the last of them all alone.
+  template <class Drive>
+  void through(Drive& drive, const ExactSum<Real>& length, bool for_ever,
+               std::optional<Crossing<Drive, Real>>& last) {
     ExactSum<Real> left = length;
     if (s_.mode == ForcedMode::sliding && s_.v == 0) {
       s_.mode = ForcedMode::resting;  // a kink just when the mass set off: the new load decides
     }
-    std::optional<Crossing<Drive, Real>> last;
     while (!over() && left.value() > 0 && tick()) {
       if (s_.mode == ForcedMode::resting) {
         rest(drive, left, for_ever);
@@ -61,6 +70,11 @@ class ForcedRun {
         slide(drive, left, last);
       }
     }
+  }
+
+  /// The speed at the last crossing of x = 0, if there was any.
+  template <class AnyCrossing>
+  void arrived(const std::optional<AnyCrossing>& last) {
     if (last) {
       s_.arrival_speed = last->piece.arrival_before(last->end).at.v;
     }
@@ -73,9 +87,7 @@ class ForcedRun {
       std::optional<Crossing<Drive, Real>> last;
       ExactSum<Real> left(Real(8));  // more than 2 pi, where every piece ends
       slide(drive, left, last);
-      if (last) {
-        s_.arrival_speed = last->piece.arrival_before(last->end).at.v;
-      }
+      arrived(last);
     }
     if (!over()) {
       s_.mode = ForcedMode::resting;

@@ -133,16 +133,35 @@ class LinearPiece {
       return Real(0);
     }
     const Real sum = s.a < 0 ? Real(s.a - sqrt(square)) : Real(s.a + sqrt(square));
-    const Real first = angle(sum, Real(s.v + 2 * rate_));
-    const Real second = s.v == 0 ? first : angle(Real(-s.v), sum);
-    return std::min(first, second);
+    const HalfAngle first = half_angle(sum, Real(s.v + 2 * rate_));
+    if (s.v == 0) {
+      return angle(first);
+    }
+    const HalfAngle second = half_angle(Real(-s.v), sum);
+    return angle(earlier(first, second) ? first : second);
   }
 
-  /// The h in (0, 2 pi] with tan(h/2) = rise / run.
-  static Real angle(const Real& rise, const Real& run) {
+  /// Of the h in (0, 2 pi] with tan(h/2) = rise / run; run >= 0, and so h <= pi where rise > 0.
+  struct HalfAngle {
+    Real rise;
+    Real run;
+  };
+
+  static HalfAngle half_angle(const Real& rise, const Real& run) {
+    return run < 0 ? HalfAngle{-rise, -run} : HalfAngle{rise, run};
+  }
+
+  static bool earlier(const HalfAngle& one, const HalfAngle& other) {
+    if ((one.rise > 0) != (other.rise > 0)) {
+      return one.rise > 0;
+    }
+    return one.rise * other.run < other.rise * one.run;
+  }
+
+  static Real angle(const HalfAngle& half) {
     using std::atan2;
-    const Real half = run < 0 ? Real(atan2(Real(-rise), Real(-run))) : Real(atan2(rise, run));
-    return half > 0 ? Real(2 * half) : Real(2 * half + 2 * pi<Real>());
+    const Real h = 2 * atan2(half.rise, half.run);
+    return h > 0 ? h : Real(h + 2 * pi<Real>());
   }
 
   /// Takes back what the closed form lost; not where v only touches 0, which leaves nothing to

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace stillpoint {
 
@@ -78,6 +79,7 @@ class RecordRun {
     before_first_sample(end);
     if (record_.values.size() > 1 && end.minus(times_.at(0)) > 0) {
       between_samples(end);
+      run_.arrived(crossing_);
     }
   }
 
@@ -130,7 +132,7 @@ class RecordRun {
     run_.state().now = times_.at(i);
     const Real w = sample(i);
     LinearDrive<Real> drive(w, Real((sample(i + 1) - w) / times_.length(i)));
-    run_.through(drive, length, false);
+    run_.through(drive, length, false, crossing_);
   }
 
   /// On from sample i while (F21) proves that no event comes; the sample from which it does not, or
@@ -203,6 +205,7 @@ class RecordRun {
   const Record<Real>& record_;
   RecordTimes<Real> times_;
   IntervalTerms<Real> terms_;
+  std::optional<Crossing<LinearDrive<Real>, Real>> crossing_;  ///< the last without a notch
   Real inverse_p_;
 };
 
