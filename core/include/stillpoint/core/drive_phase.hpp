@@ -30,19 +30,13 @@ class DrivePhase {
   [[nodiscard]] Real psi() const { return psi_.value(); }
 
   void advance(const Real& h) {
-    psi_.add_product(ratio_, h);
-    if constexpr (std::is_floating_point_v<Real>) {
-      psi_.add(ratio_rest_ * h);
-    }
+    psi_.add_product(ratio_, h, ratio_rest_ * h);
     reduce();
   }
 
   /// sin psi and cos psi change their signs.
   void turn_by_half() {
-    psi_.add(pi<Real>());
-    if constexpr (std::is_floating_point_v<Real>) {
-      psi_.add(two_pi_rest / 2);
-    }
+    psi_.add(pi<Real>(), two_pi_rest() / 2);
     reduce();
   }
 
@@ -67,14 +61,13 @@ class DrivePhase {
       return;
     }
     const Real turns = floor(psi_.high() / (2 * pi<Real>()) + Real(0.5));
-    psi_.add_product(-turns, 2 * pi<Real>());
-    if constexpr (std::is_floating_point_v<Real>) {
-      psi_.add_product(-turns, two_pi_rest);
-    }
+    psi_.add_product(-turns, 2 * pi<Real>(), -turns * two_pi_rest());
   }
 
   /// 2 pi less the double nearest to it.
-  static constexpr double two_pi_rest = 2.4492935982947064e-16;
+  static Real two_pi_rest() {
+    return std::is_floating_point_v<Real> ? Real(2.4492935982947064e-16) : Real(0);
+  }
 
   Real ratio_;
   Real ratio_rest_{0};  ///< lambda / p less its rounding

@@ -27,24 +27,32 @@ class ExactSum {
   [[nodiscard]] const Real& low() const { return low_; }
   [[nodiscard]] Real value() const { return high_ + low_; }
 
-  void add(const Real& term) {
+  void add(const Real& term) { add(term, Real(0)); }
+
+  /// `rest` is small beside the term.
+  void add(const Real& term, const Real& rest) {
     if constexpr (std::is_floating_point_v<Real>) {
       const Real sum = high_ + term;
       const Real taken = sum - high_;
       const Real lost = (high_ - (sum - taken)) + (term - taken);
-      const Real rest = low_ + lost;
-      high_ = sum + rest;
-      low_ = rest - (high_ - sum);
+      const Real low = low_ + (lost + rest);
+      high_ = sum + low;
+      const Real low_taken = high_ - sum;
+      low_ = (sum - (high_ - low_taken)) + (low - low_taken);
     } else {
-      high_ += term;
+      high_ += term + rest;
     }
   }
 
-  void add_product(const Real& a, const Real& b) {
+  void add_product(const Real& a, const Real& b) { add_product(a, b, Real(0)); }
+
+  /// As well a small `rest`.
+  void add_product(const Real& a, const Real& b, const Real& rest) {
     const Real rounded = a * b;
-    add(rounded);
     if constexpr (std::is_floating_point_v<Real>) {
-      add(std::fma(a, b, -rounded));
+      add(rounded, std::fma(a, b, -rounded) + rest);
+    } else {
+      add(rounded, rest);
     }
   }
 

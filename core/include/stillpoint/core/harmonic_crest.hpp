@@ -23,12 +23,15 @@ class HarmonicCrest {
 
   /// Of the piece up to `end`, a time h after its start.
   [[nodiscard]] Real largest(const Real& h, const Point& end, const Real& so_far) const {
-    const Point from = lifted(flow_.start());
+    using std::max;
+    const Point& start = flow_.start();
+    const Point from = lifted(start);
     const Point to = lifted(end);
-    if (rough_bound(from, to, h) <= so_far) {
-      return so_far;
+    const Real most = max(so_far, max(magnitude(start.a), magnitude(end.a)));
+    if (falls_from(from, h) || falls_from(reversed(to), h) || stays_below(from, to, h, most)) {
+      return most;
     }
-    return between(from, Real(0), to, h, so_far);
+    return between(from, Real(0), to, h, most);
   }
 
  private:
@@ -39,22 +42,32 @@ class HarmonicCrest {
     return twice_differentiated(point, flow_.r());
   }
 
+  /// (F24): |x''| is nowhere up to h as large as at this point, whence it falls.
+  [[nodiscard]] bool falls_from(const Point& point, const Real& h) const {
+    const bool falls = point.y < 0 ? point.v >= 0 : point.v <= 0;
+    return falls && h <= right_angle && magnitude(point.y) >= magnitude(point.v) + push_;
+  }
+
   /// (F19): from each end the acceleration turns about a centre that the forcing moves; a bound for
   /// the whole piece, h <= 2 pi.
-  [[nodiscard]] Real rough_bound(const Point& left, const Point& right, const Real& h) const {
+  [[nodiscard]] bool stays_below(const Point& left, const Point& right, const Real& h,
+                                 const Real& most) const {
     using std::max;
     using std::min;
-    using std::sqrt;
     const Real& r = flow_.r();
     if (flow_.fast()) {
       const Real c = 1 / (r * r - 1);
       const Real slow = left.y - c * left.w;
       const Real slow_jerk = left.v - c * r * left.q;
-      return sqrt(slow * slow + slow_jerk * slow_jerk) + c * push_;
+      return within(slow * slow + slow_jerk * slow_jerk, most - c * push_);
     }
     const Real square =
         max(Real(left.y * left.y + left.v * left.v), Real(right.y * right.y + right.v * right.v));
-    return sqrt(square) + push_ * min(Real(h * h / 8), Real(2));
+    return within(square, most - push_ * min(Real(h * h / 8), Real(2)));
+  }
+
+  static bool within(const Real& square, const Real& limit) {
+    return limit >= 0 && square <= limit * limit;
   }
 
   [[nodiscard]] Real between(const Point& left, const Real& from, const Point& right,
@@ -79,6 +92,10 @@ class HarmonicCrest {
     }
     if (!(cut > from && cut < to)) {
       return so_far;
+    }
+    if (stationary && falls_from(reversed(at), Real(cut - from)) &&
+        falls_from(at, Real(to - cut))) {
+      return max(so_far, magnitude(at.y));
     }
     // The higher side first: it may spare the other.
     if (height(left) > height(right)) {
@@ -134,19 +151,20 @@ class HarmonicCrest {
     Real h = near_right ? to : from;
     at = near_right ? right : left;
     const bool falling = left.v > 0;
+    const Real longest = flow_.time_scale() / 8;
     while (true) {
-      Real next = h + step_to_turn(at, flow_.r(), Real(0));
+      Real next = h + polynomial_root(HarmonicTaylor<Real>(at, flow_.r()).v, longest);
       if (!(next > low && next < high)) {
         next = low + (high - low) / 2;
       }
       const Real d = magnitude(next - h);
-      const bool small = d < flow_.time_scale() / 8;
-      at = small ? shifted(at, flow_.r(), Real(next - h)) : lifted(flow_.at(next));
+      at = d < longest ? shifted(at, flow_.r(), Real(next - h)) : lifted(flow_.at(next));
       h = next;
-      // |x''| is stationary here: half the digits of the time give all digits of |x''|.
-      if (d * d <
-              std::numeric_limits<Real>::epsilon() * flow_.time_scale() * flow_.time_scale() / 4 ||
-          !(h > low && h < high)) {
+      // |x''| is stationary here, so that half the digits of the time give all of its digits: it
+      // lies v^2/(2 |a|) below its crest.
+      const Real quarter = std::numeric_limits<Real>::epsilon() / 4;
+      if (at.v * at.v <= quarter * magnitude(Real(at.a * at.y)) ||
+          d * d < quarter * flow_.time_scale() * flow_.time_scale() || !(h > low && h < high)) {
         at.v = Real(0);
         return h;
       }
@@ -154,7 +172,9 @@ class HarmonicCrest {
     }
   }
 
-  HarmonicFlow<Real> flow_;
+  static constexpr double right_angle = 1.5707;  ///< pi / 2, or a little less
+
+  const HarmonicFlow<Real>& flow_;
   Real push_;  ///< of w'' : k r^2
 };
 

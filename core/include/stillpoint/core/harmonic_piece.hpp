@@ -66,7 +66,7 @@ class HarmonicPiece {
   /// Where y = 0 on a piece that ends with y >= 0, started from y < 0 and has v > 0 between.
   [[nodiscard]] End arrival_before(const End& end) const {
     const auto [h, at] = zeros_.bracketed(
-        Real(0), end.h, [](const Point& point) { return point.y; }, step_to_arrival<Real>);
+        Real(0), end.h, [](const Point& point) { return point.y; }, SeriesOfY());
     return {PieceEvent::arrival, h, at};
   }
 
@@ -119,15 +119,14 @@ class HarmonicPiece {
     Real& guess = want_arrival ? guesses_.arrival : turn_guess();
     const Real begin = guess > 0 ? guess : under_constant_load(want_arrival);
     const Real h = std::min(begin, horizon);
-    const std::optional<Located> found = want_arrival
-                                             ? zeros_.improved(h, horizon, step_to_arrival<Real>)
-                                             : zeros_.improved(h, horizon, step_to_turn<Real>);
+    const std::optional<Located> found = want_arrival ? zeros_.improved(h, horizon, SeriesOfY())
+                                                      : zeros_.improved(h, horizon, SeriesOfV());
     if (!found) {
       return std::nullopt;
     }
     End end{want_arrival ? PieceEvent::arrival : PieceEvent::turn, found->h, found->at};
     const Point& at = end.at;
-    const Real off = zeros_.small_step(end.h);
+    const Real off = sixth_root_of_epsilon<Real>() * zeros_.small_step(end.h);
     const bool is_zero = want_arrival ? at.v > 0 && magnitude(at.y) <= at.v * off
                                       : at.a < 0 && magnitude(at.v) <= -at.a * off;
     if (!is_zero) {
@@ -202,7 +201,7 @@ class HarmonicPiece {
   [[nodiscard]] std::optional<Located> turn_in(const Point& left, const Real& from,
                                                const Real& to) const {
     const auto [h, at] = zeros_.bracketed(
-        from, to, [](const Point& point) { return -point.v; }, step_to_turn<Real>);
+        from, to, [](const Point& point) { return -point.v; }, SeriesOfV());
     if (std::optional<Located> earlier = turn_between(left, from, at, h)) {
       return earlier;
     }

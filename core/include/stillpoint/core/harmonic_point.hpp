@@ -98,75 +98,105 @@ HarmonicPoint<Real> shifted(const HarmonicPoint<Real>& point, const Real& r, con
   return {point.y + y, v, point.a - y - grown, point.w + grown, q};
 }
 
-/// (F10) cut after h^2: nothing is lost where |h| is below cube_root_of_epsilon of the time scale
-/// and of the time since the start of the piece, where the state may have begun like h^3.
+/// (F11): steps so short that their sixth powers do not count.
 template <class Real>
-HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const Real& r, const Real& h) {
-  const HarmonicPoint<Real> second = twice_differentiated(point, r);
-  const Real half = h / 2;
-  return {point.y + h * (point.v + half * second.y), point.v + h * (point.a + half * second.v),
-          point.a + h * (second.v + half * second.a),
-          point.w + h * r * (point.q - half * r * point.w),
-          point.q - h * r * (point.w + half * r * point.q)};
-}
-
-/// Steps so small that their cubes do not count.
-template <class Real>
-Real cube_root_of_epsilon() {
+Real sixth_root_of_epsilon() {
   if constexpr (std::is_same_v<Real, double>) {
-    return 6e-6;
+    return 0x1p-9;
   } else {
     using std::pow;
-    static const Real value = pow(std::numeric_limits<Real>::epsilon(), Real(1) / 3);
+    static const Real value = pow(std::numeric_limits<Real>::epsilon(), Real(1) / 6);
     return value;
   }
 }
 
-/// (F11): Newton's method on c[0] + c[1] d + ... + c[5] d^5 from the zero of its first two terms; a
-/// short step needs one turn of it. Infinite where it does not settle. A zero of the polynomial is
-/// not yet one of the motion: the caller looks.
+template <class Real>
+Real third_root_of_epsilon() {
+  return sixth_root_of_epsilon<Real>() * sixth_root_of_epsilon<Real>();
+}
+
+/// c[0] + c[1] d + ... + c[5] d^5.
+template <class Real>
+Real polynomial(const std::array<Real, 6>& c, const Real& d) {
+  return c[0] + d * (c[1] + d * (c[2] + d * (c[3] + d * (c[4] + d * c[5]))));
+}
+
+/// The first six coefficients of v and of y in the time after a point.
+template <class Real>
+struct HarmonicTaylor {
+  std::array<Real, 6> v;
+  std::array<Real, 6> y;
+
+  HarmonicTaylor(const HarmonicPoint<Real>& point, const Real& r) {
+    const HarmonicPoint<Real> second = twice_differentiated(point, r);
+    const HarmonicPoint<Real> fourth = twice_differentiated(second, r);
+    v = {point.v,
+         point.a,
+         second.v * (Real(1) / 2),
+         second.a * (Real(1) / 6),
+         fourth.v * (Real(1) / 24),
+         fourth.a * (Real(1) / 120)};
+    y = {point.y,
+         point.v,
+         point.a * (Real(1) / 2),
+         second.v * (Real(1) / 6),
+         second.a * (Real(1) / 24),
+         fourth.v * (Real(1) / 120)};
+  }
+};
+
+/// (F10) cut after h^5: nothing is lost where |h| is below sixth_root_of_epsilon of the time scale
+/// and of the time since the start of the piece, where the state may have begun like h^3.
+template <class Real>
+HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const HarmonicTaylor<Real>& taylor,
+                           const Real& r, const Real& h) {
+  const Real y = polynomial(taylor.y, h);
+  const Real angle = r * h;
+  const Real z = angle * angle;
+  const Real sine = angle * (1 - z * (Real(1) / 6) * (1 - z * (Real(1) / 20)));
+  const Real versine = z * (Real(1) / 2) * (1 - z * (Real(1) / 12));
+  const Real grown = point.q * sine - point.w * versine;
+  return {y, polynomial(taylor.v, h), point.a - (y - point.y) - grown, point.w + grown,
+          point.q - (point.w * sine + point.q * versine)};
+}
+
+/// (F11): the zero of c[0] + c[1] d + ... + c[5] d^5 next to d = 0, to all digits where it is no
+/// farther than `short_step`, else to some. Infinite where it does not settle. A zero of the
+/// polynomial is not yet one of the motion: the caller looks.
 template <class Real>
 Real polynomial_root(const std::array<Real, 6>& c, const Real& short_step) {
   using std::abs;
-  Real d = -c[0] / c[1];
-  const bool is_short = abs(d) <= short_step;
+  using std::max;
+  const Real inverse_slope = 1 / c[1];
+  const Real zero = -c[0] * inverse_slope;
+  // The series of the inverse function, by the terms of this one at the zero of its tangent.
+  const Real scaled = zero * inverse_slope;
+  const Real square = zero * zero;
+  const Real t2 = scaled * c[2];
+  const Real t3 = scaled * zero * c[3];
+  const Real t4 = scaled * square * c[4];
+  const Real t5 = scaled * (square * zero) * c[5];
+  const Real t22 = t2 * t2;
+  const Real third = t2 - (2 * t22 - t3);
+  const Real closeness = max(max(Real(abs(zero)), Real(abs(t2))),
+                             max(Real(abs(t3)), max(Real(abs(t4)), Real(abs(t5)))));
+  if (closeness <= sixth_root_of_epsilon<Real>() / 2) {
+    const Real fourth = t2 * (5 * (t3 - t22)) - t4;
+    const Real fifth = (14 * t22 - 21 * t3) * t22 + 3 * t3 * t3 + (6 * t2 * t4 - t5);
+    return zero - zero * (third - (fourth + fifth));
+  }
+  Real d = closeness < Real(1) / 8 ? Real(zero - zero * third) : zero;
   for (int turn = 0; turn < 4; ++turn) {
-    const Real value = c[0] + d * (c[1] + d * (c[2] + d * (c[3] + d * (c[4] + d * c[5]))));
     const Real slope = c[1] + d * (2 * c[2] + d * (3 * c[3] + d * (4 * c[4] + d * (5 * c[5]))));
-    const Real correction = value / slope;
+    const Real correction = polynomial(c, d) / slope;
     d -= correction;
-    if (is_short || abs(correction) < abs(d) / 64) {
+    const Real size = abs(d);
+    const Real tolerated = size <= short_step ? third_root_of_epsilon<Real>() : Real(Real(1) / 64);
+    if (abs(correction) <= tolerated * size) {
       return d;
     }
   }
   return std::numeric_limits<Real>::infinity();
-}
-
-/// How far from `point` v vanishes, by the first six derivatives.
-template <class Real>
-Real step_to_turn(const HarmonicPoint<Real>& point, const Real& r, const Real& short_step) {
-  const HarmonicPoint<Real> second = twice_differentiated(point, r);
-  const HarmonicPoint<Real> fourth = twice_differentiated(second, r);
-  const std::array<Real, 6> c{point.v,
-                              point.a,
-                              second.v * (Real(1) / 2),
-                              second.a * (Real(1) / 6),
-                              fourth.v * (Real(1) / 24),
-                              fourth.a * (Real(1) / 120)};
-  return polynomial_root(c, short_step);
-}
-
-/// How far from `point` y vanishes.
-template <class Real>
-Real step_to_arrival(const HarmonicPoint<Real>& point, const Real& r, const Real& short_step) {
-  const HarmonicPoint<Real> second = twice_differentiated(point, r);
-  const std::array<Real, 6> c{point.y,
-                              point.v,
-                              second.y * (Real(1) / 2),
-                              second.v * (Real(1) / 6),
-                              second.a * (Real(1) / 24),
-                              twice_differentiated(second, r).v * (Real(1) / 120)};
-  return polynomial_root(c, short_step);
 }
 
 }  // namespace stillpoint

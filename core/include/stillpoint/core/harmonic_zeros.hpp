@@ -7,9 +7,24 @@
 #include <stillpoint/core/harmonic_flow.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace stillpoint {
+
+/// Which function of the time a zero is wanted of.
+struct SeriesOfV {
+  template <class Real>
+  const std::array<Real, 6>& operator()(const HarmonicTaylor<Real>& taylor) const {
+    return taylor.v;
+  }
+};
+struct SeriesOfY {
+  template <class Real>
+  const std::array<Real, 6>& operator()(const HarmonicTaylor<Real>& taylor) const {
+    return taylor.y;
+  }
+};
 
 template <class Real>
 class HarmonicZeros {
@@ -27,17 +42,19 @@ class HarmonicZeros {
 
   /// The steps of (F11) shrink so fast that after one of this length the next is below rounding.
   [[nodiscard]] Real small_step(const Real& h) const {
-    return cube_root_of_epsilon<Real>() * std::min(h, flow_.time_scale());
+    return sixth_root_of_epsilon<Real>() * std::min(h, flow_.time_scale());
   }
 
-  /// Follows `step` from h until it vanishes; the closed form anew after every long step, and after
-  /// one back towards the start, where the state is small and would keep the larger one's errors.
-  template <class Step>
-  [[nodiscard]] std::optional<Located> improved(Real h, const Real& horizon, Step step) const {
+  /// Newton's method on `series` of the state from h on until it settles; the closed form anew
+  /// after every long step, and after one back towards the start, where the state is small and
+  /// would keep the larger one's errors.
+  template <class Series>
+  [[nodiscard]] std::optional<Located> improved(Real h, const Real& horizon, Series series) const {
     const Real longest = flow_.time_scale() / 8;
     Point at = flow_.at(h);
     for (int tries = 0; tries < 12; ++tries) {
-      const Real d = step(at, flow_.r(), small_step(h));
+      const HarmonicTaylor<Real> taylor(at, flow_.r());
+      const Real d = polynomial_root(series(taylor), small_step(h));
       const Real size = magnitude(d);
       if (!(size < 2) || !(h + d > 0) || h + d > horizon) {
         return std::nullopt;
@@ -47,30 +64,31 @@ class HarmonicZeros {
         at = flow_.at(h);
         continue;
       }
-      at = moved(at, h, d);
       if (size <= small_step(h)) {
-        return Located{h, at};
+        return Located{h, nudged(at, taylor, flow_.r(), d)};
       }
+      at = shifted(at, flow_.r(), d);
     }
     return std::nullopt;
   }
 
   /// The zero of a function that is < 0 (or starts so) at `low` and >= 0 at `high`: by the steps of
   /// (F11) kept inside the bracket, which halving shrinks where they fail.
-  template <class Value, class Step>
-  [[nodiscard]] Located bracketed(Real low, Real high, Value value, Step step) const {
+  template <class Value, class Series>
+  [[nodiscard]] Located bracketed(Real low, Real high, Value value, Series series) const {
     Real h = low + (high - low) / 2;
     Point at = flow_.at(h);
     while (true) {
       (value(at) < 0 ? low : high) = h;
-      const Real d = step(at, flow_.r(), small_step(h));
+      const HarmonicTaylor<Real> taylor(at, flow_.r());
+      const Real d = polynomial_root(series(taylor), small_step(h));
       const Real size = magnitude(d);
       Real next = h + d;
       if (next >= low && next <= high && size <= std::min(Real(flow_.time_scale() / 8), next)) {
-        at = moved(at, next, d);
         if (size <= small_step(next)) {
-          return {next, at};
+          return {next, nudged(at, taylor, flow_.r(), d)};
         }
+        at = shifted(at, flow_.r(), d);
       } else {
         if (!(next > low && next < high)) {
           next = low + (high - low) / 2;
@@ -86,12 +104,6 @@ class HarmonicZeros {
 
  private:
   static Real magnitude(const Real& value) { return value < 0 ? Real(-value) : value; }
-
-  /// The state a step d before or after the one at h, for |d| <= time_scale.
-  [[nodiscard]] Point moved(const Point& point, const Real& h, const Real& d) const {
-    return magnitude(d) <= small_step(h) ? nudged(point, flow_.r(), d)
-                                         : shifted(point, flow_.r(), d);
-  }
 
   HarmonicFlow<Real> flow_;
 };
