@@ -31,6 +31,10 @@ class HarmonicCrest {
     if (falls_from(from, h) || falls_from(reversed(to), h) || stays_below(from, to, h, most)) {
       return most;
     }
+    const bool at_end = magnitude(to.v) < magnitude(from.v);
+    if (const Real crest = at_end ? near_crest(reversed(to), h) : near_crest(from, h); crest > 0) {
+      return max(most, crest);
+    }
     return between(from, Real(0), to, h, most);
   }
 
@@ -45,7 +49,32 @@ class HarmonicCrest {
   /// (F24): |x''| is nowhere up to h as large as at this point, whence it falls.
   [[nodiscard]] bool falls_from(const Point& point, const Real& h) const {
     const bool falls = point.y < 0 ? point.v >= 0 : point.v <= 0;
-    return falls && h <= right_angle && magnitude(point.y) >= magnitude(point.v) + push_;
+    return falls && h <= 2 && magnitude(point.y) >= 2 * magnitude(point.v) + 3 * push_;
+  }
+
+  /// The largest |x''| up to h after a point so near to its crest that a polynomial reaches there;
+  /// 0 where it does not, or where (F24) leaves a doubt.
+  [[nodiscard]] Real near_crest(const Point& point, const Real& h) const {
+    const Real& r = flow_.r();
+    const Real r2 = r * r;
+    const HarmonicTaylor<Real> taylor(point, r);
+    const Real reach = eighth_root_of_epsilon<Real>();
+    const Real longest = std::min(h, Real(reach * flow_.time_scale()));
+    const Real d = polynomial_root(taylor.v, longest, reach);
+    if (!(d > 0 && d <= longest && h <= 2)) {
+      return Real(0);
+    }
+    const Real sixth = taylor.v[5] * (Real(1) / 6);
+    const Real seventh = -(24 * taylor.v[4] + r2 * r2 * r * point.q) * (Real(1) / 5040);
+    const Real cube = d * d * d;
+    const Real crest = magnitude(Real(polynomial(taylor.y, d) + cube * cube * (sixth + d * seventh)));
+    const bool stationary = is_crest(polynomial(taylor.v, d), Real(taylor.v[1] * crest));
+    return stationary && crest >= 3 * push_ ? crest : Real(0);
+  }
+
+  /// Whether |x''| is off its crest, by v^2/(2 |a|), by no more than rounding.
+  static bool is_crest(const Real& v, const Real& a_times_y) {
+    return v * v <= std::numeric_limits<Real>::epsilon() / 4 * magnitude(a_times_y);
   }
 
   /// (F19): from each end the acceleration turns about a centre that the forcing moves; a bound for
@@ -163,7 +192,7 @@ class HarmonicCrest {
       // |x''| is stationary here, so that half the digits of the time give all of its digits: it
       // lies v^2/(2 |a|) below its crest.
       const Real quarter = std::numeric_limits<Real>::epsilon() / 4;
-      if (at.v * at.v <= quarter * magnitude(Real(at.a * at.y)) ||
+      if (is_crest(at.v, Real(at.a * at.y)) ||
           d * d < quarter * flow_.time_scale() * flow_.time_scale() || !(h > low && h < high)) {
         at.v = Real(0);
         return h;
@@ -171,8 +200,6 @@ class HarmonicCrest {
       ((at.v > 0) == falling ? low : high) = h;
     }
   }
-
-  static constexpr double right_angle = 1.5707;  ///< pi / 2, or a little less
 
   const HarmonicFlow<Real>& flow_;
   Real push_;  ///< of w'' : k r^2

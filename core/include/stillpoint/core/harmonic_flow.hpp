@@ -53,11 +53,15 @@ class HarmonicFlow {
     const Real half_difference = (r_ - 1) / 2;
     const Real sa = sin(half_sum * h);
     const Real ca = cos(half_sum * h);
-    const bool at_resonance = half_difference == 0;
-    const Real sb = at_resonance ? Real(0) : Real(sin(half_difference * h));
-    const Real cb = at_resonance ? Real(1) : Real(cos(half_difference * h));
+    Real sb{0};
+    Real cb{1};
+    Real across = h;
+    if (half_difference != 0) {
+      sb = sin(half_difference * h);
+      cb = cos(half_difference * h);
+      across = sb / half_difference;
+    }
     const Real along = sa / half_sum;
-    const Real across = at_resonance ? h : Real(sb / half_difference);
     const Real product = along * across / 2;
     const Real cosine = ca * cb + sa * sb;
     const Real sine = sa * cb - ca * sb;

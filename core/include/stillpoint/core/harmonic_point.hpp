@@ -115,6 +115,18 @@ Real third_root_of_epsilon() {
   return sixth_root_of_epsilon<Real>() * sixth_root_of_epsilon<Real>();
 }
 
+/// Steps so short that their eighth powers, divided by 8!, do not count.
+template <class Real>
+Real eighth_root_of_epsilon() {
+  if constexpr (std::is_same_v<Real, double>) {
+    return 0x1p-5;
+  } else {
+    using std::pow;
+    static const Real value = pow(std::numeric_limits<Real>::epsilon(), Real(1) / 8);
+    return value;
+  }
+}
+
 /// c[0] + c[1] d + ... + c[5] d^5.
 template <class Real>
 Real polynomial(const std::array<Real, 6>& c, const Real& d) {
@@ -162,9 +174,11 @@ HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const HarmonicTaylo
 
 /// (F11): the zero of c[0] + c[1] d + ... + c[5] d^5 next to d = 0, to all digits where it is no
 /// farther than `short_step`, else to some. Infinite where it does not settle. A zero of the
-/// polynomial is not yet one of the motion: the caller looks.
+/// polynomial is not yet one of the motion: the caller looks. The series of the inverse function is
+/// used where its terms are below `reach`.
 template <class Real>
-Real polynomial_root(const std::array<Real, 6>& c, const Real& short_step) {
+Real polynomial_root(const std::array<Real, 6>& c, const Real& short_step,
+                     const Real& reach = sixth_root_of_epsilon<Real>() / 2) {
   using std::abs;
   using std::max;
   const Real inverse_slope = 1 / c[1];
@@ -180,7 +194,7 @@ Real polynomial_root(const std::array<Real, 6>& c, const Real& short_step) {
   const Real third = t2 - (2 * t22 - t3);
   const Real closeness = max(max(Real(abs(zero)), Real(abs(t2))),
                              max(Real(abs(t3)), max(Real(abs(t4)), Real(abs(t5)))));
-  if (closeness <= sixth_root_of_epsilon<Real>() / 2) {
+  if (closeness <= reach) {
     const Real fourth = t2 * (5 * (t3 - t22)) - t4;
     const Real fifth = (14 * t22 - 21 * t3) * t22 + 3 * t3 * t3 + (6 * t2 * t4 - t5);
     return zero - zero * (third - (fourth + fifth));
