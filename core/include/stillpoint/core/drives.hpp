@@ -34,6 +34,9 @@ class LinearDrive {
 
   void advance(const Real& h) { w_ += rate_ * h; }
 
+  /// Along a piece of this drive.
+  void advance_to(const typename LinearPiece<Real>::End& end, int /*direction*/) { advance(end.h); }
+
   [[nodiscard]] LinearPiece<Real> piece(const Sliding<Real>& from) const {
     return {{from.y, from.v, from.a}, Real(from.direction) * rate_};
   }
@@ -73,6 +76,20 @@ class HarmonicDrive {
   void advance(const Real& h) {
     phase_.advance(h);
     now_ = phase_.sin_cos();
+  }
+
+  /// Along a piece of this drive, whose end has the sine and cosine of the phase, by sums of angles:
+  /// docs/forced.md section 2. Their errors must not add up.
+  void advance_to(const typename HarmonicPiece<Real>::End& end, int direction) {
+    constexpr int pieces_by_sums = 3;
+    if (k_ == 0 || ++by_sums_ > pieces_by_sums) {
+      by_sums_ = 0;
+      advance(end.h);
+      return;
+    }
+    phase_.advance(end.h);
+    const Real scale = Real(direction) / k_;
+    now_ = {end.at.w * scale, end.at.q * scale};
   }
 
   [[nodiscard]] HarmonicPiece<Real> piece(const Sliding<Real>& from) {
@@ -126,6 +143,7 @@ class HarmonicDrive {
   typename DrivePhase<Real>::SinCos now_;
   EventGuesses<Real> guesses_;
   int direction_{1};
+  int by_sums_{0};  ///< pieces since `now_` was taken from the phase
 };
 
 /// The piece that a drive makes of a sliding state.

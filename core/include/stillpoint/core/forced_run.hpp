@@ -281,7 +281,9 @@ class ForcedRun {
       last.emplace(Crossing<Drive, Real>{piece, end});
       watch_crossing(*last);
     }
-    pass_time(drive, left, end.h);
+    left.add(-end.h);
+    s_.now.add(end.h);
+    drive.advance_to(end, from.direction);
     s_.released = false;
     s_.u = Real(from.direction) * end.at.y;
     s_.v = Real(from.direction) * end.at.v;
