@@ -78,8 +78,8 @@ class HarmonicDrive {
     now_ = phase_.sin_cos();
   }
 
-  /// Along a piece of this drive, whose end has the sine and cosine of the phase, by sums of angles:
-  /// docs/forced.md section 2. Their errors must not add up.
+  /// Along a piece of this drive, whose end has the sine and cosine of the phase, by sums of
+  /// angles: docs/forced.md section 2. Their errors must not add up.
   void advance_to(const typename HarmonicPiece<Real>::End& end, int direction) {
     constexpr int pieces_by_sums = 3;
     if (k_ == 0 || ++by_sums_ > pieces_by_sums) {
@@ -119,7 +119,6 @@ class HarmonicDrive {
   [[nodiscard]] std::optional<Real> first_above(const Real& level, const Real& psi,
                                                 bool grows) const {
     using std::asin;
-    using std::floor;
     using std::sqrt;
     if (!(level < k_)) {
       return std::nullopt;
@@ -129,7 +128,12 @@ class HarmonicDrive {
     const Real below = (k_ - level) / (2 * k_);
     const Real to_crest = below < 1 ? Real(2 * asin(sqrt(below))) : pi<Real>();
     Real ahead = pi<Real>() / 2 - to_crest - psi;
-    ahead -= turn * floor(ahead / turn);
+    while (ahead < 0) {  // by one turn or two
+      ahead += turn;
+    }
+    if (!(ahead < turn)) {
+      ahead -= turn;
+    }
     // The crossing lies behind, but the crest ahead: |w + u| = phi to the last bit, and growing.
     if (grows && turn - ahead < to_crest) {
       return Real(0);

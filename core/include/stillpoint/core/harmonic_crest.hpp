@@ -55,19 +55,14 @@ class HarmonicCrest {
   /// The largest |x''| up to h after a point so near to its crest that a polynomial reaches there;
   /// 0 where it does not, or where (F24) leaves a doubt.
   [[nodiscard]] Real near_crest(const Point& point, const Real& h) const {
-    const Real& r = flow_.r();
-    const Real r2 = r * r;
-    const HarmonicTaylor<Real> taylor(point, r);
+    const HarmonicTaylor<Real> taylor(point, flow_.r());
     const Real reach = eighth_root_of_epsilon<Real>();
     const Real longest = std::min(h, Real(reach * flow_.time_scale()));
     const Real d = polynomial_root(taylor.v, longest, reach);
     if (!(d > 0 && d <= longest && h <= 2)) {
       return Real(0);
     }
-    const Real sixth = taylor.v[5] * (Real(1) / 6);
-    const Real seventh = -(24 * taylor.v[4] + r2 * r2 * r * point.q) * (Real(1) / 5040);
-    const Real cube = d * d * d;
-    const Real crest = magnitude(Real(polynomial(taylor.y, d) + cube * cube * (sixth + d * seventh)));
+    const Real crest = magnitude(polynomial(taylor.y, d));
     const bool stationary = is_crest(polynomial(taylor.v, d), Real(taylor.v[1] * crest));
     return stationary && crest >= 3 * push_ ? crest : Real(0);
   }

@@ -126,7 +126,7 @@ class HarmonicPiece {
     }
     End end{want_arrival ? PieceEvent::arrival : PieceEvent::turn, found->h, found->at};
     const Point& at = end.at;
-    const Real off = sixth_root_of_epsilon<Real>() * zeros_.small_step(end.h);
+    const Real off = last_correction<Real>() * zeros_.small_step(end.h);
     const bool is_zero = want_arrival ? at.v > 0 && magnitude(at.y) <= at.v * off
                                       : at.a < 0 && magnitude(at.v) <= -at.a * off;
     if (!is_zero) {

@@ -98,24 +98,7 @@ HarmonicPoint<Real> shifted(const HarmonicPoint<Real>& point, const Real& r, con
   return {point.y + y, v, point.a - y - grown, point.w + grown, q};
 }
 
-/// (F11): steps so short that their sixth powers do not count.
-template <class Real>
-Real sixth_root_of_epsilon() {
-  if constexpr (std::is_same_v<Real, double>) {
-    return 0x1p-9;
-  } else {
-    using std::pow;
-    static const Real value = pow(std::numeric_limits<Real>::epsilon(), Real(1) / 6);
-    return value;
-  }
-}
-
-template <class Real>
-Real third_root_of_epsilon() {
-  return sixth_root_of_epsilon<Real>() * sixth_root_of_epsilon<Real>();
-}
-
-/// Steps so short that their eighth powers, divided by 8!, do not count.
+/// (F11): steps so short that their eighth powers, divided by 8!, do not count.
 template <class Real>
 Real eighth_root_of_epsilon() {
   if constexpr (std::is_same_v<Real, double>) {
@@ -127,37 +110,57 @@ Real eighth_root_of_epsilon() {
   }
 }
 
-/// c[0] + c[1] d + ... + c[5] d^5.
+/// A correction of a zero by less than this, times the step, is the last.
 template <class Real>
-Real polynomial(const std::array<Real, 6>& c, const Real& d) {
-  return c[0] + d * (c[1] + d * (c[2] + d * (c[3] + d * (c[4] + d * c[5]))));
+Real last_correction() {
+  if constexpr (std::is_same_v<Real, double>) {
+    return 0x1p-22;
+  } else {
+    using std::sqrt;
+    static const Real value = sqrt(std::numeric_limits<Real>::epsilon());
+    return value;
+  }
 }
 
-/// The first six coefficients of v and of y in the time after a point.
+/// c[0] + c[1] d + ... + c[7] d^7.
+template <class Real>
+Real polynomial(const std::array<Real, 8>& c, const Real& d) {
+  const Real d2 = d * d;
+  const Real low = (c[0] + c[1] * d) + d2 * (c[2] + c[3] * d);
+  const Real high = (c[4] + c[5] * d) + d2 * (c[6] + c[7] * d);
+  return low + d2 * d2 * high;
+}
+
+/// The first eight coefficients of v and of y in the time after a point.
 template <class Real>
 struct HarmonicTaylor {
-  std::array<Real, 6> v;
-  std::array<Real, 6> y;
+  std::array<Real, 8> v;
+  std::array<Real, 8> y;
 
   HarmonicTaylor(const HarmonicPoint<Real>& point, const Real& r) {
     const HarmonicPoint<Real> second = twice_differentiated(point, r);
     const HarmonicPoint<Real> fourth = twice_differentiated(second, r);
+    const HarmonicPoint<Real> sixth = twice_differentiated(fourth, r);
     v = {point.v,
          point.a,
          second.v * (Real(1) / 2),
          second.a * (Real(1) / 6),
          fourth.v * (Real(1) / 24),
-         fourth.a * (Real(1) / 120)};
+         fourth.a * (Real(1) / 120),
+         sixth.v * (Real(1) / 720),
+         sixth.a * (Real(1) / 5040)};
     y = {point.y,
          point.v,
          point.a * (Real(1) / 2),
          second.v * (Real(1) / 6),
          second.a * (Real(1) / 24),
-         fourth.v * (Real(1) / 120)};
+         fourth.v * (Real(1) / 120),
+         fourth.a * (Real(1) / 720),
+         sixth.v * (Real(1) / 5040)};
   }
 };
 
-/// (F10) cut after h^5: nothing is lost where |h| is below sixth_root_of_epsilon of the time scale
+/// (F10) cut after h^7: nothing is lost where |h| is below eighth_root_of_epsilon of the time scale
 /// and of the time since the start of the piece, where the state may have begun like h^3.
 template <class Real>
 HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const HarmonicTaylor<Real>& taylor,
@@ -165,20 +168,20 @@ HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const HarmonicTaylo
   const Real y = polynomial(taylor.y, h);
   const Real angle = r * h;
   const Real z = angle * angle;
-  const Real sine = angle * (1 - z * (Real(1) / 6) * (1 - z * (Real(1) / 20)));
-  const Real versine = z * (Real(1) / 2) * (1 - z * (Real(1) / 12));
+  const Real sine = angle * (1 - z * (Real(1) / 6 - z * (Real(1) / 120 - z * (Real(1) / 5040))));
+  const Real versine = z * (Real(1) / 2 - z * (Real(1) / 24 - z * (Real(1) / 720)));
   const Real grown = point.q * sine - point.w * versine;
   return {y, polynomial(taylor.v, h), point.a - (y - point.y) - grown, point.w + grown,
           point.q - (point.w * sine + point.q * versine)};
 }
 
-/// (F11): the zero of c[0] + c[1] d + ... + c[5] d^5 next to d = 0, to all digits where it is no
+/// (F11): the zero of c[0] + c[1] d + ... + c[7] d^7 next to d = 0, to all digits where it is no
 /// farther than `short_step`, else to some. Infinite where it does not settle. A zero of the
-/// polynomial is not yet one of the motion: the caller looks. The series of the inverse function is
-/// used where its terms are below `reach`.
+/// polynomial is not yet one of the motion: the caller looks. The series is enough where its terms
+/// are below `reach`.
 template <class Real>
-Real polynomial_root(const std::array<Real, 6>& c, const Real& short_step,
-                     const Real& reach = sixth_root_of_epsilon<Real>() / 2) {
+Real polynomial_root(const std::array<Real, 8>& c, const Real& short_step,
+                     const Real& reach = eighth_root_of_epsilon<Real>() / 32) {
   using std::abs;
   using std::max;
   const Real inverse_slope = 1 / c[1];
@@ -192,20 +195,22 @@ Real polynomial_root(const std::array<Real, 6>& c, const Real& short_step,
   const Real t5 = scaled * (square * zero) * c[5];
   const Real t22 = t2 * t2;
   const Real third = t2 - (2 * t22 - t3);
+  const Real fourth = t2 * (5 * (t3 - t22)) - t4;
+  const Real fifth = (14 * t22 - 21 * t3) * t22 + 3 * t3 * t3 + (6 * t2 * t4 - t5);
   const Real closeness = max(max(Real(abs(zero)), Real(abs(t2))),
                              max(Real(abs(t3)), max(Real(abs(t4)), Real(abs(t5)))));
+  Real d = closeness < Real(1) / 8 ? Real(zero - zero * (third - (fourth + fifth))) : zero;
   if (closeness <= reach) {
-    const Real fourth = t2 * (5 * (t3 - t22)) - t4;
-    const Real fifth = (14 * t22 - 21 * t3) * t22 + 3 * t3 * t3 + (6 * t2 * t4 - t5);
-    return zero - zero * (third - (fourth + fifth));
+    return d;
   }
-  Real d = closeness < Real(1) / 8 ? Real(zero - zero * third) : zero;
   for (int turn = 0; turn < 4; ++turn) {
-    const Real slope = c[1] + d * (2 * c[2] + d * (3 * c[3] + d * (4 * c[4] + d * (5 * c[5]))));
-    const Real correction = polynomial(c, d) / slope;
+    const Real d2 = d * d;
+    const Real low = (c[1] + 2 * c[2] * d) + d2 * (3 * c[3] + 4 * c[4] * d);
+    const Real high = (5 * c[5] + 6 * c[6] * d) + d2 * (7 * c[7]);
+    const Real correction = polynomial(c, d) / (low + d2 * d2 * high);
     d -= correction;
     const Real size = abs(d);
-    const Real tolerated = size <= short_step ? third_root_of_epsilon<Real>() : Real(Real(1) / 64);
+    const Real tolerated = size <= short_step ? last_correction<Real>() : Real(Real(1) / 64);
     if (abs(correction) <= tolerated * size) {
       return d;
     }

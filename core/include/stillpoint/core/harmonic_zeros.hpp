@@ -15,13 +15,13 @@ namespace stillpoint {
 /// Which function of the time a zero is wanted of.
 struct SeriesOfV {
   template <class Real>
-  const std::array<Real, 6>& operator()(const HarmonicTaylor<Real>& taylor) const {
+  const std::array<Real, 8>& operator()(const HarmonicTaylor<Real>& taylor) const {
     return taylor.v;
   }
 };
 struct SeriesOfY {
   template <class Real>
-  const std::array<Real, 6>& operator()(const HarmonicTaylor<Real>& taylor) const {
+  const std::array<Real, 8>& operator()(const HarmonicTaylor<Real>& taylor) const {
     return taylor.y;
   }
 };
@@ -42,7 +42,7 @@ class HarmonicZeros {
 
   /// The steps of (F11) shrink so fast that after one of this length the next is below rounding.
   [[nodiscard]] Real small_step(const Real& h) const {
-    return sixth_root_of_epsilon<Real>() * std::min(h, flow_.time_scale());
+    return eighth_root_of_epsilon<Real>() * std::min(h, flow_.time_scale());
   }
 
   /// Newton's method on `series` of the state from h on until it settles; the closed form anew
