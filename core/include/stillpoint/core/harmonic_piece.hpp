@@ -48,12 +48,11 @@ class HarmonicPiece {
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) {
     using std::min;
     const Real horizon = min(limit, Real(2 * pi<Real>()));
-    if (worth_guessing(want_arrival)) {
-      if (const std::optional<End> end = guessed(horizon, want_arrival)) {
-        return *end;
-      }
+    End end{};
+    if (worth_guessing(want_arrival) && guessed(horizon, want_arrival, end)) {
+      return end;
     }
-    End end = march(horizon);
+    end = march(horizon);
     if (want_arrival && !(end.at.y < 0)) {
       end = arrival_before(end);
       guesses_.arrival = end.h;
@@ -114,33 +113,33 @@ class HarmonicPiece {
     return start.a != 0 ? pi<Real>() : Real(4);
   }
 
-  /// The event found from a guess and proved to be the first; none where that did not succeed.
-  [[nodiscard]] std::optional<End> guessed(const Real& horizon, bool want_arrival) {
+  /// The event found from a guess and proved to be the first goes to `end`, which is passed on
+  /// without a copy; false where that did not succeed.
+  [[nodiscard]] bool guessed(const Real& horizon, bool want_arrival, End& end) {
     Real& guess = want_arrival ? guesses_.arrival : turn_guess();
     const Real begin = guess > 0 ? guess : under_constant_load(want_arrival);
     const Real h = std::min(begin, horizon);
-    const std::optional<Located> found = want_arrival ? zeros_.improved(h, horizon, SeriesOfY())
-                                                      : zeros_.improved(h, horizon, SeriesOfV());
-    if (!found) {
-      return std::nullopt;
+    if (!(want_arrival ? zeros_.improved(h, horizon, SeriesOfY(), end)
+                       : zeros_.improved(h, horizon, SeriesOfV(), end))) {
+      return false;
     }
-    End end{want_arrival ? PieceEvent::arrival : PieceEvent::turn, found->h, found->at};
+    end.event = want_arrival ? PieceEvent::arrival : PieceEvent::turn;
     const Point& at = end.at;
     const Real off = last_correction<Real>() * zeros_.small_step(end.h);
     const bool is_zero = want_arrival ? at.v > 0 && magnitude(at.y) <= at.v * off
                                       : at.a < 0 && magnitude(at.v) <= -at.a * off;
     if (!is_zero) {
-      return std::nullopt;
+      return false;
     }
     guess = end.h;
     if (const std::optional<Located> earlier =
             turn_between(flow().start(), Real(0), end.at, end.h)) {
       if (want_arrival && !(earlier->at.y < 0)) {
-        return std::nullopt;
+        return false;
       }
       end = {PieceEvent::turn, earlier->h, earlier->at};
     }
-    return end;
+    return true;
   }
 
   /// From the left in steps on which the motion hardly bends, or along which the slow part of a

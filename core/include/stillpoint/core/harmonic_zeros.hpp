@@ -5,10 +5,10 @@
 // first one is for the caller to prove. Symbols as in harmonic_point.hpp.
 
 #include <stillpoint/core/harmonic_flow.hpp>
+#include <stillpoint/core/piece_end.hpp>
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace stillpoint {
 
@@ -30,6 +30,7 @@ template <class Real>
 class HarmonicZeros {
  public:
   using Point = HarmonicPoint<Real>;
+  using End = PieceEnd<Real, Point>;
 
   struct Located {
     Real h;
@@ -47,9 +48,9 @@ class HarmonicZeros {
 
   /// Newton's method on `series` of the state from h on until it settles; the closed form anew
   /// after every long step, and after one back towards the start, where the state is small and
-  /// would keep the larger one's errors.
+  /// would keep the larger one's errors. The zero goes to `end`; false where it does not settle.
   template <class Series>
-  [[nodiscard]] std::optional<Located> improved(Real h, const Real& horizon, Series series) const {
+  [[nodiscard]] bool improved(Real h, const Real& horizon, Series series, End& end) const {
     const Real longest = flow_.time_scale() / 8;
     Point at = flow_.at(h);
     for (int tries = 0; tries < 12; ++tries) {
@@ -57,7 +58,7 @@ class HarmonicZeros {
       const Real d = polynomial_root(series(taylor), small_step(h));
       const Real size = magnitude(d);
       if (!(size < 2) || !(h + d > 0) || h + d > horizon) {
-        return std::nullopt;
+        return false;
       }
       h += d;
       if (size > std::min(longest, h)) {
@@ -65,11 +66,13 @@ class HarmonicZeros {
         continue;
       }
       if (size <= small_step(h)) {
-        return Located{h, nudged(at, taylor, flow_.r(), d)};
+        end.h = h;
+        end.at = nudged(at, taylor, flow_.r(), d);
+        return true;
       }
       at = shifted(at, flow_.r(), d);
     }
-    return std::nullopt;
+    return false;
   }
 
   /// The zero of a function that is < 0 (or starts so) at `low` and >= 0 at `high`: by the steps of
