@@ -157,8 +157,11 @@ using PieceOf = decltype(std::declval<Drive&>().piece(std::declval<const Sliding
 /// A piece on which x = 0 was passed without a notch: where, is found when somebody wants it.
 template <class Drive, class Real>
 struct Crossing {
-  PieceOf<Drive, Real> piece;
-  typename PieceOf<Drive, Real>::End end;
+  using Piece = PieceOf<Drive, Real>;
+  Piece piece;
+  typename Piece::End end;
+
+  Crossing(const Piece& on, const typename Piece::End& until) : piece(on), end(until) {}
 };
 
 }  // namespace stillpoint

@@ -278,7 +278,7 @@ class ForcedRun {
     }
     if (map_.notch == 0 && inward && (end.at.y > 0 || (end.at.y == 0 && end.at.v > 0))) {
       ++s_.passages;
-      last.emplace(Crossing<Drive, Real>{piece, end});
+      last.emplace(piece, end);
       watch_crossing(*last);
     }
     left.add(-end.h);
