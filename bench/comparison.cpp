@@ -12,7 +12,7 @@ namespace stillpoint::bench {
 
 namespace {
 
-SceneRows compare(const peers::ReferenceScene& scene, const MeasureOptions& options) {
+SceneRows compare(const peers::ReferenceScene& scene, const peers::MeasureOptions& options) {
   SceneRows found{scene, {}};
   std::vector<std::function<void()>> calls;
   volatile double sink = 0;
@@ -28,7 +28,7 @@ SceneRows compare(const peers::ReferenceScene& scene, const MeasureOptions& opti
       calls.emplace_back(run);
     }
   }
-  const std::vector<Timing> timings = measure(calls, options);
+  const std::vector<peers::Timing> timings = measure(calls, options);
   auto timing = timings.begin();
   for (MethodRows& method : found.methods) {
     for (Row& row : method.rows) {
@@ -62,7 +62,7 @@ std::optional<Rival> best_rival(const SceneRows& scene, double bound) {
 }
 
 Comparison compare(const std::vector<peers::ReferenceScene>& scenes,
-                   const MeasureOptions& options) {
+                   const peers::MeasureOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   Comparison all;
   all.machine = this_machine();

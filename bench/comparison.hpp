@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/peers/measure.hpp>
 #include "free_modes.hpp"
 #include "machine.hpp"
-#include "measure.hpp"
 #include "methods.hpp"
 #include "verdict.hpp"
 
@@ -16,7 +16,7 @@ namespace stillpoint::bench {
 /// A method with one setting on one scene.
 struct Row {
   double setting{0};
-  Timing time;
+  peers::Timing time;
   Verdict verdict;
 };
 
@@ -47,13 +47,13 @@ struct Rival {
 /// Everything that one run finds; the reports only render it.
 struct Comparison {
   Machine machine;
-  MeasureOptions options;
+  peers::MeasureOptions options;
   double seconds{0};  ///< that the run took
   std::vector<SceneRows> scenes;
   std::vector<Unit> free_modes;  ///< on scene S2
 };
 
 [[nodiscard]] Comparison compare(const std::vector<peers::ReferenceScene>& scenes,
-                                 const MeasureOptions& options);
+                                 const peers::MeasureOptions& options);
 
 }  // namespace stillpoint::bench

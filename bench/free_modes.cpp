@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t roots = 1024;  // two arrays of them stay in the first cache
 
-void divide(Timing& timing, double by) {
+void divide(peers::Timing& timing, double by) {
   timing.median /= by;
   timing.low /= by;
   timing.high /= by;
@@ -21,7 +21,7 @@ void divide(Timing& timing, double by) {
 
 }  // namespace
 
-std::vector<Unit> free_modes(const peers::Scene& scene, const MeasureOptions& options) {
+std::vector<Unit> free_modes(const peers::Scene& scene, const peers::MeasureOptions& options) {
   volatile double sink = 0;
   const std::vector<double> numbers(roots, 2.0);
   std::vector<double> answers(roots);
@@ -43,7 +43,7 @@ std::vector<Unit> free_modes(const peers::Scene& scene, const MeasureOptions& op
       },
   };
   const double half_cycles = free_response(scene.oscillator, scene.start).half_cycles.value();
-  std::vector<Timing> timings = measure(calls, options);
+  std::vector<peers::Timing> timings = measure(calls, options);
   for (std::size_t i = 0; i < 3; ++i) {
     divide(timings[i], half_cycles);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "measure.hpp"
+#include <stillpoint/peers/measure.hpp>
 
 #include <stillpoint/peers/scene.hpp>
 
@@ -13,12 +13,12 @@ namespace stillpoint::bench {
 /// Nanoseconds for one of something.
 struct Unit {
   std::string what;
-  Timing seconds;
+  peers::Timing seconds;
 };
 
 /// The free kernel for a half-cycle in each of its modes, free_peak for a motion, and what the
 /// hardware's square root takes.
 [[nodiscard]] std::vector<Unit> free_modes(const peers::Scene& scene,
-                                           const MeasureOptions& options);
+                                           const peers::MeasureOptions& options);
 
 }  // namespace stillpoint::bench

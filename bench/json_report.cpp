@@ -17,7 +17,7 @@ double four_digits(double value) {
   return std::stod(fmt::format("{:.4g}", value));
 }
 
-Json time(const Timing& timing) {
+Json time(const peers::Timing& timing) {
   return {{"median", four_digits(timing.median)},
           {"lower_quartile", four_digits(timing.low)},
           {"upper_quartile", four_digits(timing.high)},

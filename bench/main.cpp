@@ -30,7 +30,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 int run(int count, char** arguments) {
   std::string reference;
   std::filesystem::path folder;
-  MeasureOptions options;
+  peers::MeasureOptions options;
   CLI::App app("Speed against error, on every scene, in one run");
   app.add_option("--reference", reference, "folder of the reference tables")->required();
   app.add_option("--out", folder, "folder for performance.json, .md and .svg")->required();

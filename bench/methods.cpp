@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "methods.hpp"
 
+#include <stillpoint/peers/kernel.hpp>
 #include "gsl_peer.hpp"
-#include "kernel.hpp"
 #ifdef STILLPOINT_BENCH_CVODE
 #include "cvode_peer.hpp"
 #endif
@@ -49,7 +49,7 @@ std::vector<Method> methods(const peers::ReferenceScene& scene) {
                  "",
                  false,
                  {0},
-                 [](const peers::Scene& s, double /*none*/) { return kernel(s); }});
+                 [](const peers::Scene& s, double /*none*/) { return peers::kernel(s); }});
   all.push_back(
       {"dopri5",
        "Boost.Odeint's dopri5, error-controlled, events bracketed (TOMS 748) on its dense "

@@ -60,6 +60,12 @@ constexpr std::array command_helps{
                 "      --k 0.2 --lambda 0.35 --t-end 200\n"
                 "  stillpoint sweep --v0 1 --p 1 --list dampers.csv --output s.csv --resume\n"
                 "Exit codes: 0 done, 2 wrong input, 130 interrupted; go on with --resume."},
+    CommandHelp{Command::accuracy, "time and error of each method on one motion, against 50 digits",
+                "Examples:\n"
+                "  stillpoint accuracy --v0 1 --p 1 --f 0.02 --delta 0.02\n"
+                "  stillpoint accuracy --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic \\\n"
+                "      --k 0.2 --lambda 0.35 --t-end 200\n"
+                "Exit codes: 0 done, 2 wrong input."},
 };
 
 constexpr std::string_view about =
@@ -162,8 +168,9 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 
 [[noreturn]] void refuse_command(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
-  throw UsageError(fmt::format("{}: must be design, region, simulate or sweep (stillpoint --help)",
-                               extras.empty() ? "no command" : "command " + extras.front()));
+  throw UsageError(
+      fmt::format("{}: must be design, region, simulate, sweep or accuracy (stillpoint --help)",
+                  extras.empty() ? "no command" : "command " + extras.front()));
 }
 
 }  // namespace

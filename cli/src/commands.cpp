@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include "accuracy.hpp"
+#include "accuracy_report.hpp"
 #include "json_report.hpp"
 #include "progress.hpp"
 #include "request.hpp"
@@ -144,6 +146,16 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   report(
       settings, [&] { return simulate_json(input, answer); },
       [&](const auto& title, Style style) { return simulate_text(input, answer, title, style); },
+      output);
+  return exit_done;
+}
+
+ExitCode run_accuracy(const Settings& settings, Output& output) {
+  const SimulateInput input = simulate_input(settings);
+  const AccuracyAnswer answer = compare_methods(input);
+  report(
+      settings, [&] { return accuracy_json(input, answer); },
+      [&](const auto& title, Style style) { return accuracy_text(input, answer, title, style); },
       output);
   return exit_done;
 }

@@ -14,6 +14,7 @@ namespace stillpoint::cli {
 ExitCode run_design(const Settings& settings, Output& output);
 ExitCode run_region(const Settings& settings, Output& output);
 ExitCode run_simulate(const Settings& settings, Output& output);
+ExitCode run_accuracy(const Settings& settings, Output& output);
 
 /// 3 without an admissible design, 4 where the cross-check failed, else 0.
 [[nodiscard]] ExitCode exit_code(const design::DesignResult& result);

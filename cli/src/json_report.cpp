@@ -36,10 +36,6 @@ ordered_json text(const std::string& value) {
   return value.empty() ? ordered_json(nullptr) : ordered_json(value);
 }
 
-ordered_json program_json() {
-  return {{"name", "stillpoint"}, {"version", program_version()}};
-}
-
 ordered_json mends_json(const std::vector<design::Mend>& mends) {
   ordered_json list = ordered_json::array();
   for (const design::Mend& mend : mends) {
@@ -252,6 +248,10 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
 
 }  // namespace
 
+ordered_json program_json() {
+  return {{"name", "stillpoint"}, {"version", program_version()}};
+}
+
 ordered_json design_json(const DesignInput& input, const design::DesignResult& result) {
   const auto& [problem, limits, search] = result.request;
   ordered_json task = task_json(problem, limits);
@@ -300,18 +300,21 @@ ordered_json region_json(const RegionInput& input, const RegionAnswer& answer) {
       {"physical", physical_json(region_quantities(input, answer))}};
 }
 
+ordered_json simulate_input_json(const SimulateInput& input) {
+  return {{"v0", number(input.start.v0)},
+          {"p", number(input.oscillator.p)},
+          {"f", number(input.oscillator.f)},
+          {"delta", number(input.oscillator.delta)},
+          {"x0", number(input.start.x0)},
+          {"t_end", number(input.t_end)},
+          {"excitation", excitation_json(input.excitation)}};
+}
+
 ordered_json simulate_json(const SimulateInput& input, const SimulateAnswer& answer) {
   return {
       {"schema", "stillpoint/simulation-report/1"},
       {"program", program_json()},
-      {"input",
-       {{"v0", number(input.start.v0)},
-        {"p", number(input.oscillator.p)},
-        {"f", number(input.oscillator.f)},
-        {"delta", number(input.oscillator.delta)},
-        {"x0", number(input.start.x0)},
-        {"t_end", number(input.t_end)},
-        {"excitation", excitation_json(input.excitation)}}},
+      {"input", simulate_input_json(input)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
       {"half_cycles", half_cycles_json(answer.half_cycles)},
       {"half_cycles_listed", answer.half_cycles.size()},

@@ -36,6 +36,10 @@ struct SimulateAnswer {
   std::optional<std::string> trajectory;  ///< the file's text, where one was asked for
 };
 
+/// Parts of more than one report.
+[[nodiscard]] nlohmann::ordered_json program_json();
+[[nodiscard]] nlohmann::ordered_json simulate_input_json(const SimulateInput& input);
+
 /// The reports that docs/reports.md describes. Numbers carry a double's full precision; a value
 /// that does not exist is null; a number that is not finite is an assertion.
 [[nodiscard]] nlohmann::ordered_json design_json(const DesignInput& input,

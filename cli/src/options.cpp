@@ -25,7 +25,9 @@ constexpr std::string_view searching = "Search";
 constexpr std::string_view sweeping = "Sweep";
 constexpr std::string_view output = "Output";
 
-constexpr CommandSet every = design | region | simulate | sweep;
+constexpr CommandSet every = design | region | simulate | sweep | accuracy;
+/// One motion.
+constexpr CommandSet motions = simulate | accuracy;
 /// For a number that sweep takes an axis of.
 constexpr bool swept = true;
 
@@ -38,26 +40,26 @@ constexpr std::array table{
     Option{"pulse", text, "TYPE", motion,
            "half-sine or rectangle, with --k and --lambda: in place of the initial velocity",
            design},
-    Option{"x0", number, "X", motion, "initial displacement (default 0)", simulate | sweep, swept},
+    Option{"x0", number, "X", motion, "initial displacement (default 0)", motions | sweep, swept},
 
     Option{"velocity", number, "M/S", physical, "initial velocity in m/s",
-           design | region | simulate},
+           design | region | motions},
     Option{"max-displacement", number, "M", physical, "largest admissible displacement in m",
            design | region},
     Option{"period", number, "S", physical, "natural period without friction in s",
-           design | region | simulate},
+           design | region | motions},
     Option{"stiffness", number, "N/M", physical, "in place of the period, with --mass",
-           design | region | simulate},
+           design | region | motions},
     Option{"mass", number, "KG", physical, "for forces and energies in the report",
-           design | region | simulate},
-    Option{"gravity", number, "M/S2", physical, "default 9.80665", design | region | simulate},
-    Option{"x0-m", number, "M", physical, "initial displacement in m", simulate},
+           design | region | motions},
+    Option{"gravity", number, "M/S2", physical, "default 9.80665", design | region | motions},
+    Option{"x0-m", number, "M", physical, "initial displacement in m", motions},
 
-    Option{"f", number, "F", damper, "constant friction coefficient", region | simulate | sweep,
+    Option{"f", number, "F", damper, "constant friction coefficient", region | motions | sweep,
            swept},
-    Option{"delta", number, "D", damper, "point friction", region | simulate | sweep, swept},
+    Option{"delta", number, "D", damper, "point friction", region | motions | sweep, swept},
     Option{"delta-m", number, "M", damper, "point friction in m, with physical input",
-           region | simulate},
+           region | motions},
     Option{"criterion", text, "NAME", damper, "lower bound of delta: published (default) or exact",
            design | region | sweep},
     Option{"tolerance", number, "R", damper,
@@ -75,25 +77,25 @@ constexpr std::array table{
     Option{"algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design},
 
     Option{"excitation", text, "TYPE", shaking,
-           "harmonic, half-sine, full-sine, rectangle or record", simulate | sweep},
+           "harmonic, half-sine, full-sine, rectangle or record", motions | sweep},
     Option{"k", number, "K", shaking, "its peak in g, or that of the pulse",
-           design | simulate | sweep},
+           design | motions | sweep},
     Option{"lambda", number, "L", shaking,
            "angular frequency; half-sine and rectangle last pi/L, full-sine 2 pi/L",
-           design | simulate | sweep},
+           design | motions | sweep},
     Option{"phase", number, "PHI", shaking, "of harmonic, W = K sin(L tau + PHI); default 0",
-           simulate | sweep},
-    Option{"duration", number, "TAU", shaking, "of harmonic; default for ever", simulate | sweep},
+           motions | sweep},
+    Option{"duration", number, "TAU", shaking, "of harmonic; default for ever", motions | sweep},
     Option{"record", text, "FILE", shaking,
            "accelerations: PEER .AT2 or columns; in s with physical input, else in tau",
-           simulate | sweep},
-    Option{"record-units", text, "UNITS", shaking, "g (default), m/s2 or cm/s2", simulate | sweep},
+           motions | sweep},
+    Option{"record-units", text, "UNITS", shaking, "g (default), m/s2 or cm/s2", motions | sweep},
     Option{"record-step", number, "DT", shaking, "between values that have no time column",
-           simulate | sweep},
-    Option{"record-scale", number, "X", shaking, "factor on every value", simulate | sweep},
+           motions | sweep},
+    Option{"record-scale", number, "X", shaking, "factor on every value", motions | sweep},
     Option{"t-end", number, "TAU", shaking,
            "end of the run; default: the end of the motion, which a harmonic has not",
-           simulate | sweep},
+           motions | sweep},
 
     Option{"list", text, "FILE", sweeping,
            "entries by rows: CSV with a header, or JSON lines; - for standard input", sweep},
@@ -146,6 +148,8 @@ std::string_view name(Command command) noexcept {
       return "simulate";
     case Command::sweep:
       return "sweep";
+    case Command::accuracy:
+      return "accuracy";
   }
   assert(false && "a Command outside its enumeration");
   return "";

@@ -7,7 +7,7 @@
 
 namespace stillpoint::cli {
 
-enum class Command { design, region, simulate, sweep };
+enum class Command { design, region, simulate, sweep, accuracy };
 
 [[nodiscard]] std::string_view name(Command command) noexcept;
 

@@ -43,6 +43,8 @@ ExitCode run_command(Command command, const Settings& settings, Output& output) 
       return run_simulate(settings, output);
     case Command::sweep:
       return run_sweep(settings, output);
+    case Command::accuracy:
+      return run_accuracy(settings, output);
   }
   assert(false && "a Command outside its enumeration");
   return exit_wrong_input;

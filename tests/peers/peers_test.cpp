@@ -3,6 +3,7 @@
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/peers/exact.hpp>
 #include <stillpoint/peers/methods.hpp>
 #include <stillpoint/peers/reference.hpp>
 
@@ -173,6 +174,25 @@ BOOST_AUTO_TEST_CASE(the_record_is_that_of_the_reference) {
 
 BOOST_AUTO_TEST_CASE(tables_that_are_not_there_are_an_error) {
   BOOST_CHECK_THROW(static_cast<void>(reference_scenes("/nowhere")), std::runtime_error);
+}
+
+// The tables were made by another method than the kernel's rules in 50 digits.
+BOOST_AUTO_TEST_CASE(fifty_digits_and_the_tables_agree) {
+  for (const ReferenceScene& now : scenes()) {
+    BOOST_TEST_CONTEXT(now.name) {
+      const ExactResult result = exact(now.scene, 1e4);
+      counts_are_right(now, result.rounded);
+      const auto near = [](const Wide& value, double truth) {
+        return value.error_of(truth) <= 2e-16 * std::max(1.0, std::abs(truth));
+      };
+      BOOST_TEST(near(result.peak, now.truth.peak));
+      if (now.free) {
+        BOOST_TEST(near(result.end_time, now.truth.end_time));
+      } else {
+        BOOST_TEST(near(result.x, now.truth.x));
+      }
+    }
+  }
 }
 
 }  // namespace stillpoint::peers

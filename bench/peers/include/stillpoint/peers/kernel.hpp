@@ -3,10 +3,10 @@
 
 #include <stillpoint/peers/scene.hpp>
 
-namespace stillpoint::bench {
+namespace stillpoint::peers {
 
 /// This project's kernel with all that it computes by default: counts, peaks, times, margin. A
 /// scene without excitation goes to free_response, the others to forced_response up to t_end.
-[[nodiscard]] peers::Result kernel(const peers::Scene& scene);
+[[nodiscard]] Result kernel(const Scene& scene);
 
-}  // namespace stillpoint::bench
+}  // namespace stillpoint::peers

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-namespace stillpoint::bench {
+namespace stillpoint::peers {
 
 /// Seconds a call.
 struct Timing {
@@ -25,4 +25,4 @@ struct MeasureOptions {
 [[nodiscard]] std::vector<Timing> measure(const std::vector<std::function<void()>>& calls,
                                           const MeasureOptions& options);
 
-}  // namespace stillpoint::bench
+}  // namespace stillpoint::peers

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "measure.hpp"
+#include <stillpoint/peers/measure.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 
-namespace stillpoint::bench {
+namespace stillpoint::peers {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::vector<Timing> measure(const std::vector<std::function<void()>>& calls,
   return timings;
 }
 
-}  // namespace stillpoint::bench
+}  // namespace stillpoint::peers

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernel.hpp"
+#include <stillpoint/peers/kernel.hpp>
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
@@ -7,12 +7,12 @@
 #include <cmath>
 #include <variant>
 
-namespace stillpoint::bench {
+namespace stillpoint::peers {
 
 namespace {
 
-peers::Result common(const Response& response) {
-  peers::Result result;
+Result common(const Response& response) {
+  Result result;
   result.outcome = response.outcome;
   result.peak = response.peak_amplitude;
   result.passages = std::llround(response.zero_passages.value());
@@ -22,10 +22,10 @@ peers::Result common(const Response& response) {
 
 }  // namespace
 
-peers::Result kernel(const peers::Scene& scene) {
+Result kernel(const Scene& scene) {
   if (std::holds_alternative<NoExcitation>(scene.excitation)) {
     const Response response = free_response(scene.oscillator, scene.start);
-    peers::Result result = common(response);
+    Result result = common(response);
     result.end_time = response.stop_time.value();
     result.x = response.stop_position.value();
     return result;
@@ -34,7 +34,7 @@ peers::Result kernel(const peers::Scene& scene) {
   ask.t_end = scene.t_end;
   const ForcedResponse response =
       forced_response(scene.oscillator, scene.start, scene.excitation, ask);
-  peers::Result result = common(response);
+  Result result = common(response);
   result.end_time = response.end_time.value();
   result.x = response.final_position.value();
   result.v = response.final_velocity.value();
@@ -42,4 +42,4 @@ peers::Result kernel(const peers::Scene& scene) {
   return result;
 }
 
-}  // namespace stillpoint::bench
+}  // namespace stillpoint::peers

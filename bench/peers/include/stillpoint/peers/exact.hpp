@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/peers/scene.hpp>
+
+namespace stillpoint::peers {
+
+/// A number in about 32 digits: `near` is the closest double, `rest` what that leaves.
+struct Wide {
+  double near{0};
+  double rest{0};
+
+  /// How far `value` is off, with digits left where both agree to the last bit.
+  [[nodiscard]] double error_of(double value) const {
+    const double off = (value - near) - rest;
+    return off < 0 ? -off : off;
+  }
+};
+
+/// The motion by the rules of the kernel in 50 digits.
+struct ExactResult {
+  Result rounded;  ///< steps 0
+  Wide peak;
+  Wide end_time;
+  Wide x;
+  Wide v;
+};
+
+/// A free scene (NoExcitation) to its rest, whatever t_end; a forced one to t_end or its rest.
+/// Throws TooManyHalfCycles where a free one may have more than `most_half_cycles`. One that never
+/// stops has no meaning here: it must not be free of all friction.
+[[nodiscard]] ExactResult exact(const Scene& scene, double most_half_cycles);
+
+}  // namespace stillpoint::peers

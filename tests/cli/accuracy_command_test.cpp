@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE accuracy_command
+#include "refusal.hpp"
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+namespace data = boost::unit_test::data;
+
+const Arguments s1{"accuracy", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"};
+const Arguments s4{"accuracy", "--v0",     "0.5",  "--p",          "1",        "--f",
+                   "0.18",     "--delta",  "0",    "--excitation", "harmonic", "--k",
+                   "0.2",      "--lambda", "0.35", "--t-end",      "200"};
+
+/// The first of a name, the kernel's, or the one of a setting.
+json method(const json& report, const std::string& name, const std::string& setting = "") {
+  for (const json& now : report["methods"]) {
+    if (now["name"] == name && (setting.empty() || now["setting"] == setting)) {
+      return now;
+    }
+  }
+  BOOST_FAIL("no method " << name << ' ' << setting);
+  return {};
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(accuracy_command, Sandbox)
+
+// data/reference, made without the kernel.
+BOOST_AUTO_TEST_CASE(reference_is_that_of_the_tables) {
+  const json free = report_of(*this, s1);
+  BOOST_TEST(free["schema"] == "stillpoint/accuracy-report/1");
+  BOOST_TEST(free["reference"]["peak_amplitude"] == 0.98019998000399900);
+  BOOST_TEST(near(free["reference"]["end_time"], 34.598868822426208, 1e-15));
+  BOOST_TEST(free["reference"]["turning_points"] == 11);
+  BOOST_TEST(free["reference"]["outcome"] == "stopped_at_zero");
+  const json forced = report_of(*this, s4);
+  BOOST_TEST(near(forced["reference"]["peak_amplitude"], 0.33344255898459425, 1e-15));
+  BOOST_TEST(near(forced["reference"]["final_position"], 0.078877420102046286, 1e-15));
+  BOOST_TEST(forced["reference"]["zero_passages"] == 22);
+  BOOST_TEST(forced["reference"]["sticks"] == 22);
+}
+
+BOOST_AUTO_TEST_CASE(kernel_is_the_one_that_simulate_uses_and_is_right) {
+  for (const Arguments& scene : {s1, s4}) {
+    const json report = report_of(*this, scene);
+    const json kernel = method(report, "stillpoint");
+    BOOST_TEST(kernel["used_by_simulate"] == true);
+    BOOST_TEST(kernel["counts_right"] == true);
+    BOOST_TEST(kernel["peak_error"].get<double>() <= 1e-15);
+    BOOST_TEST(kernel["end_error"].get<double>() <= 1e-14);
+    BOOST_TEST(kernel["wall_time_s"].get<double>() > 0);
+    BOOST_TEST(!report["why"].get<std::string>().empty());
+    const auto used = std::ranges::count_if(
+        report["methods"], [](const json& now) { return now["used_by_simulate"] == true; });
+    BOOST_TEST(used == 1);
+  }
+}
+
+// Each method comes nearer with a finer setting, and is shown as it is with a coarse one.
+BOOST_AUTO_TEST_CASE(integrators_are_as_good_as_their_setting) {
+  const json report = report_of(*this, s1);
+  const double coarse = method(report, "dopri5", "tolerance 1e-06")["end_error"];
+  const double fine = method(report, "dopri5", "tolerance 1e-12")["end_error"];
+  BOOST_TEST(coarse > 1e-8);
+  BOOST_TEST(fine < 1e-11);
+  BOOST_TEST(method(report, "RK4", "step 0.001")["end_error"].get<double>() < 1e-11);
+  BOOST_TEST(method(report, "regularised")["end_error"].get<double>() > 1e-3);
+}
+
+// 424 half-cycles: what a loose setting gets wrong is said to be wrong.
+BOOST_AUTO_TEST_CASE(wrong_count_is_shown_as_wrong) {
+  const json report =
+      report_of(*this, {"accuracy", "--v0", "1", "--p", "1", "--f", "1e-3", "--delta", "1e-4"});
+  BOOST_TEST(method(report, "regularised")["counts_right"] == false);
+  BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
+  const ProgramRun page =
+      run({"accuracy", "--v0", "1", "--p", "1", "--f", "1e-3", "--delta", "1e-4"});
+  BOOST_TEST(page.out.find("wrong") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
+  write("w.txt", "0.3\n-0.2\n0.1\n");
+  const Arguments shaken{"accuracy", "--p", "1", "--f", "0.05", "--delta", "0.001"};
+  for (const Arguments& excitation :
+       {Arguments{"--excitation", "half-sine", "--k", "0.5", "--lambda", "4"},
+        Arguments{"--record", "w.txt", "--record-step", "0.5"}}) {
+    const json report = report_of(*this, joined(shaken, excitation));
+    BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
+    BOOST_TEST(method(report, "dopri5", "tolerance 1e-12")["counts_right"] == true);
+    BOOST_TEST(method(report, "dopri5", "tolerance 1e-12")["end_error"].get<double>() < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
+  const json report =
+      report_of(*this, {"accuracy", "--v0", "1", "--p", "1", "--f", "1e-4", "--delta", "1e-4"});
+  const json fine = method(report, "RK4", "step 0.001");
+  BOOST_TEST(fine["wall_time_s"].is_null());
+  BOOST_TEST(fine["counts_right"].is_null());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+namespace {
+
+const std::vector<Wrong> wrong_scenes{
+    {"never_stops",
+     {"accuracy", "--v0", "1", "--p", "1", "--f", "0", "--delta", "0"},
+     {"never stops"}},
+    {"too_many_half_cycles",
+     {"accuracy", "--v0", "1", "--p", "1", "--f", "1e-9", "--delta", "1e-9"},
+     {"half-cycles"}},
+    {"too_far",
+     joined(Arguments(s4.begin(), s4.end() - 1), {"1e9"}),
+     {"t-end = 1000000000", "too long for 50 digits"}},
+    {"f_missing", {"accuracy", "--v0", "1", "--p", "1", "--delta", "0"}, {"f is missing"}},
+    {"trajectory", joined(s1, {"--trajectory", "t.csv"}), {"--trajectory", "no option of"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_scene, data::make(wrong_scenes), wrong) {
+  check_refused(*this, wrong);
+}
