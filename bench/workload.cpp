@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+
+// A fixed amount of work, for counting instructions: `stillpoint_workload NAME TIMES`. What TIMES
+// more repetitions take does not depend on the machine but through its mathematical library.
+
+#include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/free_motion.hpp>
+
+#include <hwy/targets.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+namespace stillpoint::bench {
+
+namespace {
+
+/// The half-cycle map with times and margin: 424 half-cycles.
+double scalar_map() {
+  return free_response({1, 1e-3, 1e-4}, {0, 1}).stop_time.value();
+}
+
+/// Harmonic pieces at resonance, passages and turns: scene S3 to tau = 200.
+double forced_harmonic() {
+  ForcedAsk ask;
+  ask.t_end = 200;
+  return forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic<>{0.2, 1}, ask).final_position.value();
+}
+
+/// Record intervals: a saw of 3000 samples.
+double forced_record() {
+  static const Excitation saw = [] {
+    constexpr int samples = 3000;
+    constexpr int tooth = 37;
+    Record<> record;
+    record.step = 0.02;
+    for (int i = 0; i < samples; ++i) {
+      record.values.push_back(0.3 * (i % tooth) / tooth - 0.15);
+    }
+    return Excitation(record);
+  }();
+  ForcedAsk ask;
+  ask.t_end = 59;
+  return forced_response({1, 0.05, 0}, {0, 0}, saw, ask).final_position.value();
+}
+
+/// The lanes by SSE4, which every x86-64 of today has: 4096 motions on a grid, one thread.
+double batch() {
+  constexpr Eigen::Index side = 64;
+  static const Eigen::ArrayXd f = Eigen::ArrayXd::LinSpaced(side, 0.001, 0.1).replicate(side, 1);
+  static const Eigen::ArrayXd delta = [] {
+    Eigen::ArrayXd values(side * side);
+    for (Eigen::Index i = 0; i < side; ++i) {
+      values.segment(i * side, side) = 1e-4 + 1e-3 * static_cast<double>(i);
+    }
+    return values;
+  }();
+  BatchAsk ask;
+  ask.threads = 1;
+  return free_batch(1, 1, f, delta, ask).peak_amplitude.sum();
+}
+
+int run(int count, char** arguments) {
+  const std::map<std::string, double (*)()> work{{"scalar_map", scalar_map},
+                                                 {"forced_harmonic", forced_harmonic},
+                                                 {"forced_record", forced_record},
+                                                 {"batch", batch}};
+  const auto found = count == 3 ? work.find(arguments[1]) : work.end();
+  if (found == work.end()) {
+    std::fputs("usage: stillpoint_workload scalar_map|forced_harmonic|forced_record|batch TIMES\n",
+               stderr);
+    return 2;
+  }
+  hwy::SetSupportedTargetsForTest(HWY_SSE4);
+  double sum = 0;
+  for (int i = std::atoi(arguments[2]); i > 0; --i) {
+    sum += found->second();
+  }
+  std::printf("%.17g\n", sum);
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace stillpoint::bench
+
+int main(int count, char** arguments) {
+  return stillpoint::bench::run(count, arguments);
+}
