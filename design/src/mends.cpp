@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "mend_list.hpp"
 #include "nearest_fit.hpp"
 #include "region_edges.hpp"
 
@@ -27,19 +28,6 @@ bool strip_fits(const Case& now) {
 
 bool feasible(const Case& now) {
   return amplitude_fits(now) && strip_fits(now);
-}
-
-template <class Change>
-void add(std::vector<Mend>& list, const Case& base, std::string_view field, double from, double to,
-         const Change& change) {
-  const auto fits = [&](double value) {
-    Case changed = base;
-    change(changed, value);
-    return feasible(changed);
-  };
-  if (const auto value = nearest_fit(from, to, fits)) {
-    list.push_back({field, *value, *value > from});
-  }
 }
 
 /// More p helps the amplitude and can only harm the stop, so both are asked one after the other.
@@ -71,8 +59,8 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   constexpr double ratio = 1e99;
   const double speed = problem.p * problem.beta;
   const double least_v0 = std::max(smallest_speed, speed / ratio);
-  add(list, base, "v0", problem.v0, least_v0,
-      [](Case& now, double value) { now.problem.v0 = value; });
+  add_mend(list, base, feasible, "v0", problem.v0, least_v0,
+           [](Case& now, double value) { now.problem.v0 = value; });
   const double p_unit = problem.v0 / problem.beta;
   const double least_p = std::max({smallest_speed, smallest_speed / problem.beta, p_unit / ratio});
   const double most_p = std::min({largest_speed, largest_speed / problem.beta, p_unit * ratio});
@@ -81,20 +69,9 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   }
   const double most_beta =
       std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * ratio});
-  add(list, base, "beta", problem.beta, most_beta,
-      [](Case& now, double value) { now.problem.beta = value; });
-  if (limits.f_max) {
-    add(list, base, "f_max", *limits.f_max, largest_square,
-        [](Case& now, double value) { now.limits.f_max = value; });
-  }
-  if (limits.delta_max) {
-    add(list, base, "delta_max", *limits.delta_max, largest_square,
-        [](Case& now, double value) { now.limits.delta_max = value; });
-  }
-  if (limits.tolerance > 0) {
-    add(list, base, "tolerance", limits.tolerance, 0.0,
-        [](Case& now, double value) { now.limits.tolerance = value; });
-  }
+  add_mend(list, base, feasible, "beta", problem.beta, most_beta,
+           [](Case& now, double value) { now.problem.beta = value; });
+  add_limit_mends(list, base, feasible);
   return list;
 }
 

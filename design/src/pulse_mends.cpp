@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pulse_mends.hpp"
 
+#include "mend_list.hpp"
 #include "nearest_fit.hpp"
 #include "pulse_region.hpp"
 
@@ -20,8 +21,6 @@ struct Case {
   PulseProblem problem;
   Limits limits;
 
-  [[nodiscard]] bool fits() const { return feasible(problem, limits); }
-
   void set_k(double k) {
     std::visit([k](auto& kind) { kind.k = k; }, problem.pulse);
   }
@@ -30,17 +29,8 @@ struct Case {
   }
 };
 
-template <class Change>
-void add(std::vector<Mend>& list, const Case& base, std::string_view field, double from, double to,
-         const Change& change) {
-  const auto fits = [&](double value) {
-    Case changed = base;
-    change(changed, value);
-    return changed.fits();
-  };
-  if (const auto value = nearest_fit(from, to, fits)) {
-    list.push_back({field, *value, *value > from});
-  }
+bool fits(const Case& now) {
+  return feasible(now.problem, now.limits);
 }
 
 /// More p helps the amplitude and can only harm the stop, so both are asked one after the other:
@@ -55,7 +45,7 @@ void add_p(std::vector<Mend>& list, const Case& base) {
   const auto raised = nearest_fit(p, angular_frequency(base.problem.pulse), [&](double value) {
     Case wide = with(value);
     wide.limits.delta_max = std::nullopt;
-    return wide.fits();
+    return fits(wide);
   });
   if (!raised) {
     return;
@@ -64,9 +54,9 @@ void add_p(std::vector<Mend>& list, const Case& base) {
   const auto value = nearest_fit(*raised, p / far, [&](double lower) {
     Case wide = with(lower);
     wide.problem.beta = 2 * v0 / lower;  // twice the peak without friction
-    return wide.fits();
+    return fits(wide);
   });
-  if (value && with(*value).fits()) {
+  if (value && fits(with(*value))) {
     list.push_back({"p", *value, *value > p});
   }
 }
@@ -76,30 +66,19 @@ void add_p(std::vector<Mend>& list, const Case& base) {
 std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   const Case base{problem, limits};
   std::vector<Mend> list;
-  if (base.fits()) {
+  if (fits(base)) {
     return list;
   }
   const double k = peak_load(problem.pulse);
   const double lambda = angular_frequency(problem.pulse);
   const double most_lambda = std::min(lambda * far, problem.p * 1e12);
-  add(list, base, "k", k, k / far, [](Case& now, double value) { now.set_k(value); });
-  add(list, base, "lambda", lambda, most_lambda,
-      [](Case& now, double value) { now.set_lambda(value); });
+  add_mend(list, base, fits, "k", k, k / far, [](Case& now, double value) { now.set_k(value); });
+  add_mend(list, base, fits, "lambda", lambda, most_lambda,
+           [](Case& now, double value) { now.set_lambda(value); });
   add_p(list, base);
-  add(list, base, "beta", problem.beta, problem.beta * far,
-      [](Case& now, double value) { now.problem.beta = value; });
-  if (limits.f_max) {
-    add(list, base, "f_max", *limits.f_max, *limits.f_max * far,
-        [](Case& now, double value) { now.limits.f_max = value; });
-  }
-  if (limits.delta_max) {
-    add(list, base, "delta_max", *limits.delta_max, *limits.delta_max * far,
-        [](Case& now, double value) { now.limits.delta_max = value; });
-  }
-  if (limits.tolerance > 0) {
-    add(list, base, "tolerance", limits.tolerance, 0.0,
-        [](Case& now, double value) { now.limits.tolerance = value; });
-  }
+  add_mend(list, base, fits, "beta", problem.beta, problem.beta * far,
+           [](Case& now, double value) { now.problem.beta = value; });
+  add_limit_mends(list, base, fits);
   return list;
 }
 
