@@ -123,7 +123,7 @@ double plain_stop_time(const Inputs<double>& in) {
   }
 }
 
-HardCase long_motion(const std::string& name, Inputs<double> inputs, int neighbours) {
+HardCase long_motion(const std::string& name, const Inputs<double>& inputs, int neighbours) {
   HardCase now = measured(stop_time);
   now.name = name;
   now.why = "each half-cycle carries the errors of those before";

@@ -161,6 +161,8 @@ struct Crossing {
   Piece piece;
   typename Piece::End end;
 
+  // By reference, or a piece would be copied twice on the way in.
+  // NOLINTNEXTLINE(modernize-pass-by-value)
   Crossing(const Piece& on, const typename Piece::End& until) : piece(on), end(until) {}
 };
 

@@ -27,7 +27,7 @@ class HarmonicCrest {
     const Point& start = flow_.start();
     const Point from = lifted(start);
     const Point to = lifted(end);
-    const Real most = max(so_far, max(magnitude(start.a), magnitude(end.a)));
+    Real most = max(so_far, max(magnitude(start.a), magnitude(end.a)));
     if (falls_from(from, h) || falls_from(reversed(to), h) || stays_below(from, to, h, most)) {
       return most;
     }
