@@ -184,7 +184,7 @@ std::vector<HardCase> free_cases() {
           grazing_arrival(),
           grazing_time(),
           swing_back(),
-          long_motion("stop time after 424 half-cycles (scene S2)", {1, 1, 1e-3, 1e-4}, 200),
+          long_motion("stop time after 424 half-cycles (scene S2)", {1, 1, 1e-3, 1e-4}, 1000),
           long_motion("stop time after 1e5 half-cycles", {1, 1, 2.5e-6, 1e-6}, 2),
           constant_friction_alone(),
           point_friction_alone()};
