@@ -35,3 +35,6 @@ install(FILES
   "${PROJECT_BINARY_DIR}/stillpointConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindNLopt.cmake"
   DESTINATION "${package_dir}")
+
+install(DIRECTORY data/schemas/ DESTINATION "${CMAKE_INSTALL_DATADIR}/stillpoint/schemas"
+        FILES_MATCHING PATTERN "*.schema.json")

@@ -16,12 +16,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-struct CommandHelp {
-  Command command;
-  std::string_view summary;
-  std::string_view examples;
-};
-
 constexpr std::array command_helps{
     CommandHelp{Command::design, "design a damper that stops at x = 0 on the first return",
                 "Examples:\n"
@@ -174,6 +168,14 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 }
 
 }  // namespace
+
+std::span<const CommandHelp> all_commands() {
+  return command_helps;
+}
+
+std::string_view program_about() {
+  return about;
+}
 
 Invocation parse_command_line(int argc, const char* const* argv) {
   CLI::App app{std::string(about), "stillpoint"};

@@ -5,9 +5,24 @@
 #include "settings.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::cli {
+
+/// What --help says of a command beside its options.
+struct CommandHelp {
+  Command command;
+  std::string_view summary;
+  std::string_view examples;  ///< and what else stands below the options
+};
+
+/// Every command, in the order of --help.
+[[nodiscard]] std::span<const CommandHelp> all_commands();
+
+/// What --help says of the program.
+[[nodiscard]] std::string_view program_about();
 
 /// What the command line asks for.
 struct Invocation {

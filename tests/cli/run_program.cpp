@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run_program.hpp"
 
+#include "json_schema.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
@@ -8,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -261,6 +264,23 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// Every report of every test goes through its schema: on standard output, and in the file asked
+/// for.
+void check_reports(const Sandbox& sandbox, const Arguments& arguments, const ProgramRun& run) {
+  if (run.exit_code < 0 || run.exit_code == 2) {
+    return;  // a run that was killed, or that has nothing to report
+  }
+  check_report_schema(run.out);
+  const auto option = std::ranges::find(arguments, "--output");
+  if (option != arguments.end() && option + 1 != arguments.end()) {
+    const std::filesystem::path file = sandbox.path(*(option + 1));
+    std::error_code none;
+    if (std::filesystem::is_regular_file(file, none)) {
+      check_report_schema(sandbox.read(*(option + 1)));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> ProgramRun::err_lines() const {
@@ -316,6 +336,7 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   sender.request_stop();
   sender.join();  // before the number of the child may become another's
   result.exit_code = wait_for(child);
+  check_reports(*this, arguments, result);
   return result;
 }
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "generated_docs.hpp"
+#include "option_facts.hpp"
+
+#include <fmt/format.h>
+
+namespace stillpoint::cli {
+
+namespace {
+
+std::string quoted(std::string_view text) {
+  return "'" + escaped(text, "\\'", "\\") + "'";
+}
+
+/// How the value of the option is asked for.
+std::string_view value_switch(const Option& option) {
+  if (option.kind == OptionKind::flag) {
+    return "";
+  }
+  return takes_file(option) ? " -r -F" : " -x";
+}
+
+}  // namespace
+
+std::string fish_completion() {
+  std::string script =
+      "# Completion of stillpoint for fish, made from its options.\n"
+      "complete -c stillpoint -n __fish_use_subcommand -f\n";
+  for (const CommandHelp& help : all_commands()) {
+    script += fmt::format("complete -c stillpoint -n __fish_use_subcommand -f -a {} -d {}\n",
+                          name(help.command), quoted(help.summary));
+  }
+  for (const Option& option : options()) {
+    script += fmt::format(
+        "complete -c stillpoint -n '__fish_seen_subcommand_from {}' -l {}{} -d {}\n",
+        command_names(option, " "), option.name, value_switch(option), quoted(option.help));
+  }
+  return script +
+         "complete -c stillpoint -s h -l help -d 'print the options'\n"
+         "complete -c stillpoint -l version -d 'print the version'\n";
+}
+
+}  // namespace stillpoint::cli

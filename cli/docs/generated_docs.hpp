@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+/// What is made from the one table of options, so that it cannot drift from the program.
+namespace stillpoint::cli {
+
+/// The manual page stillpoint(1), in roff.
+[[nodiscard]] std::string man_page();
+
+/// What a shell is to know of the commands and options.
+[[nodiscard]] std::string bash_completion();
+[[nodiscard]] std::string zsh_completion();
+[[nodiscard]] std::string fish_completion();
+
+/// The JSON Schema (draft 2020-12) of scene files.
+[[nodiscard]] std::string scene_schema();
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "command_line.hpp"
+#include "options.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// Whether the option's value is the name of a file.
+[[nodiscard]] inline bool takes_file(const Option& option) {
+  return option.placeholder == "FILE";
+}
+
+/// The names of the commands that the option serves, with `separator` between them.
+[[nodiscard]] inline std::string command_names(const Option& option, std::string_view separator) {
+  std::string names;
+  for (const CommandHelp& help : all_commands()) {
+    if (option.serves(help.command)) {
+      names += (names.empty() ? std::string_view() : separator);
+      names += name(help.command);
+    }
+  }
+  return names;
+}
+
+/// `text` with `prefix` before every character of `special`.
+[[nodiscard]] inline std::string escaped(std::string_view text, std::string_view special,
+                                         std::string_view prefix) {
+  std::string result;
+  for (const char c : text) {
+    if (special.find(c) != std::string_view::npos) {
+      result += prefix;
+    }
+    result += c;
+  }
+  return result;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "generated_docs.hpp"
+#include "option_facts.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cassert>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json type_of(const Option& option) {
+  if (option.sweeps) {
+    return {
+        {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 1}};
+  }
+  switch (option.kind) {
+    case OptionKind::number:
+      return {{"type", "number"}};
+    case OptionKind::integer:
+      return {{"type", "integer"}};
+    case OptionKind::text:
+      return {{"type", "string"}};
+    case OptionKind::flag:
+      return {{"type", "boolean"}};
+    case OptionKind::axis:
+      break;
+  }
+  assert(false && "an option of the table is no axis by itself");
+  return {};
+}
+
+ordered_json described(const Option& option) {
+  ordered_json entry = type_of(option);
+  entry["description"] = std::string(option.help) + " (" + command_names(option, ", ") + ")" +
+                         (option.sweeps ? "; an axis in a sweep alone" : "");
+  return entry;
+}
+
+/// Under both spellings of its name.
+void add(ordered_json& properties, const Option& option, const ordered_json& entry) {
+  std::string underscored(option.name);
+  std::ranges::replace(underscored, '-', '_');
+  properties[underscored] = entry;
+  properties[std::string(option.name)] = entry;
+}
+
+/// The name of a type, or an object that has it as `type` beside the options of its group.
+ordered_json excitation(const Option& option) {
+  ordered_json properties{{"type", {{"type", "string"}, {"description", option.help}}}};
+  for (const Option& other : options()) {
+    if (other.group == option.group && other.name != option.name) {
+      add(properties, other, described(other));
+    }
+  }
+  const ordered_json object{{"type", "object"},
+                            {"minProperties", 1},
+                            {"properties", properties},
+                            {"additionalProperties", false}};
+  return {{"anyOf", {described(option), object}}};
+}
+
+}  // namespace
+
+std::string scene_schema() {
+  ordered_json properties = ordered_json::object();
+  for (const Option& option : options()) {
+    add(properties, option, option.name == "excitation" ? excitation(option) : described(option));
+  }
+  const ordered_json schema{
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"$id", "urn:stillpoint:scene"},
+      {"title", "A scene: the input of stillpoint"},
+      {"description", "The keys are the names of the options; _ and - are the same."},
+      {"type", "object"},
+      {"properties", properties},
+      {"additionalProperties", false}};
+  constexpr int indent = 2;
+  return schema.dump(indent) + "\n";
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "generated_docs.hpp"
+#include "option_facts.hpp"
+
+#include <fmt/format.h>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// Text within single quotes: the quote itself ends them, stands escaped and begins them anew.
+std::string quoted(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return result;
+}
+
+/// The text of a description in [brackets], or of a message between colons.
+std::string inner(std::string_view text) {
+  return quoted(escaped(text, "[]:\\", "\\"));
+}
+
+std::string argument(const Option& option) {
+  if (option.kind == OptionKind::flag) {
+    return fmt::format("'--{}[{}]'", option.name, inner(option.help));
+  }
+  return fmt::format("'--{}=[{}]:{}:{}'", option.name, inner(option.help),
+                     inner(option.placeholder), takes_file(option) ? "_files" : "");
+}
+
+std::string arguments(Command command) {
+  std::string list;
+  for (const Option& option : options()) {
+    if (option.serves(command)) {
+      list += fmt::format("        {} \\\n", argument(option));
+    }
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string zsh_completion() {
+  std::string script =
+      "#compdef stillpoint\n"
+      "# Completion of stillpoint for zsh, made from its options.\n\n"
+      "_stillpoint() {\n"
+      "  local -a commands\n"
+      "  commands=(\n";
+  for (const CommandHelp& help : all_commands()) {
+    script += fmt::format("    '{}:{}'\n", name(help.command), inner(help.summary));
+  }
+  script +=
+      "  )\n"
+      "  if ((CURRENT == 2)); then\n"
+      "    _describe -t commands command commands\n"
+      "    _arguments '(- *)'{-h,--help}'[print the help]' '(- *)--version[print the version]'\n"
+      "    return\n"
+      "  fi\n"
+      "  local command=$words[2]\n"
+      "  shift words\n"
+      "  ((CURRENT--))\n"
+      "  case $command in\n";
+  for (const CommandHelp& help : all_commands()) {
+    script += fmt::format(
+        "    {})\n"
+        "      _arguments \\\n"
+        "{}"
+        "        '(- *)'{{-h,--help}}'[print the options]' \\\n"
+        "        '(- *)--version[print the version]' \\\n"
+        "        '1:scene:_files'\n"
+        "      ;;\n",
+        name(help.command), arguments(help.command));
+  }
+  return script +
+         "  esac\n"
+         "}\n\n"
+         "_stillpoint \"$@\"\n";
+}
+
+}  // namespace stillpoint::cli
