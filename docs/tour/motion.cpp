@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// One motion: what comes of a damper, and where the mass is at any instant.
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/trajectory.hpp>
+
+#include <iostream>
+
+int main() {
+  const stillpoint::Oscillator<double> damper{.p = 1, .f = 0.02, .delta = 0.02};
+  const stillpoint::Start<double> push{.x0 = 0, .v0 = 1};
+
+  const stillpoint::Response motion = stillpoint::free_response(damper, push);
+  std::cout << "outcome      " << name(motion.outcome) << '\n'
+            << "peak         " << motion.peak_amplitude << '\n';
+  if (motion.stop_time && motion.half_cycles) {  // a motion without friction has neither
+    std::cout << "stop time    " << *motion.stop_time << '\n'
+              << "half-cycles  " << *motion.half_cycles << '\n';
+  }
+
+  const stillpoint::Trajectory trajectory(damper, push, {});
+  for (const double tau : {1.0, 10.0, 30.0}) {
+    const stillpoint::State state = trajectory.at(tau);
+    std::cout << "at tau " << tau << "  x = " << state.x << ", v = " << state.v << '\n';
+  }
+}
