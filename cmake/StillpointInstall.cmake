@@ -1,25 +1,52 @@
-# Installs the program, the two libraries, their headers and the CMake package "stillpoint",
-# which gives the targets stillpoint::core and stillpoint::design.
+# Installs two parts. "program": the program, its manual page, completions, schemas and scenes.
+# "development": the two libraries, their headers, the CMake package "stillpoint", which gives the
+# targets stillpoint::core and stillpoint::design, and the same for pkg-config.
 
 include(CMakePackageConfigHelpers)
 
-set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/stillpoint")
+# The program.
+set(generated_dir "${PROJECT_BINARY_DIR}/generated")
+# Debian's zsh looks into vendor-completions for what packages bring.
+if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+  set(zsh_dir "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
+else()
+  set(zsh_dir "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
+endif()
 
-# The headers are C++20: so must be whatever includes them.
+install(TARGETS stillpoint COMPONENT program)
+install(FILES "${generated_dir}/stillpoint.1"
+        DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT program)
+install(FILES "${generated_dir}/stillpoint.bash"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+        RENAME stillpoint COMPONENT program)
+install(FILES "${generated_dir}/_stillpoint" DESTINATION "${zsh_dir}" COMPONENT program)
+install(FILES "${generated_dir}/stillpoint.fish"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT program)
+install(DIRECTORY data/schemas/ DESTINATION "${CMAKE_INSTALL_DATADIR}/stillpoint/schemas"
+        COMPONENT program FILES_MATCHING PATTERN "*.schema.json")
+install(DIRECTORY data/scenes DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COMPONENT program)
+
+# The libraries. The headers are C++20: so must be whatever includes them.
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/stillpoint")
 target_compile_features(stillpoint_core PUBLIC cxx_std_20)
 
 set_target_properties(stillpoint_core PROPERTIES EXPORT_NAME core)
 set_target_properties(stillpoint_design PROPERTIES EXPORT_NAME design)
 
-install(TARGETS stillpoint)
 install(TARGETS stillpoint_core stillpoint_design
         EXPORT stillpointTargets
+        COMPONENT development
         INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY core/include/ design/include/
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+        COMPONENT development
         FILES_MATCHING PATTERN "*.hpp")
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/libstillpoint-dev"
+        RENAME copyright COMPONENT development)
 
-install(EXPORT stillpointTargets NAMESPACE stillpoint:: DESTINATION "${package_dir}")
+install(EXPORT stillpointTargets NAMESPACE stillpoint:: DESTINATION "${package_dir}"
+        COMPONENT development)
 
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/stillpointConfig.cmake.in"
@@ -34,7 +61,17 @@ install(FILES
   "${PROJECT_BINARY_DIR}/stillpointConfig.cmake"
   "${PROJECT_BINARY_DIR}/stillpointConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindNLopt.cmake"
-  DESTINATION "${package_dir}")
+  DESTINATION "${package_dir}" COMPONENT development)
 
-install(DIRECTORY data/schemas/ DESTINATION "${CMAKE_INSTALL_DATADIR}/stillpoint/schemas"
-        FILES_MATCHING PATTERN "*.schema.json")
+# For pkg-config. The prefix is found from the place of the file, so that the whole can be moved.
+# The libraries are static: what they use is linked by whoever uses them.
+file(RELATIVE_PATH pc_to_prefix "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
+string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
+cmake_path(GET NLopt_LIBRARY STEM pc_nlopt)
+string(REGEX REPLACE "^lib" "" pc_nlopt "${pc_nlopt}")
+foreach(module IN ITEMS stillpoint-core stillpoint)
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/${module}.pc.in"
+                 "${PROJECT_BINARY_DIR}/${module}.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/${module}.pc"
+          DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+endforeach()

@@ -24,6 +24,6 @@ struct Checkpoint {
 [[nodiscard]] int write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
 
 /// The first thing in which the tasks differ, "f was 0:1:10, is 0:1:20"; empty where they are one.
-[[nodiscard]] std::string difference(const std::string& was, const std::string& is);
+[[nodiscard]] std::string difference(const std::string& old_task, const std::string& new_task);
 
 }  // namespace stillpoint::cli
