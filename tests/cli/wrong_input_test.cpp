@@ -262,7 +262,9 @@ namespace {
 
 const std::vector<Wrong> command_lines{
     {"no_command", {}, {"no command", "design, region, simulate, sweep or accuracy"}},
-    {"unknown_command", {"dezign"}, {"command dezign", "design, region, simulate, sweep or accuracy"}},
+    {"unknown_command",
+     {"dezign"},
+     {"command dezign", "design, region, simulate, sweep or accuracy"}},
     {"command_behind_another", design({"region"}), {"region"}},
     {"unknown_option", design({"--betta", "2"}), {"--betta", "unknown option", "mean beta?"}},
     {"unknown_option_without_a_neighbour", design({"--frobnicate"}), {"--frobnicate", "unknown"}},
