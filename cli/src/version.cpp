@@ -12,8 +12,8 @@ std::string program_version() {
 }
 
 std::string version_line() {
-  return fmt::format("stillpoint {} (NLopt {}, {} build)", program_version(),
-                     design::nlopt_version(), STILLPOINT_BUILD_TYPE);
+  return fmt::format("stillpoint {} (NLopt {}, {} build, {})", program_version(),
+                     design::nlopt_version(), STILLPOINT_BUILD_TYPE, STILLPOINT_COMPILER);
 }
 
 }  // namespace stillpoint::cli

@@ -6,6 +6,6 @@
 namespace stillpoint::cli {
 
 [[nodiscard]] std::string program_version();  ///< "0.1.0"
-[[nodiscard]] std::string version_line();     ///< program, NLopt and build type
+[[nodiscard]] std::string version_line();     ///< program, NLopt, build type, compiler
 
 }  // namespace stillpoint::cli

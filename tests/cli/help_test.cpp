@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <nlopt.h>
+
 #include <array>
 #include <sstream>
 #include <string>
@@ -130,6 +132,20 @@ BOOST_AUTO_TEST_CASE(version_is_one_line) {
     BOOST_TEST(answer.out.starts_with(expected));
     BOOST_TEST(answer.out.find('\n') == answer.out.size() - 1);
   }
+}
+
+BOOST_AUTO_TEST_CASE(version_says_with_what_it_was_built_and_runs) {
+  // The program's answer against what the test finds out by itself: NLopt is asked in C, the build
+  // type and the compiler are those of the test.
+  int major = 0;
+  int minor = 0;
+  int bugfix = 0;
+  nlopt_version(&major, &minor, &bugfix);
+  std::ostringstream expected;
+  expected << "stillpoint " << STILLPOINT_TEST_VERSION << " (NLopt " << major << '.' << minor << '.'
+           << bugfix << ", " << STILLPOINT_TEST_BUILD_TYPE << " build, " << STILLPOINT_TEST_COMPILER
+           << ")\n";
+  BOOST_TEST(run({"--version"}).out == expected.str());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
