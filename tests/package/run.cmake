@@ -1,0 +1,63 @@
+# Packs BUILD_DIR into WORK_DIR, looks into the two packages, then uses them unpacked.
+#   cmake -DBUILD_DIR=... -DWORK_DIR=... -DGENERATOR=... -DCOMPILER=... -P run.cmake
+
+file(REMOVE_RECURSE "${WORK_DIR}")
+cmake_path(GET CMAKE_COMMAND PARENT_PATH tools)
+execute_process(COMMAND "${tools}/cpack" --config "${BUILD_DIR}/CPackConfig.cmake" -B "${WORK_DIR}"
+  COMMAND_ERROR_IS_FATAL ANY)
+
+# check_package(NAME DEPENDS PATTERNS...): the one package NAME depends on what DEPENDS matches, has
+# a file for each pattern, and all it has belongs to root below /usr and can be read by all.
+function(check_package name depends)
+  file(GLOB package "${WORK_DIR}/${name}_*.deb")
+  execute_process(COMMAND dpkg-deb --field "${package}" Package Maintainer Depends Description
+    OUTPUT_VARIABLE fields COMMAND_ERROR_IS_FATAL ANY)
+  foreach(pattern IN ITEMS "Package: ${name}\n" "Maintainer: [^\n]+ <[^\n]+@[^\n]+>\n"
+          "Depends: [^\n]*${depends}" "Description: [^\n]+\n [^\n]+")
+    if(NOT fields MATCHES "${pattern}")
+      message(SEND_ERROR "${name}: nothing like \"${pattern}\" in\n${fields}")
+    endif()
+  endforeach()
+
+  execute_process(COMMAND dpkg-deb --contents "${package}"
+    OUTPUT_VARIABLE contents COMMAND_ERROR_IS_FATAL ANY)
+  foreach(pattern IN LISTS ARGN ITEMS doc/${name}/copyright doc/${name}/changelog.gz
+          doc/${name}/changelog.Debian.gz)
+    if(NOT contents MATCHES "/${pattern}\n")
+      message(SEND_ERROR "${name}: no file ${pattern} in\n${contents}")
+    endif()
+  endforeach()
+  string(REGEX MATCHALL "[^\n]+" entries "${contents}")
+  list(FILTER entries EXCLUDE REGEX "^drwxr-xr-x root/root .* \\./(usr/.*)?$")
+  list(FILTER entries EXCLUDE REGEX "^-rw-r--r-- root/root .* \\./usr/.*[^/]$")
+  list(FILTER entries EXCLUDE REGEX "^-rwxr-xr-x root/root .* \\./usr/bin/stillpoint$")
+  if(entries)
+    list(JOIN entries "\n" entries)
+    message(SEND_ERROR "${name}: of another owner, mode or place than a package has:\n${entries}")
+  endif()
+
+  execute_process(COMMAND dpkg-deb --extract "${package}" "${WORK_DIR}/root"
+    COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# The program's libraries are found by what it is linked with, the others are named.
+check_package(stillpoint "libnlopt[^\n]*libstdc"
+  bin/stillpoint man/man1/stillpoint.1.gz
+  bash-completion/completions/stillpoint zsh/vendor-completions/_stillpoint
+  fish/vendor_completions.d/stillpoint.fish
+  stillpoint/schemas/scene.schema.json stillpoint/schemas/design-report-1.schema.json
+  doc/stillpoint/scenes/isolator.json)
+check_package(libstillpoint-dev
+  "libeigen3-dev[^\n]*libfmt-dev .>= [0-9]+.,[^\n]*libhwy-dev[^\n]*libnlopt-cxx-dev"
+  include/stillpoint/core/free_motion.hpp include/stillpoint/design/design.hpp
+  libstillpoint_core.a libstillpoint_design.a
+  cmake/stillpoint/stillpointConfig.cmake cmake/stillpoint/FindNLopt.cmake
+  pkgconfig/stillpoint.pc pkgconfig/stillpoint-core.pc)
+
+execute_process(COMMAND file "${WORK_DIR}/root/usr/bin/stillpoint" OUTPUT_VARIABLE kind)
+if(NOT kind MATCHES ", stripped")
+  message(SEND_ERROR "not stripped: ${kind}")
+endif()
+
+set(PREFIX "${WORK_DIR}/root/usr")
+include("${CMAKE_CURRENT_LIST_DIR}/../consumer/use.cmake")
