@@ -4,6 +4,7 @@
 #include "accuracy.hpp"
 #include "accuracy_report.hpp"
 #include "json_report.hpp"
+#include "pictures.hpp"
 #include "progress.hpp"
 #include "request.hpp"
 #include "text_report.hpp"
@@ -104,6 +105,9 @@ ExitCode run_design(const Settings& settings, Output& output) {
     input.physical->velocity_m_per_s =
         result.request.problem.v0 * input.physical->scales.velocity_m_per_s;
   }
+  if (wants_pictures(settings)) {
+    write_pictures(settings, Command::design, design_page(input, result), output);
+  }
   report(
       settings, [&] { return design_json(input, result); },
       [&](const auto& title, Style style) { return design_text(input, result, title, style); },
@@ -130,6 +134,9 @@ ExitCode run_region(const Settings& settings, Output& output) {
         design::largest_tolerance(input.problem, input.limits, *input.f, *input.delta);
     answer.admissible = design::admissible(input.problem, input.limits, *input.f, *input.delta);
   }
+  if (wants_pictures(settings)) {
+    write_pictures(settings, Command::region, region_page(input, answer), output);
+  }
   report(
       settings, [&] { return region_json(input, answer); },
       [&](const auto& title, Style style) { return region_text(input, answer, title, style); },
@@ -142,6 +149,9 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   const SimulateAnswer answer = input.excitation ? forced_answer(input) : free_answer(input);
   if (answer.trajectory) {
     output.write_file("trajectory", *input.trajectory, *answer.trajectory);
+  }
+  if (wants_pictures(settings)) {
+    write_pictures(settings, Command::simulate, simulate_page(input, answer), output);
   }
   report(
       settings, [&] { return simulate_json(input, answer); },

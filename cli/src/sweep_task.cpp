@@ -202,7 +202,7 @@ std::uint64_t record_digest(const Excitation& excitation) {
 nlohmann::ordered_json identity(const SweepTask& task, const Settings& settings) {
   constexpr std::array no_part{"list",   "list-format", "format", "columns",          "times",
                                "output", "threads",     "resume", "half-cycle-limit", "title",
-                               "json"};
+                               "json",   "html",        "svg"};
   nlohmann::ordered_json result;
   result["version"] = program_version();
   result["kind"] = name(task.kind);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "figure.hpp"
+#include "figure_units.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/state.hpp>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// A motion as its figures need it.
+struct DrawnMotion {
+  Oscillator<double> oscillator;
+  std::vector<State> states;    ///< samples and every event; a passage has two at one instant
+  std::vector<State> turns;     ///< peaks
+  std::vector<State> passages;  ///< of x = 0, with the speed after the notch
+  std::optional<State> rest;    ///< the end of the motion
+  std::vector<std::pair<double, double>> sticks;  ///< tau from, to
+  std::optional<double> beta;
+  bool whole{true};  ///< else its beginning alone
+};
+
+/// So many half-cycles are drawn of a longer motion.
+inline constexpr std::int64_t most_drawn_half_cycles = 200;
+
+/// A free motion up to `horizon`; empty: to its end.
+[[nodiscard]] DrawnMotion drawn_free_motion(const Oscillator<double>& oscillator,
+                                            const Start<double>& start,
+                                            const std::optional<double>& horizon);
+/// A forced one up to `horizon`.
+[[nodiscard]] DrawnMotion drawn_forced_motion(const Oscillator<double>& oscillator,
+                                              const Start<double>& start,
+                                              const Excitation& excitation, double horizon);
+
+[[nodiscard]] Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units);
+[[nodiscard]] Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units);
+/// Of a free motion: what is left of the energy, and what each friction took.
+[[nodiscard]] Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units);
+/// W over the same time as the motion.
+[[nodiscard]] Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion,
+                                       const FigureUnits& units);
+
+}  // namespace stillpoint::cli

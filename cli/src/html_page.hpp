@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "figure.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+struct HtmlTable {
+  std::string heading;
+  std::vector<std::vector<std::string>> rows;  ///< the first one heads the columns
+};
+
+/// A page of figures, as data.
+struct HtmlPage {
+  std::string title;
+  std::string verdict;  ///< a sentence below the title
+  std::vector<Figure> figures;
+  std::vector<HtmlTable> tables;
+  std::string report;   ///< the one for people
+  std::string command;  ///< "design"
+  std::string scene;    ///< what gives this page again
+};
+
+/// One file that needs nothing else.
+[[nodiscard]] std::string html(const HtmlPage& page);
+
+}  // namespace stillpoint::cli

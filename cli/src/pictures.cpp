@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "pictures.hpp"
+
+#include "figures_motion.hpp"
+#include "figures_region.hpp"
+#include "page.hpp"
+#include "printable.hpp"
+#include "text_report.hpp"
+#include "text_sections.hpp"
+#include "trajectory_csv.hpp"
+
+#include <stillpoint/core/forced_half_cycles.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <span>
+#include <system_error>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using fmt::format;
+
+constexpr std::size_t longest_title = 400;
+
+/// The options that make the numbers, as a scene.
+std::string scene_of(const Settings& settings, Command command) {
+  constexpr std::array no_part{"html",   "svg",        "json",    "output", "threads",
+                               "resume", "trajectory", "samples", "columns"};
+  nlohmann::ordered_json scene = nlohmann::ordered_json::object();
+  settings.for_each([&](std::string_view option, const Settings::Value& value) {
+    if (std::ranges::find(no_part, option) != no_part.end() ||
+        !find_option(option)->serves(command)) {
+      return;
+    }
+    std::visit(
+        [&](const auto& plain) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
+            scene[std::string(option)] = plain.text();
+          } else {
+            scene[std::string(option)] = plain;
+          }
+        },
+        value);
+  });
+  constexpr int indent = 2;
+  return scene.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+HtmlTable constraint_table(std::span<const design::Constraint> constraints) {
+  HtmlTable table{"Constraints", {{"name", "of", "value", "", "limit", "slack", ""}}};
+  for (const design::Constraint& now : constraints) {
+    const bool is_delta = now.name == "start" || now.name == "stop" || now.name == "delta_max";
+    table.rows.push_back({std::string(now.name), is_delta ? "Δ" : "f", figure(now.value),
+                          std::string(now.relation), figure(now.limit), figure(now.slack),
+                          now.satisfied ? "kept" : "VIOLATED"});
+  }
+  return table;
+}
+
+HtmlTable check_table(const design::CrossCheck& check) {
+  HtmlTable table{
+      check.passed ? "Checks: they agree" : "Checks: THEY DISAGREE",
+      {{"method", "peak", "stop time", "half-cycles", "relative error", "allowed", ""}}};
+  for (const design::CheckMethod& method : check.methods) {
+    table.rows.push_back(
+        {std::string(method.name), figure(method.peak_amplitude), figure(method.stop_time),
+         format("{:.0f}", method.half_cycles), format("{:.1e}", method.relative_error),
+         format("{:.1e}", method.tolerance), method.passed ? "agrees" : "DISAGREES"});
+  }
+  return table;
+}
+
+/// Empty: the motion is short enough to be drawn whole.
+std::optional<double> end_of_beginning(std::int64_t half_cycles,
+                                       const std::vector<HalfCycle>& listed) {
+  if (half_cycles < most_drawn_half_cycles) {
+    return std::nullopt;
+  }
+  return listed.back().end_time;
+}
+
+std::vector<HalfCycle> drawable_half_cycles(const SimulateInput& input) {
+  return first_half_cycles(input.oscillator, input.start, most_drawn_half_cycles);
+}
+
+std::optional<double> least_of(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::optional(std::min(*a, *b)) : (a ? a : b);
+}
+
+DrawnMotion drawn(const SimulateInput& input, const SimulateAnswer& answer) {
+  if (!input.excitation) {
+    const auto listed = drawable_half_cycles(input);
+    const auto cut = end_of_beginning(static_cast<std::int64_t>(listed.size()), listed);
+    DrawnMotion motion =
+        drawn_free_motion(input.oscillator, input.start, least_of(input.t_end, cut));
+    motion.whole = !cut;
+    return motion;
+  }
+  const double horizon = forced_horizon(input, *answer.forced);
+  const Excitation& excitation = input.excitation->excitation;
+  const auto listed = forced_half_cycles(input.oscillator, input.start, excitation, horizon,
+                                         most_drawn_half_cycles, {});
+  const auto cut = end_of_beginning(static_cast<std::int64_t>(listed.size()), listed);
+  DrawnMotion motion = drawn_forced_motion(input.oscillator, input.start, excitation,
+                                           std::min(horizon, cut.value_or(horizon)));
+  motion.whole = !cut || *cut >= horizon;
+  return motion;
+}
+
+bool moves(const DrawnMotion& motion) {
+  return motion.states.back().tau > 0;
+}
+
+}  // namespace
+
+bool wants_pictures(const Settings& settings) {
+  return settings.has("html") || settings.has("svg");
+}
+
+HtmlPage design_page(const DesignInput& input, const design::DesignResult& result) {
+  const auto& [problem, limits, search] = result.request;
+  const FigureUnits units(input.physical);
+  HtmlPage page;
+  page.title = "Damper design";
+  page.report = design_text(input, result, {}, Style(false));
+  if (!result.finding) {
+    page.verdict = "No admissible design: " + result.reason;
+    page.figures = {region_figure(problem, limits, result.region, {}, units)};
+    return page;
+  }
+  const design::Finding& found = *result.finding;
+  const auto& [f, delta, tolerance] = found.point;
+  page.verdict = format("f = {:.6g}, Δ = {:.6g}{}; both may be off by ±{:.4g} %. The checks {}.", f,
+                        delta, in_metres(input.physical, delta), 100 * tolerance,
+                        found.cross_check.passed ? "agree" : "DISAGREE");
+  DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
+  motion.beta = problem.beta;
+  page.figures = {region_figure(problem, limits, result.region,
+                                DrawnDamper{"design", f, delta, tolerance}, units),
+                  motion_figure(motion, units), phase_figure(motion, units),
+                  energy_figure(motion, units)};
+  page.tables = {constraint_table(found.constraints), check_table(found.cross_check)};
+  return page;
+}
+
+HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer) {
+  HtmlPage page;
+  page.title = "Admissible region";
+  page.report = region_text(input, answer, {}, Style(false));
+  page.verdict = answer.region.feasible ? format("Left for f: {:.6g} to {:.6g}.",
+                                                 *answer.region.f_lower, *answer.region.f_upper)
+                                        : "No admissible design: " + answer.reason;
+  std::optional<DrawnDamper> damper;
+  if (input.delta) {
+    damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *input.f,
+              *input.delta, answer.tolerance.value_or(0)};
+    page.tables = {constraint_table(answer.constraints)};
+  }
+  page.figures = {region_figure(input.problem, input.limits, answer.region, damper,
+                                FigureUnits(input.physical))};
+  return page;
+}
+
+HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer) {
+  const FigureUnits units(input.physical);
+  HtmlPage page;
+  page.title = "Simulation";
+  page.report = simulate_text(input, answer, {}, Style(false));
+  const DrawnMotion motion = drawn(input, answer);
+  if (!moves(motion)) {
+    page.verdict = "Nothing moves, so there is nothing to draw.";
+    return page;
+  }
+  page.verdict = format("f = {:.6g}, Δ = {:.6g}{}.", input.oscillator.f, input.oscillator.delta,
+                        in_metres(input.physical, input.oscillator.delta));
+  if (!motion.whole) {
+    page.verdict += format(" The first {} half-cycles are drawn.", most_drawn_half_cycles);
+  }
+  page.figures = {motion_figure(motion, units), phase_figure(motion, units)};
+  page.figures.push_back(input.excitation
+                             ? excitation_figure(input.excitation->excitation, motion, units)
+                             : energy_figure(motion, units));
+  return page;
+}
+
+void write_pictures(const Settings& settings, Command command, HtmlPage page, Output& output) {
+  if (const auto title = settings.text("title")) {
+    page.title += ": " + printable(*title, longest_title);
+  }
+  page.command = name(command);
+  page.scene = scene_of(settings, command);
+  if (const auto path = settings.text("html")) {
+    output.write_file("html", *path, html(page));
+  }
+  if (const auto directory = settings.text("svg")) {
+    std::error_code unknown;
+    if (!std::filesystem::is_directory(*directory, unknown)) {
+      throw UsageError(format("svg {}: is no directory", *directory));
+    }
+    for (const Figure& figure : page.figures) {
+      const std::filesystem::path path = std::filesystem::path(*directory) / (figure.id + ".svg");
+      output.write_file("svg", path.string(), svg(figure, Frame::alone));
+    }
+  }
+}
+
+}  // namespace stillpoint::cli

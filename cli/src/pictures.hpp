@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "html_page.hpp"
+#include "json_report.hpp"
+#include "output.hpp"
+#include "settings.hpp"
+
+namespace stillpoint::cli {
+
+/// Whether --html or --svg asks for any.
+[[nodiscard]] bool wants_pictures(const Settings& settings);
+
+[[nodiscard]] HtmlPage design_page(const DesignInput& input, const design::DesignResult& result);
+[[nodiscard]] HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
+[[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer);
+
+/// Writes the page, with the title and the input that `settings` have, and each figure alone, where
+/// they are asked for. Throws UsageError.
+void write_pictures(const Settings& settings, Command command, HtmlPage page, Output& output);
+
+}  // namespace stillpoint::cli

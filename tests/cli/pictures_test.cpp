@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#define BOOST_TEST_MODULE pictures
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <regex>
+#include <sstream>
+#include <string>
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using boost::property_tree::ptree;
+
+constexpr double rounding = 0.006;  // of pixels, which have two decimals
+
+const Arguments plain{"design", "--v0", "1", "--p", "1", "--beta", "0.8"};
+
+ptree parsed(const std::string& text) {
+  std::istringstream stream(
+      text.substr(text.find("<html") == std::string::npos ? 0 : text.find("<html")));
+  ptree tree;
+  BOOST_REQUIRE_NO_THROW(boost::property_tree::read_xml(stream, tree));
+  return tree;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Nothing is loaded from anywhere.
+void check_offline(const std::string& page) {
+  for (const char* other : {"http:", "https:", "src=", "@import", "url("}) {
+    BOOST_TEST(!contains(page, other), other);
+  }
+  check_only_finite(page.substr(0, page.find("<script")));
+}
+
+struct Range {
+  double least;
+  double most;
+};
+
+Range attribute(const std::string& svg, const std::string& name) {
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(svg, found, std::regex(name + "=\"(\\S+) ([^\"]+)\"")));
+  return {std::stod(found[1]), std::stod(found[2])};
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(pictures, Sandbox)
+
+BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
+  std::filesystem::create_directory(path("figures"));
+  const ProgramRun answer = run(joined(plain, {"--html", "page.html", "--svg", "figures"}));
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  for (const char* figure : {"region", "motion", "phase", "energy"}) {
+    BOOST_TEST(contains(page, "aria-labelledby=\"" + std::string(figure) + "-title"));
+    const std::string alone = read("figures/" + std::string(figure) + ".svg");
+    const ptree tree = parsed(alone);
+    BOOST_TEST(!tree.get<std::string>("svg.title").empty());
+    BOOST_TEST(!tree.get<std::string>("svg.desc").empty());
+  }
+  for (const char* part : {"Constraints", "Checks: they agree", "scene.json", "Δ₁ published",
+                           "Δ₁ exact", "amplitude: f ≥ f₂", "tolerance ±"}) {
+    BOOST_TEST(contains(page, part), part);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
+  const ProgramRun answer = run(joined(plain, {"--json", "--html", "page.html"}));
+  const auto design = answer.json()["design"];
+  const std::string page = read("page.html");
+  const std::string region = page.substr(page.find("<svg"), page.find("motion-title"));
+  const Range x = attribute(region, "data-x");
+  const Range y = attribute(region, "data-y");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(
+      region, found, std::regex("translate\\((\\S+) ([^)]+)\\)\" data-name=\"design\"")));
+  const double f = design["f"];
+  const double delta = design["delta"];
+  BOOST_TEST(std::abs(std::stod(found[1]) - 430 * (f - x.least) / (x.most - x.least)) < rounding);
+  BOOST_TEST(std::abs(std::stod(found[2]) - 290 * (y.most - delta) / (y.most - y.least)) <
+             rounding);
+}
+
+BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
+  const ProgramRun answer =
+      run({"design", "--v0", "1", "--p", "1", "--beta", "0.6", "--html", "page.html"});
+  BOOST_TEST(answer.exit_code == 3);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(contains(page, "No admissible design"));
+  BOOST_TEST(contains(page, "return: f ≤ f₃"));
+  BOOST_TEST(!contains(page, "motion-title"));
+}
+
+BOOST_AUTO_TEST_CASE(account_for_all_energy) {
+  // 1/2 = f * path + delta * passages + the rest's share, which the notch takes as well.
+  std::filesystem::create_directory(path("figures"));
+  const ProgramRun answer = run(
+      {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02", "--svg", "figures"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string text = read("figures/energy.svg");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(
+      text, found,
+      std::regex(
+          "energy (\\S+) constant friction took (\\S+) and point friction (\\S+); (\\S+) ")));
+  BOOST_TEST(std::abs(std::stod(found[1]) - 0.5) < 1e-6);
+  BOOST_TEST(std::abs(std::stod(found[2]) + std::stod(found[3]) + std::stod(found[4]) - 0.5) <
+             3e-6);
+}
+
+BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
+  const Arguments simulate{"simulate", "--p", "1", "--html", "page.html"};
+  for (const Arguments& motion :
+       std::vector<Arguments>{{"--v0", "1", "--f", "0", "--delta", "0"},
+                              {"--v0", "1", "--f", "1e-9", "--delta", "0"},
+                              {"--v0", "0.1", "--f", "0.1", "--delta", "1"},
+                              {"--v0", "1e100", "--f", "1e99", "--delta", "0"},
+                              {"--v0", "0", "--x0", "-1", "--f", "0.1", "--delta", "0"},
+                              {"--v0", "0.5", "--f", "0.18", "--delta", "0", "--excitation",
+                               "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "3000"},
+                              {"--f", "0.1", "--delta", "0.01", "--excitation", "rectangle", "--k",
+                               "0.5", "--lambda", "2"}}) {
+    const ProgramRun answer = run(joined(simulate, motion));
+    BOOST_TEST(answer.exit_code == 0, answer.err);
+    const std::string page = read("page.html");
+    check_offline(page);
+    parsed(page);
+    BOOST_TEST(page.size() < 1'000'000U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
+  const Arguments titled = joined(plain, {"--title", "</pre><script>x</script> & \"y\""});
+  BOOST_TEST(run(joined(titled, {"--html", "one.html"})).exit_code == 0);
+  const std::string page = read("one.html");
+  parsed(page);
+  BOOST_TEST(!contains(page, "<script>x"));
+  std::string scene = page.substr(page.rfind("<pre>") + 5);
+  scene = scene.substr(0, scene.find("</pre>"));
+  for (const auto& [name, sign] :
+       {std::pair{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
+    scene = std::regex_replace(scene, std::regex(name), sign);
+  }
+  write("scene.json", scene);
+  const ProgramRun again = run({"design", "scene.json", "--html", "two.html"});
+  BOOST_TEST(again.exit_code == 0, again.err);
+  const auto figures = [](const std::string& text) { return text.substr(0, text.find("<h2>Che")); };
+  BOOST_TEST(figures(read("two.html")) == figures(page));
+}
+
+BOOST_AUTO_TEST_CASE(need_a_directory_that_is_there) {
+  const ProgramRun answer = run(joined(plain, {"--svg", "none", "--html", "page.html"}));
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(contents().empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
