@@ -1,81 +1,127 @@
 // SPDX-License-Identifier: MIT
 
-// Small multiples: a panel a scene, error across, time up, both logarithmic.
+// Small multiples: a figure a scene, error across, time up, both logarithmic.
 
-#include "chart_panel.hpp"
 #include "reports.hpp"
+
+#include <figure.hpp>
+#include <html_page.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::bench {
 
 namespace {
 
-void legend(Text& svg, const std::vector<MethodRows>& methods) {
-  double x = 76;
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    add(svg, "<g class='{}'>\n", methods[i].method.name);
-    mark(svg, i, {x, 62}, true);
-    add(svg, "</g>\n<text x='{:.1f}' y='66'>{}</text>\n", x + 11, methods[i].method.name);
-    x += 32 + 7.0 * static_cast<double>(methods[i].method.name.size());
-  }
-  add(svg, "<g class='regularised'>\n");
-  mark(svg, 1, {x, 62}, false);
-  add(svg, "</g>\n<text x='{:.1f}' y='66'>crossed: a wrong count</text>\n", x + 12);
+using namespace stillpoint::cli;
+
+constexpr double microsecond = 1e-6;
+
+/// How a method looks, by its place in the list; the kernel is the first.
+constexpr std::array<std::pair<Shape, Ink>, 6> looks{{{Shape::star, Ink::orange},
+                                                      {Shape::disc, Ink::blue},
+                                                      {Shape::square, Ink::amber},
+                                                      {Shape::triangle, Ink::green},
+                                                      {Shape::diamond, Ink::purple},
+                                                      {Shape::wedge, Ink::grey}}};
+
+FigurePoint place(const Row& row) {
+  // What is below the spacing of doubles is luck.
+  return {std::clamp(row.verdict.largest(), 1e-16, 10.0), row.time.median / microsecond};
 }
 
-std::string description(const Comparison& comparison) {
-  std::string text = "For each scene, time against largest error, both logarithmic.";
-  for (const SceneRows& scene : comparison.scenes) {
-    text += fmt::format(" {}: stillpoint {:.2g} microseconds at {:.1g}", scene.scene.name,
-                        scene.kernel().time.median * 1e6, scene.kernel().verdict.largest());
-    if (const auto rival = best_rival(scene, 1e-8)) {
-      text += fmt::format(", the best other at 1e-8 is {} with {:.2g}", rival->method->method.name,
-                          rival->row->time.median * 1e6);
+FigureAxis time_axis(const SceneRows& scene) {
+  double least = place(scene.kernel()).y;
+  double most = least;
+  for (const MethodRows& method : scene.methods) {
+    for (const Row& row : method.rows) {
+      least = std::min(least, place(row).y);
+      most = std::max(most, place(row).y);
     }
-    text += '.';
   }
-  return text;
+  const auto decade = [](double value) { return std::pow(10.0, value); };
+  return {"time of one simulation, µs", decade(std::floor(std::log10(least * 0.9))),
+          decade(std::ceil(std::log10(most * 1.1))), Scale::logarithmic};
+}
+
+std::string description(const SceneRows& scene) {
+  std::string text =
+      fmt::format("{}: stillpoint takes {:.2g} µs with an error of {:.1g}", scene.scene.legend,
+                  place(scene.kernel()).y, scene.kernel().verdict.largest());
+  if (const auto rival = best_rival(scene, 1e-8)) {
+    text += fmt::format("; the best other at 1e-8 is {} with {:.2g} µs", rival->method->method.name,
+                        place(*rival->row).y);
+  }
+  return text + ".";
+}
+
+/// A line through the settings that count right; marks of those that do not are crossed.
+void add_method(Figure& figure, const MethodRows& method, std::size_t index) {
+  const auto [shape, ink] = looks.at(index % looks.size());
+  const std::string name = method.method.name;
+  FigureCurve line{name, {{}}, ink};
+  FigureMarks right{name, {}, shape, ink};
+  FigureMarks wrong{name + ", a wrong count", {}, shape, ink, Fill::crossed};
+  for (const Row& row : method.rows) {
+    if (row.verdict.counts_right) {
+      line.strokes.front().push_back(place(row));
+    }
+    (row.verdict.counts_right ? right : wrong).points.push_back(place(row));
+  }
+  figure.curves.push_back(std::move(line));
+  figure.marks.push_back(std::move(right));
+  figure.marks.push_back(std::move(wrong));
+}
+
+Figure figure_of(const SceneRows& scene) {
+  Figure figure;
+  figure.id = scene.scene.name;
+  figure.title = fmt::format("{}: {}", scene.scene.name, scene.scene.legend);
+  figure.description = description(scene);
+  figure.x = {"largest error", 1e-17, 100, Scale::logarithmic};
+  figure.y = time_axis(scene);
+  for (std::size_t i = 0; i < scene.methods.size(); ++i) {
+    add_method(figure, scene.methods[i], i);
+  }
+  return figure;
+}
+
+FigureSheet sheet(const Comparison& comparison) {
+  FigureSheet all{"performance",
+                  "Time of one simulation against its error: lower and further left is better",
+                  "For each scene, time against largest error, both logarithmic.",
+                  {}};
+  for (const SceneRows& scene : comparison.scenes) {
+    all.figures.push_back(figure_of(scene));
+    all.description += " " + all.figures.back().description;
+  }
+  return all;
 }
 
 }  // namespace
 
 std::string chart(const Comparison& comparison) {
-  const std::size_t count = comparison.scenes.size();
-  const std::size_t panels_high = (count + columns - 1) / columns;
-  const auto lines = static_cast<double>(panels_high);
-  const double height = top + lines * panel_height + 6;
-  Text svg;
-  add(svg,
-      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0:.0f} {1:.0f}' width='{0:.0f}' "
-      "height='{1:.0f}' role='img' aria-labelledby='title description'>\n"
-      "<title id='title'>Time against error of one simulation</title>\n"
-      "<desc id='description'>{2}</desc>\n",
-      width, height, description(comparison));
-  add(svg, "{}<rect class='paper' width='{:.0f}' height='{:.0f}'/>\n", style, width, height);
-  add(svg,
-      "<text class='title' x='70' y='32'>Time of one simulation against its error</text>\n"
-      "<text x='{:.0f}' y='32' text-anchor='end'>lower and further left is better</text>\n",
-      width - 24);
-  legend(svg, comparison.scenes.front().methods);
-  for (std::size_t i = 0; i < count; ++i) {
-    const SceneRows& scene = comparison.scenes[i];
-    const Panel where = panel(scene, i);
-    add(svg,
-        "<text class='scene' x='{:.1f}' y='{:.1f}'>{}<tspan font-weight='400'>: {}</tspan>"
-        "</text>\n",
-        where.left, where.upper - 9, scene.scene.name, scene.scene.legend);
-    axes(svg, where, i + columns >= count);
-    for (std::size_t method = scene.methods.size(); method-- > 0;) {  // the kernel on top
-      method_line(svg, where, scene.methods[method], method);
-    }
-  }
-  add(svg, "</svg>\n");
-  return fmt::to_string(svg);
+  return svg(sheet(comparison));
+}
+
+std::string chart_page(const Comparison& comparison) {
+  FigureSheet all = sheet(comparison);
+  HtmlPage page;
+  page.title = "Speed against error";
+  const Machine& machine = comparison.machine;
+  page.verdict =
+      fmt::format("{}. {}, {}, {}.", all.title, machine.processor, machine.compiler, machine.date);
+  page.footer = "./dev bench";
+  page.figures = std::move(all.figures);
+  return html(page);
 }
 
 }  // namespace stillpoint::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 // Speed against error: this project's kernel and what others would use, on the scenes of
-// data/reference. Writes performance.json, performance.md and performance.svg.
+// data/reference. Writes performance.json, .md, .svg and .html.
 
 #include "comparison.hpp"
 #include "reports.hpp"
@@ -33,7 +33,7 @@ int run(int count, char** arguments) {
   peers::MeasureOptions options;
   CLI::App app("Speed against error, on every scene, in one run");
   app.add_option("--reference", reference, "folder of the reference tables")->required();
-  app.add_option("--out", folder, "folder for performance.json, .md and .svg")->required();
+  app.add_option("--out", folder, "folder for performance.json, .md, .svg and .html")->required();
   app.add_option("--batches", options.batches, "batches a call")->check(CLI::Range(1, 1000));
   CLI11_PARSE(app, count, arguments);
 
@@ -43,6 +43,7 @@ int run(int count, char** arguments) {
   write(folder / "performance.json", json_report(comparison));
   write(folder / "performance.md", page);
   write(folder / "performance.svg", chart(comparison));
+  write(folder / "performance.html", chart_page(comparison));
   fmt::print("{}", page);
   fmt::print(stderr, "bench: {:.0f} s; written into {}\n", comparison.seconds, folder.string());
   return 0;

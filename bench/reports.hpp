@@ -15,5 +15,7 @@ namespace stillpoint::bench {
 
 /// Time against error, a panel a scene, a line a method, as SVG.
 [[nodiscard]] std::string chart(const Comparison& comparison);
+/// The same as a page that shows values under the pointer.
+[[nodiscard]] std::string chart_page(const Comparison& comparison);
 
 }  // namespace stillpoint::bench

@@ -16,9 +16,9 @@ namespace {
 
 using fmt::format;
 
-constexpr double smoothness = 60;  // samples a period
+constexpr double smoothness = 150;  // samples a period
 constexpr double fewest_samples = 300;
-constexpr double most_samples = 3000;
+constexpr double most_samples = 4000;
 
 std::int64_t sample_count(double p, double horizon) {
   const double periods = p * horizon / (2 * std::numbers::pi);
@@ -53,7 +53,7 @@ std::vector<FigurePoint> places(const std::vector<State>& states, const Place& p
 /// Marks of events, in the three shapes that both figures use.
 template <class Place>
 void mark_events(Figure& figure, const DrawnMotion& motion, const Place& place) {
-  figure.marks.push_back({"turn", places(motion.turns, place), Shape::ring, Ink::blue});
+  figure.marks.push_back({"turn", places(motion.turns, place), Shape::disc, Ink::blue, Fill::hollow});
   figure.marks.push_back({"passage", places(motion.passages, place), Shape::cross, Ink::orange});
   if (motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});

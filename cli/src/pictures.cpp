@@ -8,6 +8,7 @@
 #include "text_report.hpp"
 #include "text_sections.hpp"
 #include "trajectory_csv.hpp"
+#include "version.hpp"
 
 #include <stillpoint/core/forced_half_cycles.hpp>
 
@@ -194,6 +195,7 @@ void write_pictures(const Settings& settings, Command command, HtmlPage page, Ou
     page.title += ": " + printable(*title, longest_title);
   }
   page.command = name(command);
+  page.footer = version_line();
   page.scene = scene_of(settings, command);
   if (const auto path = settings.text("html")) {
     output.write_file("html", *path, html(page));

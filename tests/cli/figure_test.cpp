@@ -27,7 +27,13 @@ Figure one_of_everything() {
   figure.areas = {{"area", {{0, 0}, {1, 0}, {1, 1}}, Ink::sky},
                   {"edge", {{5, 0}, {6, 0}, {6, 1}}, Ink::blue, false}};
   figure.curves = {{"curve", {{{0, 0}, {10, 5}}, {{5, -5}, {10, -5}}}, Ink::orange, Dash::dashed}};
-  figure.marks = {{"mark", {{5, 2.5}}, Shape::diamond, Ink::green}};
+  figure.marks = {{"mark", {{5, 2.5}}, Shape::diamond, Ink::green},
+                  {"hollow", {{1, -1}}, Shape::disc, Ink::blue, Fill::hollow},
+                  {"crossed", {{2, -1}}, Shape::square, Ink::grey, Fill::crossed},
+                  {"star", {{3, -1}}, Shape::star, Ink::orange},
+                  {"triangle", {{4, -1}}, Shape::triangle, Ink::purple},
+                  {"wedge", {{5, -1}}, Shape::wedge, Ink::amber},
+                  {"cross", {{6, -1}}, Shape::cross, Ink::sky}};
   figure.notes = {{"note", {1, 1}, Anchor::end, true}};
   return figure;
 }
@@ -51,7 +57,10 @@ BOOST_AUTO_TEST_SUITE(figure)
 BOOST_AUTO_TEST_CASE(is_drawn_as_the_golden_file_says) {
   Figure figure = one_of_everything();
   figure.map = {};  // its bytes are zlib's
-  BOOST_TEST(svg(figure, Frame::alone) == golden("figure.svg"));
+  const std::string drawn = svg(figure, Frame::alone);
+  std::ofstream("figure.svg") << drawn;
+  BOOST_TEST((drawn == golden("figure.svg")),
+             "look at the figure.svg that this test has written; if it is right, it is golden");
 }
 
 BOOST_AUTO_TEST_CASE(puts_what_it_draws_where_the_axes_say) {
@@ -79,6 +88,39 @@ BOOST_AUTO_TEST_CASE(has_round_ticks) {
     BOOST_TEST(list.size() >= 3U);
     BOOST_TEST(list.size() <= 8U);
   }
+}
+
+BOOST_AUTO_TEST_CASE(has_powers_of_ten_as_ticks_of_a_logarithmic_axis) {
+  using enum Scale;
+  BOOST_TEST(ticks({"", 2e-3, 5, logarithmic}) == (std::vector<double>{1e-2, 1e-1, 1}),
+             boost::test_tools::per_element());
+  BOOST_TEST(ticks({"", 1e-16, 1, logarithmic}) ==
+                 (std::vector<double>{1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1}),
+             boost::test_tools::per_element());
+  BOOST_TEST(ticks({"", 2, 11, logarithmic}) == (std::vector<double>{2, 4, 6, 8, 10}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(places_values_by_the_scale_of_their_axis) {
+  const FigureAxis axis{"", 1e-4, 1e4, Scale::logarithmic};
+  BOOST_TEST(axis.position(1) == 0.5);
+  BOOST_TEST(axis.position(0) == -1);
+  BOOST_TEST(axis.value(0.75) == 100, boost::test_tools::tolerance(1e-15));
+  Figure figure = one_of_everything();
+  figure.x = axis;
+  figure.marks[0].points[0].x = 1;
+  BOOST_TEST(contains(svg(figure, Frame::in_page), "translate(215.00 72.50)"));
+}
+
+BOOST_AUTO_TEST_CASE(sheet_draws_every_figure_and_one_legend) {
+  Figure other = one_of_everything();
+  other.id = "other";
+  const std::string text = svg(FigureSheet{"sheet", "Both", "Two.", {one_of_everything(), other}});
+  BOOST_TEST(contains(text, "all-title"));
+  BOOST_TEST(contains(text, "x=\"520\" y=\""));
+  const std::string entry = ">mark</text>";
+  BOOST_TEST(text.find(entry) != std::string::npos);
+  BOOST_TEST(text.find(entry) == text.rfind(entry));
 }
 
 BOOST_AUTO_TEST_CASE(has_an_axis_around_values_that_are_all_the_same) {

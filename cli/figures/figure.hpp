@@ -15,8 +15,8 @@ struct FigurePoint {
   double y{0};
 };
 
-/// Colours of Okabe and Ito, which the colour-blind tell apart; figure_svg.cpp has their values.
-enum class Ink { blue, orange, green, purple, sky, grey };
+/// Colours of Okabe and Ito, which the colour-blind tell apart; figure_style.cpp has their values.
+enum class Ink { blue, orange, green, purple, sky, amber, grey };
 
 enum class Dash { solid, dashed, dotted };
 
@@ -45,13 +45,16 @@ struct FigureBand {
   Ink ink{Ink::grey};
 };
 
-enum class Shape { disc, ring, diamond, square, cross };
+enum class Shape { disc, square, diamond, star, triangle, wedge, cross };
+
+enum class Fill { solid, hollow, crossed };
 
 struct FigureMarks {
   std::string name;
   std::vector<FigurePoint> points;
   Shape shape{Shape::disc};
   Ink ink{Ink::blue};
+  Fill fill{Fill::solid};
 };
 
 enum class Anchor { start, middle, end };
@@ -64,20 +67,36 @@ struct FigureNote {
   bool upright{false};
 };
 
-/// Colours of the cells of a grid, which fills the axes; row 0 is the lowest.
+/// Colours of the cells of a grid, which fills the axes; row 0 is the lowest. All cells are as wide
+/// as each other in the scale of the axis.
 struct FigureMap {
   std::int64_t columns{0};
   std::int64_t rows{0};
   std::vector<std::uint8_t> cells;   ///< rows * columns entries of the palette
   std::vector<std::string> palette;  ///< "#rrggbb"
-  std::vector<std::string> names;    ///< in the legend, one for each entry of the palette
+  std::vector<std::string>
+      names;  ///< in the legend, for each entry of the palette; empty: not there
 };
+
+enum class Scale { linear, logarithmic };
 
 struct FigureAxis {
   std::string label;  ///< with the unit
   double least{0};
   double most{1};
+  Scale scale{Scale::linear};
+
+  /// Where a value stands: 0 at the least, 1 at the most. What has no logarithm stands at -1 there.
+  [[nodiscard]] double position(double value) const;
+  /// The value that stands there.
+  [[nodiscard]] double value(double position) const;
 };
+
+/// Some 3 to 8 round values within the axis.
+[[nodiscard]] std::vector<double> ticks(const FigureAxis& axis);
+
+/// From the least to the largest of the values and a little beyond; never empty.
+[[nodiscard]] FigureAxis axis_around(std::string label, double least, double most);
 
 /// All values finite, both axes longer than nothing.
 struct Figure {
@@ -94,21 +113,27 @@ struct Figure {
   std::vector<FigureNote> notes;
 };
 
+/// Several figures that share one legend.
+struct FigureSheet {
+  std::string id;
+  std::string title;
+  std::string description;
+  std::vector<Figure> figures;
+  int columns{2};
+};
+
 /// The figure as SVG with its own title, description and legend; nothing in it covers anything else
 /// but notes, which have a rim. Alone it is a file of its own, in light colours; else it takes the
 /// colours of the page that holds figure_style().
 enum class Frame { alone, in_page };
 [[nodiscard]] std::string svg(const Figure& figure, Frame frame);
 
+/// A file of its own that follows the reader's choice of light or dark.
+[[nodiscard]] std::string svg(const FigureSheet& sheet);
+
 /// The CSS of figures, in light colours, and the dark ones that a page adds.
 [[nodiscard]] std::string_view figure_style() noexcept;
 [[nodiscard]] std::string_view dark_figure_style() noexcept;
-
-/// Some 4 to 8 round values within the axis.
-[[nodiscard]] std::vector<double> ticks(const FigureAxis& axis);
-
-/// From the least to the largest of the values and a little beyond; never empty.
-[[nodiscard]] FigureAxis axis_around(std::string label, double least, double most);
 
 /// Text fit for XML.
 [[nodiscard]] std::string escaped(std::string_view text);
