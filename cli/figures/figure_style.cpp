@@ -12,6 +12,7 @@ std::string_view figure_style() noexcept {
 .figure .frame{fill:none;stroke:#777}
 .figure .grid{fill:none;stroke:#e3e3e3}
 .figure .curve,.figure .edge{fill:none;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke;stroke-linejoin:round}
+.figure .halo{fill:none;stroke:#fff;stroke-width:4;vector-effect:non-scaling-stroke;stroke-linejoin:round}
 .figure .dashed{stroke-dasharray:7 4}
 .figure .dotted{stroke-dasharray:2 3}
 .figure .area{fill:currentColor;fill-opacity:.3}

@@ -65,6 +65,14 @@ class Drawing {
     return d;
   }
 
+  [[nodiscard]] std::string path(const std::vector<std::vector<FigurePoint>>& strokes) const {
+    std::string d;
+    for (const auto& stroke : strokes) {
+      d += path(stroke);
+    }
+    return d;
+  }
+
   void axes() {
     text_ += "<g class=\"ticks\">\n";
     for (const double tick : ticks(figure_.x)) {
@@ -91,10 +99,20 @@ class Drawing {
 
   void map() {
     if (!figure_.map.cells.empty()) {
-      add("<image width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+      add("<image width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" data-names=\"{}\" "
           "href=\"data:image/png;base64,{}\"/>\n",
-          plot_width, plot_height, map_base64(figure_.map));
+          plot_width, plot_height, cell_names(), map_base64(figure_.map));
     }
+  }
+
+  /// "#rrggbb name|#rrggbb name", for the readout.
+  [[nodiscard]] std::string cell_names() const {
+    std::string names;
+    for (std::size_t i = 0; i < figure_.map.names.size(); ++i) {
+      names += format("{}{} {}", i == 0 ? "" : "|", figure_.map.palette[i],
+                      escaped(figure_.map.names[i]));
+    }
+    return names;
   }
 
   void areas() {
@@ -110,12 +128,12 @@ class Drawing {
 
   void curves() {
     for (const FigureCurve& curve : figure_.curves) {
-      add("<path class=\"curve {}{}{}\" d=\"", word(curve.ink), word(curve.dash),
-          curve.hover ? " hover" : "");
-      for (const auto& stroke : curve.strokes) {
-        text_ += path(stroke);
+      if (!figure_.map.cells.empty()) {
+        add("<path class=\"halo\" d=\"{}\"/>\n", path(curve.strokes));
       }
-      add("\"{}/>\n", curve.hover ? format(" data-name=\"{}\"", escaped(curve.name)) : "");
+      add("<path class=\"curve {}{}{}\" d=\"{}\"{}/>\n", word(curve.ink), word(curve.dash),
+          curve.hover ? " hover" : "", path(curve.strokes),
+          curve.hover ? format(" data-name=\"{}\"", escaped(curve.name)) : "");
     }
   }
 

@@ -31,6 +31,24 @@ for (const figure of document.querySelectorAll('svg.figure')) {
     const m = pin.getAttribute('transform').match(/\(([^ ]+) ([^)]+)\)/);
     points.push([+m[1], +m[2], pin.dataset.name, pin.dataset.at.split(' ').map(Number)]);
   }
+  // What the colour of a map says at a place; nothing where there is no map.
+  let named = () => '';
+  const image = plot.querySelector('image');
+  if (image) {
+    const names = new Map(image.dataset.names.split('|').map(entry => [entry.slice(0, 7), entry.slice(8)]));
+    const picture = new Image();
+    picture.onload = () => {
+      const canvas = document.createElement('canvas');
+      canvas.width = picture.width; canvas.height = picture.height;
+      const pixels = canvas.getContext('2d', {willReadFrequently: true});
+      pixels.drawImage(picture, 0, 0);
+      named = (px, py) => {
+        const [r, g, b] = pixels.getImageData(px / w * canvas.width, py / h * canvas.height, 1, 1).data;
+        return names.get('#' + [r, g, b].map(c => c.toString(16).padStart(2, '0')).join('')) || '';
+      };
+    };
+    picture.src = image.getAttribute('href');
+  }
   let view = [0, 0, w, h];
   const at = event => {
     const box = figure.getBoundingClientRect(), s = figure.viewBox.baseVal.width / box.width;
@@ -103,7 +121,8 @@ for (const figure of document.querySelectorAll('svg.figure')) {
     ring.setAttribute('visibility', best ? 'visible' : 'hidden');
     const [vx, vy] = best ? best[3] || value(best[0], best[1]) : value(px, py);
     if (best) { ring.setAttribute('cx', best[0]); ring.setAttribute('cy', best[1]); }
-    readout.textContent = (best && best[2] ? best[2] + ': ' : '') + +vx.toPrecision(5) + ', ' + +vy.toPrecision(5);
+    const name = best ? best[2] : named(px, py);
+    readout.textContent = (name ? name + ': ' : '') + +vx.toPrecision(5) + ', ' + +vy.toPrecision(5);
   });
   show();
 }

@@ -69,6 +69,10 @@ Axis::Axis(double first, double last, std::int64_t count, Spacing spacing)
   assert(count >= 1);
 }
 
+std::optional<Axis::Spacing> Axis::spacing() const {
+  return range_ ? std::optional(spacing_) : std::nullopt;
+}
+
 double Axis::operator[](std::int64_t i) const {
   if (!range_) {
     return values_[static_cast<std::size_t>(i)];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,6 +26,8 @@ class Axis {
   [[nodiscard]] double operator[](std::int64_t i) const;
   /// The least and the largest value.
   [[nodiscard]] std::pair<double, double> ends() const;
+  /// How a range is divided; empty for numbers one by one.
+  [[nodiscard]] std::optional<Spacing> spacing() const;
   /// As on the command line, with every digit.
   [[nodiscard]] std::string text() const;
 

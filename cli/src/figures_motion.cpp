@@ -53,7 +53,8 @@ std::vector<FigurePoint> places(const std::vector<State>& states, const Place& p
 /// Marks of events, in the three shapes that both figures use.
 template <class Place>
 void mark_events(Figure& figure, const DrawnMotion& motion, const Place& place) {
-  figure.marks.push_back({"turn", places(motion.turns, place), Shape::disc, Ink::blue, Fill::hollow});
+  figure.marks.push_back(
+      {"turn", places(motion.turns, place), Shape::disc, Ink::blue, Fill::hollow});
   figure.marks.push_back({"passage", places(motion.passages, place), Shape::cross, Ink::orange});
   if (motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});
@@ -120,8 +121,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   };
   auto [least, most] = ends(motion, [](const State& state) { return state.x; });
   if (motion.beta) {
-    least = std::min(least, 0.0);
-    most = std::max(most, *motion.beta);
+    least = least < 0 ? std::min(least, -*motion.beta) : 0;
+    most = most > 0 ? std::max(most, *motion.beta) : 0;
   }
   Figure figure;
   figure.id = "motion";

@@ -72,7 +72,7 @@ void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
   FigureCurve published{"Δ₁ published", {{}}, Ink::orange, Dash::dashed};
   FigureCurve exact{"Δ₁ exact", {{}}, Ink::purple};
   for (int i = 0; i <= steps; ++i) {
-    const double f = region.f3 * i / steps;
+    const double f = std::clamp(figure.x.value(static_cast<double>(i) / steps), 0.0, region.f3);
     published.strokes[0].push_back({f, design::delta1_published(problem, f) * units.length});
     if (const auto bound = design::delta1_exact(problem, f)) {
       exact.strokes[0].push_back({f, *bound * units.length});

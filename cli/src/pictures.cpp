@@ -3,6 +3,7 @@
 
 #include "figures_motion.hpp"
 #include "figures_region.hpp"
+#include "figures_sweep.hpp"
 #include "page.hpp"
 #include "printable.hpp"
 #include "text_report.hpp"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <numbers>
 #include <span>
 #include <system_error>
 
@@ -118,6 +120,32 @@ bool moves(const DrawnMotion& motion) {
   return motion.states.back().tau > 0;
 }
 
+void make_directory(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) {
+    throw UsageError(format("svg {}: {}", path, error.message()));
+  }
+}
+
+/// The design as its pulse moves it, from rest.
+Figure pulse_figure(const design::Pulse& pulse, const design::Problem& problem,
+                    const design::Finding& found, const FigureUnits& units) {
+  const Excitation shaking = design::excitation(pulse);
+  const double ends = duration(shaking);
+  constexpr double periods = 3;  // where it does not stop
+  const double horizon =
+      found.pulse->response.stop_time.value_or(ends + periods * 2 * std::numbers::pi / problem.p);
+  DrawnMotion motion = drawn_forced_motion({problem.p, found.point.f, found.point.delta}, {0, 0},
+                                           shaking, std::max(horizon, ends));
+  motion.beta = problem.beta;
+  Figure figure = motion_figure(motion, units);
+  figure.id = "pulse";
+  figure.title = "Motion under the pulse itself";
+  figure.bands.insert(figure.bands.begin(), {"pulse", 0, ends * units.time, Ink::sky});
+  return figure;
+}
+
 }  // namespace
 
 bool wants_pictures(const Settings& settings) {
@@ -146,6 +174,10 @@ HtmlPage design_page(const DesignInput& input, const design::DesignResult& resul
                                 DrawnDamper{"design", f, delta, tolerance}, units),
                   motion_figure(motion, units), phase_figure(motion, units),
                   energy_figure(motion, units)};
+  if (found.pulse) {
+    page.figures.front().title += format(" at this design's V0 = {:.4g}", problem.v0);
+    page.figures.push_back(pulse_figure(*input.pulse, problem, found, units));
+  }
   page.tables = {constraint_table(found.constraints), check_table(found.cross_check)};
   return page;
 }
@@ -190,6 +222,17 @@ HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer)
   return page;
 }
 
+HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary, const SweepMap& map) {
+  HtmlPage page;
+  page.title = "Sweep";
+  page.verdict = format("{} motions.", summary.state.rows);
+  if (task.output) {
+    page.report = sweep_text(task, summary, {}, Style(false));
+  }
+  page.figures = {sweep_figure(task, map)};
+  return page;
+}
+
 void write_pictures(const Settings& settings, Command command, HtmlPage page, Output& output) {
   if (const auto title = settings.text("title")) {
     page.title += ": " + printable(*title, longest_title);
@@ -197,15 +240,15 @@ void write_pictures(const Settings& settings, Command command, HtmlPage page, Ou
   page.command = name(command);
   page.footer = version_line();
   page.scene = scene_of(settings, command);
+  const auto directory = settings.text("svg");
+  if (directory) {
+    make_directory(*directory);
+  }
   if (const auto path = settings.text("html")) {
     output.write_file("html", *path, html(page));
   }
-  if (const auto directory = settings.text("svg")) {
-    std::error_code unknown;
-    if (!std::filesystem::is_directory(*directory, unknown)) {
-      throw UsageError(format("svg {}: is no directory", *directory));
-    }
-    for (const Figure& figure : page.figures) {
+  for (const Figure& figure : page.figures) {
+    if (directory) {
       const std::filesystem::path path = std::filesystem::path(*directory) / (figure.id + ".svg");
       output.write_file("svg", path.string(), svg(figure, Frame::alone));
     }

@@ -5,6 +5,8 @@
 #include "json_report.hpp"
 #include "output.hpp"
 #include "settings.hpp"
+#include "sweep_map.hpp"
+#include "sweep_report.hpp"
 
 namespace stillpoint::cli {
 
@@ -14,6 +16,9 @@ namespace stillpoint::cli {
 [[nodiscard]] HtmlPage design_page(const DesignInput& input, const design::DesignResult& result);
 [[nodiscard]] HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
 [[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer);
+
+[[nodiscard]] HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary,
+                                  const SweepMap& map);
 
 /// Writes the page, with the title and the input that `settings` have, and each figure alone, where
 /// they are asked for. Throws UsageError.

@@ -2,9 +2,11 @@
 #include "sweep.hpp"
 
 #include "entry_threads.hpp"
+#include "pictures.hpp"
 #include "progress.hpp"
 #include "row_sink.hpp"
 #include "seconds.hpp"
+#include "sweep_map.hpp"
 #include "sweep_report.hpp"
 #include "sweep_rows.hpp"
 #include "sweep_run.hpp"
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace stillpoint::cli {
 
@@ -60,9 +63,11 @@ Progress::Line progress_in_rows(std::int64_t begun_with, std::optional<std::int6
 /// One sweep, from where its sink stands to the end.
 class Sweep {
  public:
-  Sweep(const SweepTask& task, RowSink& sink)
+  /// `map`, where there is one, is filled on the way.
+  Sweep(const SweepTask& task, RowSink& sink, SweepMap* map)
       : task_(task),
         sink_(sink),
+        map_(map),
         progress_(progress_in_rows(sink.found().rows, task.source->total())),
         run_(task),
         rows_(task),
@@ -77,6 +82,9 @@ class Sweep {
     }
     if (Progress::interrupted()) {
       throw Interrupted("interrupted: " + sink_.leave());
+    }
+    if (map_ != nullptr && !map_->complete(task_, run_)) {
+      throw Interrupted("interrupted: the rows are whole, the pictures are not written");
     }
     return state_;
   }
@@ -115,6 +123,9 @@ class Sweep {
     for (const std::string& piece : pieces) {
       sink_.write(piece);
     }
+    if (map_ != nullptr) {
+      map_->add(block_);
+    }
     size_.learn(seconds_now() - begun);
     state_.add(block_, task_.source->digest());
     sink_.reached(state_);
@@ -140,6 +151,7 @@ class Sweep {
 
   const SweepTask& task_;
   RowSink& sink_;
+  SweepMap* map_;
   Progress progress_;
   SweepRun run_;
   RowWriter rows_;
@@ -157,12 +169,19 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   if (rows_on_standard_output && json) {
     throw UsageError("json and the rows would both go to standard output: give --output FILE");
   }
+  std::optional<SweepMap> map;
+  if (wants_pictures(settings)) {
+    map.emplace(task);
+  }
   const double begun = seconds_now();
   const std::unique_ptr<RowSink> sink = open_rows(task);
   SweepSummary summary;
   summary.resumed_at = sink->found().rows;
-  summary.state = Sweep(task, *sink)();
+  summary.state = Sweep(task, *sink, map ? &*map : nullptr)();
   summary.wall_time_s = seconds_now() - begun;
+  if (map) {
+    write_pictures(settings, Command::sweep, sweep_page(task, summary, *map), output);
+  }
   if (!rows_on_standard_output) {
     output.print(
         json ? sweep_json(task, summary)

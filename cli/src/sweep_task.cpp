@@ -280,6 +280,8 @@ SweepTask sweep_task(const Settings& settings) {
   if (!entries.list) {
     check_corners(entries.axes, task);
   }
+  task.listed = entries.list.has_value();
+  task.axes = entries.axes;
   task.source = entries.list ? list_source(std::move(*entries.list), std::move(entries.axes))
                              : grid_source(std::move(entries.axes));
   return task;

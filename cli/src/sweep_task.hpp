@@ -32,9 +32,11 @@ enum class RowFormat { csv, npy };
 struct SweepTask {
   SweepKind kind{SweepKind::free};
   std::unique_ptr<SweepSource> source;
+  std::vector<SweepAxis> axes;    ///< of a grid; of a list what is no column
   std::vector<Quantity> columns;  ///< of the output
   bool times{false};              ///< stop_time is among them
 
+  bool listed{false};        ///< the entries are those of a list
   bool one_v0_and_p{false};  ///< the same in all entries
   bool from_zero{true};      ///< x0 = 0 in all entries
   double half_cycle_limit{1e8};

@@ -8,6 +8,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -57,7 +59,6 @@ Range attribute(const std::string& svg, const std::string& name) {
 BOOST_FIXTURE_TEST_SUITE(pictures, Sandbox)
 
 BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
-  std::filesystem::create_directory(path("figures"));
   const ProgramRun answer = run(joined(plain, {"--html", "page.html", "--svg", "figures"}));
   BOOST_TEST(answer.exit_code == 0, answer.err);
   const std::string page = read("page.html");
@@ -73,6 +74,20 @@ BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
   for (const char* part : {"Constraints", "Checks: they agree", "scene.json", "Δ₁ published",
                            "Δ₁ exact", "amplitude: f ≥ f₂", "tolerance ±"}) {
     BOOST_TEST(contains(page, part), part);
+  }
+}
+
+/// Those that the README shows.
+BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
+  const std::filesystem::path scene =
+      std::filesystem::path(STILLPOINT_DATA_DIR) / "scenes/isolator.json";
+  BOOST_TEST(run({"design", scene.string(), "--svg", "figures"}).exit_code == 0);
+  for (const char* name : {"region.svg", "motion.svg", "phase.svg", "energy.svg"}) {
+    std::ifstream file(std::filesystem::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
+    std::stringstream committed;
+    committed << file.rdbuf();
+    BOOST_TEST((committed.str() == read("figures/" + std::string(name))),
+               name << ": ./dev run design data/scenes/isolator.json --svg docs/pictures");
   }
 }
 
@@ -107,7 +122,6 @@ BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
 
 BOOST_AUTO_TEST_CASE(account_for_all_energy) {
   // 1/2 = f * path + delta * passages + the rest's share, which the notch takes as well.
-  std::filesystem::create_directory(path("figures"));
   const ProgramRun answer = run(
       {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02", "--svg", "figures"});
   BOOST_TEST(answer.exit_code == 0, answer.err);
@@ -162,10 +176,79 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
   BOOST_TEST(figures(read("two.html")) == figures(page));
 }
 
-BOOST_AUTO_TEST_CASE(need_a_directory_that_is_there) {
+BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
+  const ProgramRun answer = run({"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20",
+                                 "--p", "1", "--beta", "0.05", "--html", "page.html", "--json"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(contains(page, "Motion under the pulse itself"));
+  const auto response = answer.json()["pulse"]["response"];
+  const std::string figure = page.substr(page.find("id=\"pulse-title\""));
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(
+      figure, found, std::regex("data-name=\"turn\" data-at=\"(\\S+) ([^\"]+)\"")));
+  const double peak = response["peak_amplitude"];
+  BOOST_TEST(std::abs(std::stod(found[2])) == peak, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
+  const ProgramRun answer =
+      run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-3:0.4:2000", "--delta", "0:0.55:2000",
+           "--output", "map.npy", "--html", "page.html", "--svg", "figures"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(page.size() < 1'000'000U);
+  for (const char* part : {"Δ₁ exact", "return: f ≤ f₃", "start: Δ ≤ Δ₂", "at 0 after 1",
+                           "off 0 after 2", "does not move", "4000000"}) {
+    BOOST_TEST(contains(page, part), part);
+  }
+  BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
+  const ProgramRun answer =
+      run({"sweep", "--p", "1", "--f", "0.01:0.3:20", "--delta", "0:0.03:20", "--excitation",
+           "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "100", "--html", "page.html"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(contains(page, "moving at the end"));
+  BOOST_TEST(!contains(page, "Δ₁ exact"));
+}
+
+BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_runs) {
+  write("list.csv", "f,delta\n0.1,0.1\n");
+  const Arguments sweep{"sweep",    "--v0",     "1",      "--p",      "1",
+                        "--output", "rows.csv", "--html", "page.html"};
+  for (const auto& [more, word] : std::vector<std::pair<Arguments, std::string>>{
+           {{"--f", "0.1,0.2", "--delta", "0:1:5"}, "--f as first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0.1"}, "--delta as first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0.1:0.1:5"}, "--delta as first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "one value of x0"},
+           {{"--beta", "0.75:0.95:5"}, "design problems"},
+           {{"--list", "list.csv"}, "a list"}}) {
+    const ProgramRun answer = run(joined(sweep, more));
+    BOOST_TEST(answer.exit_code == 2);
+    BOOST_TEST(contains(answer.err, word), answer.err);
+    BOOST_TEST(contents().size() == 1U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(make_the_directory_that_they_go_to) {
+  BOOST_TEST(run(joined(plain, {"--svg", "new/figures"})).exit_code == 0);
+  BOOST_TEST(std::filesystem::exists(path("new/figures/region.svg")));
+}
+
+BOOST_AUTO_TEST_CASE(need_a_directory_that_can_be_made) {
+  write("none", "a file");
   const ProgramRun answer = run(joined(plain, {"--svg", "none", "--html", "page.html"}));
   BOOST_TEST(answer.exit_code == 2);
-  BOOST_TEST(contents().empty());
+  BOOST_TEST(contents().size() == 1U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
