@@ -21,7 +21,17 @@ namespace stillpoint::bench {
 
 namespace {
 
-using namespace stillpoint::cli;
+using cli::Figure;
+using cli::FigureAxis;
+using cli::FigureCurve;
+using cli::FigureMarks;
+using cli::FigurePoint;
+using cli::FigureSheet;
+using cli::Fill;
+using cli::HtmlPage;
+using cli::Ink;
+using cli::Scale;
+using cli::Shape;
 
 constexpr double microsecond = 1e-6;
 
@@ -109,7 +119,7 @@ FigureSheet sheet(const Comparison& comparison) {
 }  // namespace
 
 std::string chart(const Comparison& comparison) {
-  return svg(sheet(comparison));
+  return cli::svg(sheet(comparison));
 }
 
 std::string chart_page(const Comparison& comparison) {
@@ -121,7 +131,7 @@ std::string chart_page(const Comparison& comparison) {
       fmt::format("{}. {}, {}, {}.", all.title, machine.processor, machine.compiler, machine.date);
   page.footer = "./dev bench";
   page.figures = std::move(all.figures);
-  return html(page);
+  return cli::html(page);
 }
 
 }  // namespace stillpoint::bench

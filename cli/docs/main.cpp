@@ -12,12 +12,12 @@
 
 int main(int argc, char** argv) {
   try {
-    using namespace stillpoint::cli;
-    const std::map<std::string_view, std::string (*)()> makers{{"man", man_page},
-                                                               {"bash", bash_completion},
-                                                               {"zsh", zsh_completion},
-                                                               {"fish", fish_completion},
-                                                               {"scene-schema", scene_schema}};
+    namespace cli = stillpoint::cli;
+    const std::map<std::string_view, std::string (*)()> makers{{"man", cli::man_page},
+                                                               {"bash", cli::bash_completion},
+                                                               {"zsh", cli::zsh_completion},
+                                                               {"fish", cli::fish_completion},
+                                                               {"scene-schema", cli::scene_schema}};
     const auto maker = makers.find(argc == 2 ? argv[1] : "");
     if (maker == makers.end()) {
       std::fputs("usage: stillpoint_docs man|bash|zsh|fish|scene-schema\n", stderr);

@@ -24,23 +24,23 @@ double letters(std::string_view text) {
 
 void FigureLegend::add(const Figure& figure) {
   for (std::size_t i = 0; i < figure.map.names.size(); ++i) {
-    enter(figure.map.names[i], format("<path class=\"cell\" fill=\"{}\" d=\"M4-10h16v12h-16Z\"/>",
-                                      figure.map.palette[i]));
+    enter(figure.map.names[i],
+          format(R"(<path class="cell" fill="{}" d="M4-10h16v12h-16Z"/>)", figure.map.palette[i]));
   }
   for (const FigureArea& area : figure.areas) {
-    enter(area.name, format("<path class=\"{} {}\" d=\"M2-10h20v12h-20Z\"/>",
+    enter(area.name, format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
                             area.filled ? "area" : "edge", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
-    enter(band.name, format("<path class=\"band {}\" d=\"M2-10h20v12h-20Z\"/>", word(band.ink)));
+    enter(band.name, format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)", word(band.ink)));
   }
   for (const FigureCurve& curve : figure.curves) {
     enter(curve.name,
-          format("<path class=\"curve {}{}\" d=\"M0-4h24\"/>", word(curve.ink), word(curve.dash)));
+          format(R"(<path class="curve {}{}" d="M0-4h24"/>)", word(curve.ink), word(curve.dash)));
   }
   for (const FigureMarks& marks : figure.marks) {
     if (!marks.points.empty()) {
-      enter(marks.name, mark(marks, " transform=\"translate(12 -4)\""));
+      enter(marks.name, mark(marks, R"x( transform="translate(12 -4)")x"));
     }
   }
 }

@@ -178,7 +178,7 @@ std::string paper(std::string_view style, double wide, double high) {
 }
 
 std::string size_alone(double wide, double high) {
-  return format("xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" ", wide, high);
+  return format(R"(xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" )", wide, high);
 }
 
 }  // namespace
@@ -223,11 +223,11 @@ std::string svg(const FigureSheet& sheet) {
   text += legend.drawn(legend_left, heading);
   for (int i = 0; i < count; ++i) {
     const Figure& figure = sheet.figures[static_cast<std::size_t>(i)];
-    text +=
-        opened(figure,
-               format("x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" ", width * (i % sheet.columns),
-                      first_line + one_height * (i / sheet.columns), width, one_height),
-               one_height);
+    const int line = i / sheet.columns;
+    const std::string place =
+        format(R"(x="{}" y="{}" width="{}" height="{}" )", width * (i % sheet.columns),
+               first_line + one_height * line, width, one_height);
+    text += opened(figure, place, one_height);
     text += Drawing(figure)() + "</svg>\n";
   }
   return text + "</svg>\n";

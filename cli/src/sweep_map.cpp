@@ -40,7 +40,7 @@ const SweepTask& drawable(const SweepTask& task) {
 /// Of at least one.
 std::size_t range_of(double half_cycles) {
   const auto& firsts = SweepClass::first_half_cycles;
-  const auto beyond = std::ranges::upper_bound(firsts, half_cycles);
+  const auto* const beyond = std::ranges::upper_bound(firsts, half_cycles);
   return static_cast<std::size_t>(beyond - firsts.begin()) - 1;
 }
 
