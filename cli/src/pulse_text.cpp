@@ -31,11 +31,6 @@ std::string sentence(design::PulseWarning warning, const design::PulseCheck& che
           "f is not small against k, f/k = {:.3g}: friction takes a large part of the velocity "
           "while the pulse lasts",
           check.friction_ratio);
-    case design::PulseWarning::peak_above_beta:
-      return "under the pulse itself the peak is above beta: ask for some tolerance";
-    case design::PulseWarning::does_not_stop_there:
-      return "under the pulse itself the mass does not stop at x = 0 on its first return: ask for "
-             "some tolerance";
   }
   return {};
 }

@@ -35,24 +35,29 @@ double cost_of(Objective objective, const PulseProblem& problem, const DesignPoi
                                            : motion.peak_acceleration;
 }
 
-/// The better of `best` and the point, judged with V(f) over its whole box.
-void consider(std::optional<Candidate>& best, const PulseRequest& request, DesignPoint point) {
-  const auto& [problem, limits, options] = request;
-  if (!admissible(problem, limits, point.f, point.delta)) {
+/// What is searched, and how.
+struct Hunt {
+  PulseTask task;
+  SearchOptions options;
+};
+
+/// The better of `best` and the point, judged over its whole box with V(f) and under the pulse.
+void consider(std::optional<Candidate>& best, const Hunt& hunt, DesignPoint point) {
+  const auto& [task, options] = hunt;
+  if (!admissible(task, point.f, point.delta)) {
     return;
   }
-  point.tolerance = largest_tolerance(problem, limits, point.f, point.delta).value_or(0);
-  const double cost = cost_of(options.objective, problem, point);
+  point.tolerance = largest_tolerance(task, point.f, point.delta).value_or(0);
+  const double cost = cost_of(options.objective, task.problem, point);
   if (!best || cost < best->cost) {
     best = {point, cost};
   }
 }
 
 /// The same with the Delta that goes best with f.
-void consider_f(std::optional<Candidate>& best, const PulseRequest& request, double f) {
-  const auto& [problem, limits, options] = request;
-  const FreeTask task = task_of_box(problem, limits, f, limits.tolerance, 0);
-  consider(best, request, with_best_delta(task.problem, task.limits, f));
+void consider_f(std::optional<Candidate>& best, const Hunt& hunt, double f) {
+  const FreeTask free = task_of_box(hunt.task, f, hunt.task.limits.tolerance, 0);
+  consider(best, hunt, with_best_delta(free.problem, free.limits, f));
 }
 
 /// The next argument on the way to x = g(x), by Wegstein's method: the secant through the last two
@@ -91,19 +96,20 @@ double softest_f(const PulseProblem& problem, double low, double high) {
 
 /// Rounds of the search with the velocities of the box last found, until that does not move. At
 /// that point the constraints that bind are those of the pulse itself.
-SearchResult search(const PulseRequest& request) {
-  const auto& [problem, limits, options] = request;
+SearchResult search(const Hunt& hunt) {
+  const auto& [task, options] = hunt;
+  const Limits& limits = task.limits;
   constexpr int most_rounds = 60;
   constexpr double settled = 1e-10;  // relative, of f and of 1: what NLopt's tolerance resolves
   constexpr double slack = 1e-9;     // more than that, so that the settled point is admissible
-  const DesignPoint corner = corner_point(problem, limits);
+  const DesignPoint corner = corner_point(task);
   std::optional<Candidate> best;
   SearchRecord record;
   FixedPoint f(corner.f);
   FixedPoint tolerance(limits.tolerance);
   for (int round = 0; round < most_rounds; ++round) {
-    const FreeTask task = task_of_box(problem, limits, f.x(), tolerance.x(), slack);
-    const auto found = search(task.problem, task.limits, options);
+    const FreeTask free = task_of_box(task, f.x(), tolerance.x(), slack);
+    const auto found = search(free.problem, free.limits, options);
     if (!found) {
       f.retreat();
       tolerance.retreat();
@@ -117,19 +123,19 @@ SearchResult search(const PulseRequest& request) {
     const double change = std::max(std::abs(point.f / f.x() - 1), std::abs(wider - tolerance.x()));
     f.answer(point.f);
     tolerance.answer(wider);
-    consider(best, request, point);
+    consider(best, hunt, point);
     if (change <= settled) {
       break;
     }
   }
   if (options.objective == Objective::acceleration) {
     const double inside = corner.f * (1 - slack);
-    consider_f(best, request, softest_f(problem, std::min(f.x(), inside), inside));
+    consider_f(best, hunt, softest_f(task.problem, std::min(f.x(), inside), inside));
   }
   if (!best) {
     // So little is left that NLopt's steps do not resolve it.
-    consider_f(best, request, corner.f);
-    consider(best, request, corner);
+    consider_f(best, hunt, corner.f);
+    consider(best, hunt, corner);
   }
   assert(best);
   return SearchResult{best->point, record};
@@ -148,20 +154,29 @@ Conflict as_asked(Conflict conflict, const FreeTask& task, const Limits& limits)
 }
 
 /// The empty region, told for the largest f.
-DesignResult without_design(const PulseRequest& request) {
-  const auto& [problem, limits, options] = request;
-  const double highest = highest_f(problem, limits);
-  const FreeTask task = task_of_box(problem, limits, highest, limits.tolerance, 0);
-  DesignResult result{{task.problem, limits, options}, {}, {}, {}, {}};
-  result.region = admissible_region(task.problem, task.limits);
+DesignResult without_design(const PulseTask& task, const SearchOptions& options) {
+  const Limits& limits = task.limits;
+  const FreeTask free = task_of_box(task, highest_f(task), limits.tolerance, 0);
+  DesignResult result{{free.problem, limits, options}, {}, {}, {}, {}};
+  result.region = admissible_region(free.problem, free.limits);
   result.region.conflict = result.region.feasible ? Conflict::narrower_than_rounding
-                                                  : as_asked(result.region.conflict, task, limits);
+                                                  : as_asked(result.region.conflict, free, limits);
   result.region.feasible = false;
   result.region.f_lower = result.region.f_upper = std::nullopt;
-  result.region.f3 = std::min(result.region.f3, *task.limits.f_max);
-  result.reason = reason(result.region, task.problem, task.limits);
-  result.mends = mends(problem, limits);
+  result.region.f3 = std::min(result.region.f3, *free.limits.f_max);
+  result.reason = reason(result.region, free.problem, free.limits);
+  result.mends = mends(task.problem, limits);
   return result;
+}
+
+/// The paper's edges with the velocity at f; what is left for f is the pulse's own.
+Region region_at(const PulseTask& task, const Problem& reduced) {
+  Region region = admissible_region(reduced, task.limits);
+  region.feasible = true;
+  region.conflict = Conflict::none;
+  region.f_lower = lowest_f(task);
+  region.f_upper = highest_f(task);
+  return region;
 }
 
 }  // namespace
@@ -170,12 +185,13 @@ DesignResult design(const PulseRequest& request) {
   const auto& [problem, limits, options] = request;
   require_valid(options);
   require_valid(problem, limits);
-  if (!feasible(problem, limits)) {
-    return without_design(request);
+  const PulseTask task(problem, limits);
+  if (!feasible(task)) {
+    return without_design(task, options);
   }
-  const SearchResult found = search(request);
+  const SearchResult found = search({task, options});
   const Problem reduced = problem_at(problem, found.point.f);
-  DesignResult result{{reduced, limits, options}, admissible_region(reduced, limits), {}, {}, {}};
+  DesignResult result{{reduced, limits, options}, region_at(task, reduced), {}, {}, {}};
   result.finding = finding_of(reduced, found);
   result.finding->pulse = check_under_pulse(problem, *result.finding);
   return result;

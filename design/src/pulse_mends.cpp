@@ -30,7 +30,7 @@ struct Case {
 };
 
 bool fits(const Case& now) {
-  return feasible(now.problem, now.limits);
+  return feasible(PulseTask(now.problem, now.limits));
 }
 
 /// More p helps the amplitude and can only harm the stop, so both are asked one after the other:

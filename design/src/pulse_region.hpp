@@ -3,7 +3,7 @@
 
 // The admissible region where a pulse leaves the initial velocity V(f), docs/theory.md section 8.
 // V falls with f, so the box f (1 +- R) is tightest where the free one is, at its two corners, with
-// the velocity of either.
+// the velocity of either. Both corners must hold under the pulse itself too.
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
@@ -13,6 +13,17 @@
 
 namespace stillpoint::design {
 
+/// What a design for a pulse is looked for in.
+struct PulseTask {
+  PulseTask(const PulseProblem& problem, const Limits& limits);
+
+  PulseProblem problem;
+  Limits limits;
+  /// The largest f under which the mass comes back to x = 0 after the pulse itself: the f3 of the
+  /// forced motion, which lies a little below that of V(f).
+  double f_most;
+};
+
 /// A problem and limits of constant velocity.
 struct FreeTask {
   Problem problem;
@@ -20,25 +31,27 @@ struct FreeTask {
 };
 
 /// For the box around `f` of the given tolerance: the velocity of its low corner, and as limits
-/// what the velocity of its high corner leaves of f3 and Delta2. What this task admits of such a
-/// box, the pulse does as well. Both velocities are taken to the safe side by a relative `slack`.
-[[nodiscard]] FreeTask task_of_box(const PulseProblem& problem, const Limits& limits, double f,
-                                   double tolerance, double slack);
+/// what the velocity of its high corner leaves of f3 and Delta2, and f_most. What this task admits
+/// of such a box, the pulse does as well. Both velocities and f_most are taken to the safe side by a
+/// relative `slack`.
+[[nodiscard]] FreeTask task_of_box(const PulseTask& task, double f, double tolerance, double slack);
 
-/// The largest f whose box fits below f3 and f_max, each with the velocity of that f. There the
-/// strip of Delta is widest and the peak least.
-[[nodiscard]] double highest_f(const PulseProblem& problem, const Limits& limits);
+/// The largest f whose box fits below f3, f_most and f_max, f3 with the velocity of that f. There
+/// the strip of Delta is widest and the peak least.
+[[nodiscard]] double highest_f(const PulseTask& task);
 
-/// That f and the largest Delta whose box fits below Delta2 and delta_max.
-[[nodiscard]] DesignPoint corner_point(const PulseProblem& problem, const Limits& limits);
+/// The least f that has any Delta. Of a feasible task.
+[[nodiscard]] double lowest_f(const PulseTask& task);
+
+/// The highest f and the largest Delta whose box fits below Delta2 and delta_max.
+[[nodiscard]] DesignPoint corner_point(const PulseTask& task);
 
 /// Whether any (f, Delta) is admissible with its box: then that corner is.
-[[nodiscard]] bool feasible(const PulseProblem& problem, const Limits& limits);
+[[nodiscard]] bool feasible(const PulseTask& task);
 
-[[nodiscard]] bool admissible(const PulseProblem& problem, const Limits& limits, double f,
-                              double delta);
+[[nodiscard]] bool admissible(const PulseTask& task, double f, double delta);
 /// The largest tolerance that an admissible point withstands; empty for one that is not.
-[[nodiscard]] std::optional<double> largest_tolerance(const PulseProblem& problem,
-                                                      const Limits& limits, double f, double delta);
+[[nodiscard]] std::optional<double> largest_tolerance(const PulseTask& task, double f,
+                                                      double delta);
 
 }  // namespace stillpoint::design

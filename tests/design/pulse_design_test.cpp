@@ -43,14 +43,23 @@ bool holds(const PulseProblem& problem, const Limits& limits, double f, double d
   return stillpoint::design::admissible(now, {limits.f_max, limits.delta_max, 0}, f, delta);
 }
 
+/// The motion under the pulse itself, from rest.
+bool holds_under_pulse(const PulseProblem& problem, double f, double delta) {
+  const ForcedResponse motion =
+      forced_response({problem.p, f, delta}, {}, excitation(problem.pulse));
+  return motion.stops_at_zero && motion.half_cycles == 1.0 && motion.peak_amplitude <= problem.beta;
+}
+
 /// The whole box, looked at in many points.
 bool box_holds(const PulseProblem& problem, const Limits& limits, double f, double delta,
                double tolerance) {
   constexpr int steps = 8;
   for (int i = -steps; i <= steps; ++i) {
     for (int j = -steps; j <= steps; ++j) {
-      if (!holds(problem, limits, f * (1 + tolerance * i / steps),
-                 delta * (1 + tolerance * j / steps))) {
+      const double f_here = f * (1 + tolerance * i / steps);
+      const double delta_here = delta * (1 + tolerance * j / steps);
+      if (!holds(problem, limits, f_here, delta_here) ||
+          !holds_under_pulse(problem, f_here, delta_here)) {
         return false;
       }
     }
@@ -112,7 +121,9 @@ double value_of(const PulseRequest& request, double f, double tolerance) {
 bool corners_hold(const PulseRequest& request, double f, double delta, double tolerance) {
   const auto& [problem, limits, search] = request;
   return holds(problem, limits, f * (1 - tolerance), delta * (1 - tolerance)) &&
-         holds(problem, limits, f, delta) && [&] {
+         holds(problem, limits, f, delta) &&
+         holds_under_pulse(problem, f * (1 - tolerance), delta * (1 - tolerance)) &&
+         holds_under_pulse(problem, f * (1 + tolerance), delta * (1 - tolerance)) && [&] {
            // At the high corner stopping is no part of the question.
            const double high = f * (1 + tolerance);
            const double v0 = v0_at(problem, high);
@@ -223,7 +234,7 @@ BOOST_AUTO_TEST_CASE(random_designs_hold_over_their_box_and_are_the_best_of_a_sc
       BOOST_TEST(tolerance >= request.limits.tolerance);
       BOOST_TEST(corners_hold(request, f, delta, request.limits.tolerance));
       BOOST_TEST(box_holds(request.problem, request.limits, f, delta,
-                           std::min(0.999, request.limits.tolerance) * (1 - 1e-12)) == true);
+                           std::min(0.999, tolerance) * (1 - 1e-12)) == true);
       if (best.any) {
         const double value = value_of(request, f, tolerance);
         BOOST_TEST(value <= best.best + inset * std::abs(best.best));
@@ -301,18 +312,58 @@ BOOST_AUTO_TEST_CASE(friction_that_is_not_small_against_the_pulse_is_warned_of) 
   BOOST_TEST(warns(check, PulseWarning::friction_not_small));
 }
 
-// At f3 the reduced motion only just comes back; the true one falls short.
-BOOST_AUTO_TEST_CASE(a_design_on_the_edge_does_not_stop_at_zero_under_the_pulse_itself) {
-  PulseRequest request = half_sine(0.5, 20, 0.05);
-  request.search.objective = Objective::amplitude;
-  const Finding finding = stillpoint::design::design(request).finding.value();
-  BOOST_TEST(warns(finding.pulse.value(), PulseWarning::does_not_stop_there));
-  BOOST_TEST((finding.pulse.value().response.outcome == Outcome::stopped_in_dead_zone));
-  BOOST_TEST(!finding.cross_check.methods[2].decided);
-  BOOST_TEST(finding.pulse.value().stop_time_error.has_value() == false);
-  request.limits.tolerance = 0.05;
-  const Finding with_room = stillpoint::design::design(request).finding.value();
-  BOOST_TEST(with_room.pulse.value().warnings.empty());
+// At f3 the reduced motion only just comes back, and the true one would fall short.
+BOOST_AUTO_TEST_CASE(a_design_on_the_edge_stops_at_zero_under_the_pulse_itself) {
+  for (const Objective objective :
+       {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+    PulseRequest request = half_sine(0.5, 20, 0.05);
+    request.search.objective = objective;
+    const DesignResult result = stillpoint::design::design(request);
+    const Finding& finding = result.finding.value();
+    const double f3 = result.region.f3;
+    BOOST_TEST(finding.pulse.value().response.stops_at_zero);
+    BOOST_TEST(finding.cross_check.passed);
+    BOOST_TEST(finding.point.f < f3);
+    if (objective == Objective::amplitude) {  // wants as much friction as there may be
+      BOOST_TEST(finding.point.f > f3 * (1 - 0.05 * 0.05));
+      BOOST_TEST(!holds_under_pulse(request.problem, f3 * (1 - 1e-9), finding.point.delta));
+    }
+  }
+}
+
+// Only just feasible by its velocity, so that the pulse itself decides.
+BOOST_AUTO_TEST_CASE(a_mend_holds_under_the_pulse_itself) {
+  const DesignResult none = stillpoint::design::design(half_sine(0.5, 20, 0.02));
+  BOOST_TEST(!none.finding.has_value());
+  BOOST_TEST(none.mends.size() >= 3U);
+  for (const Mend& mend : none.mends) {
+    const DesignResult one = stillpoint::design::design(mended(half_sine(0.5, 20, 0.02), mend));
+    const Finding& finding = one.finding.value();
+    BOOST_TEST(finding.pulse.value().response.stops_at_zero, mend.field);
+    BOOST_TEST(finding.pulse.value().response.half_cycles.value() == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_left_for_f_holds_at_its_ends_and_not_beyond) {
+  for (const auto& [pulse, beta] :
+       std::vector<std::pair<Pulse, double>>{{HalfSine<>{0.5, 20}, 0.0357},
+                                             {HalfSine<>{0.5, 20}, 0.05},
+                                             {Rectangle<>{0.1, 8}, 0.0285},
+                                             {HalfSine<>{0.5, 1.87}, 0.31}}) {
+    PulseRequest request;
+    request.problem = {pulse, 1, beta, Criterion::published};
+    const Region region = stillpoint::design::design(request).region;
+    BOOST_REQUIRE(region.feasible);
+    // With the largest Delta that starts, which is the one that stops most surely.
+    const auto fits = [&](double f) {
+      const double v0 = v0_at(request.problem, f);
+      return corners_hold(request, f, v0 * v0 / 2, 0);
+    };
+    BOOST_TEST(fits(region.f_lower.value()));
+    BOOST_TEST(fits(region.f_upper.value()));
+    BOOST_TEST(!fits(region.f_lower.value() * (1 - 1e-9)));
+    BOOST_TEST(!fits(region.f_upper.value() * (1 + 1e-9)));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_mends_it) {

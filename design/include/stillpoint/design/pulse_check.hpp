@@ -10,12 +10,10 @@
 
 namespace stillpoint::design {
 
-/// What keeps a pulse from being an initial velocity, or the design from what was asked for.
+/// What keeps a pulse from being an initial velocity.
 enum class PulseWarning {
-  pulse_not_short,      ///< p / lambda > 0.2
-  friction_not_small,   ///< f / k > 0.2
-  peak_above_beta,      ///< under the pulse itself; the reduced motion keeps beta
-  does_not_stop_there,  ///< under the pulse itself it does not stop at x = 0 on its first return
+  pulse_not_short,     ///< p / lambda > 0.2
+  friction_not_small,  ///< f / k > 0.2
 };
 
 /// "pulse_not_short" and so on.
