@@ -16,6 +16,8 @@ void heading(Text& text, const Comparison& comparison) {
       "`./dev bench` made this page; `./dev bench --update-docs` makes it again.\n\n"
       "![Time against error, a panel a scene]"
       "(performance.svg)\n\n"
+      "[performance.html](performance.html), opened in a browser, shows the same with the values "
+      "under the pointer.\n\n"
       "| | |\n|---|---|\n"
       "| machine | {}, {} cores, {} |\n| compiler | {} |\n| flags, of all methods | `{}` |\n"
       "| libraries | {} |\n| date | {} |\n\n",

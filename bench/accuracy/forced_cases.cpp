@@ -230,7 +230,7 @@ HardCase short_stick() {
   now.neighbour = [](Dice& dice) {
     return Inputs<double>{1 + 1e-4 * dice.uniform(-1, 1), 0.05 * (1 + 1e-4 * dice.uniform(-1, 1))};
   };
-  now.neighbours = 100;
+  now.neighbours = 1000;
   now.alike = true;
   return now;
 }
@@ -246,12 +246,15 @@ std::vector<HardCase> forced_cases() {
           release_at_the_crest(),
           just_released(),
           scene("scene S3: resonance, both frictions, to 200", "64 passages and turns",
-                {0.5, 1, 0.05, 0.01, 0.2, 1, 0, 200}, Metric::position, 1e-4, 1000),
+                {0.5, 1, 0.05, 0.01, 0.2, 1, 0, 200}, Metric::position, 1e-4, 2000),
           scene("scene S4: 22 sticks, to 200", "each stick ends where the load grows slowly",
-                {0.5, 1, 0.18, 0, 0.2, 0.35, 0, 200}, Metric::position, 1e-4, 1000),
+                {0.5, 1, 0.18, 0, 0.2, 0.35, 0, 200}, Metric::position, 1e-4, 2000),
+          scene("100 cycles of forcing", "every error of the phase would show",
+                {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 200 * std::numbers::pi / 0.8},
+                Metric::position, 1e-6, 1000),
           scene("1000 cycles of forcing", "every error of the phase would show",
                 {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 2000 * std::numbers::pi / 0.8},
-                Metric::position, 1e-6, 3),
+                Metric::position, 1e-6, 200),
           short_stick()};
 }
 
