@@ -55,6 +55,8 @@ for (const figure of document.querySelectorAll('svg.figure')) {
     const px = (event.clientX - box.left) * s - left, py = (event.clientY - box.top) * s - top;
     return [view[0] + px / w * view[2], view[1] + py / h * view[3]];
   };
+  const inside = ([px, py]) =>
+    px >= view[0] && py >= view[1] && px <= view[0] + view[2] && py <= view[1] + view[3];
   const rounds = (a, b) => {
     const raw = (b - a) / 6, decade = 10 ** Math.floor(Math.log10(raw)), d = raw / decade;
     const step = decade * (d <= 1 ? 1 : d <= 2 ? 2 : d <= 5 ? 5 : 10), all = [];
@@ -98,25 +100,33 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   let dragged = null;
   figure.addEventListener('wheel', event => {
     const [px, py] = at(event), s = view[2] / w, next = s * (event.deltaY < 0 ? 0.8 : 1.25);
-    if (px < view[0] || py < view[1] || px > view[0] + view[2] || py > view[1] + view[3] || (next > 1 && s === 1)) return;
+    if (!inside([px, py]) || (next > 1 && s === 1)) return;
     event.preventDefault();
     const r = Math.min(1, next) / s;
     move(px - (px - view[0]) * r, py - (py - view[1]) * r, s * r);
   }, {passive: false});
-  plot.addEventListener('pointerdown', event => { dragged = at(event); });
+  // Not of the plot: where nothing is drawn, nothing of it lies under the pointer.
+  figure.addEventListener('pointerdown', event => { dragged = event.button === 0 && inside(at(event)) ? at(event) : null; });
   addEventListener('pointerup', () => { dragged = null; });
   figure.addEventListener('dblclick', () => move(0, 0, 1));
-  figure.addEventListener('pointerleave', () => { ring.setAttribute('visibility', 'hidden'); readout.textContent = ''; });
+  const leave = () => { ring.setAttribute('visibility', 'hidden'); readout.textContent = ''; };
+  figure.addEventListener('pointerleave', leave);
   figure.addEventListener('pointermove', event => {
     const [px, py] = at(event);
+    figure.style.cursor = inside([px, py]) ? 'crosshair' : '';
+    if (!event.buttons) dragged = null;  // let go outside of the window
     if (dragged && view[2] < w) {
       move(view[0] + dragged[0] - px, view[1] + dragged[1] - py, view[2] / w);
+      return;
+    }
+    if (!inside([px, py])) {
+      leave();
       return;
     }
     let best = null, least = (view[2] / 12) ** 2;
     for (const point of points) {
       const d = (point[0] - px) ** 2 + (point[1] - py) ** 2;
-      if (d <= least) { least = d; best = point; }
+      if (d <= least && inside(point)) { least = d; best = point; }
     }
     ring.setAttribute('visibility', best ? 'visible' : 'hidden');
     const [vx, vy] = best ? best[3] || value(best[0], best[1]) : value(px, py);
