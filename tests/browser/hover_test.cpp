@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "readout.hpp"
+
+// What the page shows under a mouse.
+
+namespace {
+
+using namespace stillpoint::browser_test;
+using nlohmann::json;
+
+constexpr double five_digits = 5e-5;          // of the values under the pointer
+constexpr double region_samples = 2.5;        // pixels from a point of a curve to its next sample
+constexpr double motion_samples = 12;         // the same, of 60 samples a period
+constexpr double hundredth_of_a_unit = 1e-3;  // two decimals of some 300 units, of values near 1
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(hovering)
+
+BOOST_AUTO_TEST_CASE(shows_the_values_of_marks) {
+  for_each_figure([](const json& figure) {
+    for (const json& hover : figure["hover_marks"]) {
+      const auto readout = check_shown(hover, figure["rest"], 1);
+      BOOST_TEST((readout && !readout->name.empty()));
+      BOOST_TEST(!hover["ring"].is_null());
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(shows_the_design_of_the_report) {
+  const json& report = pages().reports.at("design");
+  const double f = report["design"]["f"];
+  const double delta = report["design"]["delta"].get<double>() * millimetres(report);
+  for (const char* look : {"1280", "400"}) {
+    const json& figure = seen(Scheme::light)["design"][look]["figures"]["region"];
+    for (const json& hover : {figure["hover_marks"][0], figure["zoom"]["hover"]}) {
+      const auto readout = parsed(hover["readout"]);
+      BOOST_TEST_REQUIRE(readout.has_value());
+      BOOST_TEST(readout->name == "design");
+      BOOST_TEST(std::abs(readout->x - f) <= five_digits * f, hover.dump());
+      BOOST_TEST(std::abs(readout->y - delta) <= five_digits * delta, hover.dump());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shows_the_bounds_of_the_report) {
+  for (const char* look : {"1280", "400"}) {
+    const json& figure = seen(Scheme::light)["design"][look]["figures"]["region"];
+    const auto name = [&figure](std::size_t i) {
+      const auto readout = check_shown(figure["hover_asked"][i], figure["rest"], region_samples);
+      return readout ? readout->name : "nothing";
+    };
+    BOOST_TEST(name(0) == "Δ₁ published");
+    BOOST_TEST(name(1) == "Δ₁ exact");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shows_the_first_arc) {
+  // Of the page "free": x = sin t - f (1 - cos t), x' its derivative, and energy 1/2 - f x is left.
+  constexpr double f = 0.02;
+  const auto x_at = [](double t) { return std::sin(t) - f * (1 - std::cos(t)); };
+  for (const char* look : {"1280", "400"}) {
+    const json& figures = seen(Scheme::light)["free"][look]["figures"];
+    const auto shown = [&figures](const char* id) {
+      const json& figure = figures[id];
+      const auto readout = check_shown(figure["hover_asked"][0], figure["rest"], motion_samples);
+      BOOST_TEST_REQUIRE(readout.has_value());
+      return *readout;
+    };
+    const Readout motion = shown("motion");
+    BOOST_TEST(motion.name == "x");
+    BOOST_TEST(std::abs(motion.y - x_at(motion.x)) <= hundredth_of_a_unit);
+    const Readout phase = shown("phase");
+    BOOST_TEST(phase.name == "motion");
+    const double energy = (phase.x * phase.x + phase.y * phase.y) / 2;
+    BOOST_TEST(std::abs(energy - (0.5 - f * phase.x)) <= hundredth_of_a_unit);
+    const Readout left = shown("energy");
+    BOOST_TEST(std::abs(left.y - (0.5 - f * x_at(left.x))) <= hundredth_of_a_unit);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(shows_its_own_place_where_nothing_is_near) {
+  std::size_t count = 0;
+  for_each_figure([&count](const json& figure) {
+    const json& hover = figure["hover_corner"];
+    const auto readout = parsed(hover["readout"]);
+    BOOST_TEST_REQUIRE(readout.has_value(), hover.dump());
+    if (hover["ring"].is_null()) {
+      BOOST_TEST(readout->name == "");
+      check_near(place(*readout, figure["rest"]), hover["pointer"], 1);
+      ++count;
+    }
+  });
+  BOOST_TEST(count >= 6U);  // the three regions at least, at both widths
+}
+
+BOOST_AUTO_TEST_CASE(shows_nothing_beside_the_plot) {
+  for_each_figure([](const json& figure) {
+    BOOST_TEST(figure["hover_title"]["readout"] == "");
+    BOOST_TEST(figure["hover_title"]["ring"].is_null());
+    BOOST_TEST(figure["after_leaving"] == "");
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run_program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <string>
+
+namespace stillpoint::browser_test {
+
+/// The pages under test, written by the program, by name: design, infeasible, free, forced, region.
+/// All are made once for the whole test program.
+struct Pages {
+  Pages();
+
+  cli_test::Sandbox sandbox;
+  std::map<std::string, nlohmann::json> reports;  ///< what --json said beside the page
+};
+[[nodiscard]] const Pages& pages();
+
+enum class Scheme { light, dark };
+
+/// What probe.js saw: [page][look], where a look is "1280" or "400" (the width of the window in
+/// pixels) or "print" (laid out as on paper 700 pixels wide). One run of the browser a scheme.
+[[nodiscard]] const nlohmann::json& seen(Scheme scheme);
+
+/// Points of curves that the probe hovers over, by figure; from the reports and closed forms alone.
+/// In the units of the figure.
+[[nodiscard]] nlohmann::json curve_points(const std::string& page);
+
+/// What figures in millimetres multiply dimensionless lengths with.
+[[nodiscard]] double millimetres(const nlohmann::json& report);
+
+}  // namespace stillpoint::browser_test

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "browser.hpp"
+#include "pages.hpp"
+
+#include <zlib.h>
+#include <boost/test/unit_test.hpp>
+
+#include <regex>
+
+// The pages as the program wrote them, untouched, on paper.
+
+namespace {
+
+using namespace stillpoint::browser_test;
+
+/// What a stream of a PDF holds; empty where it is no deflated one.
+std::string inflated(const std::string& packed) {
+  std::string plain(std::size_t{1} << 22U, '\0');
+  uLongf size = plain.size();
+  const int status = ::uncompress(reinterpret_cast<Bytef*>(plain.data()), &size,
+                                  reinterpret_cast<const Bytef*>(packed.data()),
+                                  static_cast<uLong>(packed.size()));
+  plain.resize(status == Z_OK ? size : 0);
+  return plain;
+}
+
+/// The drawing of all pages.
+std::string drawing(const std::string& pdf) {
+  static const std::regex begin("[^d]stream\r?\n");
+  std::string text;
+  for (std::sregex_iterator at(pdf.begin(), pdf.end(), begin), end; at != end; ++at) {
+    const auto from = static_cast<std::size_t>(at->position() + at->length());
+    text += inflated(pdf.substr(from, pdf.find("endstream", from) - from));
+  }
+  return text;
+}
+
+auto count(const std::string& text, const std::string& pattern) {
+  const std::regex form(pattern);
+  return std::distance(std::sregex_iterator(text.begin(), text.end(), form), {});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(printing)
+
+BOOST_AUTO_TEST_CASE(gives_a_few_light_pages) {
+  for (const auto& [name, report] : pages().reports) {
+    BOOST_TEST_CONTEXT(name) {
+      const auto& sandbox = pages().sandbox;
+      const std::string file = name + ".pdf";
+      const Visit visited =
+          visit(sandbox, name + ".html",
+                {"--print-to-pdf=" + sandbox.path(file).string(), "--no-pdf-header-footer",
+                 "--blink-settings=preferredColorScheme=0"});
+      BOOST_TEST(visited.exit_code == 0);
+      BOOST_TEST(visited.console.empty(), visited.console);
+      const std::string pdf = sandbox.read(file);
+      BOOST_TEST(pdf.starts_with("%PDF-"));
+      BOOST_TEST(pdf.size() > 10'000U);
+      BOOST_TEST(pdf.size() < 1'000'000U);
+      const auto sheets = count(pdf, R"(/Type /Page\b)");
+      BOOST_TEST(sheets >= 1);
+      BOOST_TEST(sheets <= 4);
+      const std::string drawn = drawing(pdf);
+      BOOST_TEST(count(drawn, R"(\.1333\d* \.1333\d* \.1333\d* rg)") > 0);   // #222, text
+      BOOST_TEST(count(drawn, R"(\.0784\d* \.0941\d* \.1137\d* rg)") == 0);  // #14181d, paper
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
