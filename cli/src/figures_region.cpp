@@ -52,16 +52,19 @@ void add_vertical(Figure& figure, double f, const std::string& name) {
   if (f > figure.x.least && f < figure.x.most) {
     figure.curves.push_back(
         {"", {{{f, figure.y.least}, {f, figure.y.most}}}, Ink::grey, Dash::solid, false});
-    figure.notes.push_back({name, {f, figure.y.most * 0.985}, Anchor::end, true});
+    figure.notes.push_back({name, {f, figure.y.value(0.985)}, Anchor::end, true});
   }
 }
 
+/// A horizontal edge named above its left end, or below where the plot ends just above.
 void add_horizontal(Figure& figure, double delta, const std::string& name) {
   if (delta > figure.y.least && delta < figure.y.most) {
     figure.curves.push_back(
         {"", {{{figure.x.least, delta}, {figure.x.most, delta}}}, Ink::grey, Dash::solid, false});
-    const double x = figure.x.least + 0.02 * (figure.x.most - figure.x.least);
-    figure.notes.push_back({name, {x, delta}, Anchor::start});
+    constexpr double height = 0.07;  // of a line of words, in heights of the plot
+    const double edge = figure.y.position(delta);
+    const double y = edge + height < 1 ? delta : figure.y.value(edge - height);
+    figure.notes.push_back({name, {figure.x.value(0.02), y}, Anchor::start});
   }
 }
 
