@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "readout.hpp"
 
+#include <limits>
+
 // What the page shows under a mouse.
 
 namespace {
@@ -12,6 +14,21 @@ constexpr double five_digits = 5e-5;          // of the values under the pointer
 constexpr double region_samples = 2.5;        // pixels from a point of a curve to its next sample
 constexpr double motion_samples = 12;         // the same, of 60 samples a period
 constexpr double hundredth_of_a_unit = 1e-3;  // two decimals of some 300 units, of values near 1
+
+/// "at 0 after 7–15" for instance, of 15 half-cycles and a rest at x = 0.
+bool is_named(const MapRow& row, const std::string& name) {
+  static const std::regex form(R"((at|off) 0 after (\d+)(–(\d+)| or more)?)");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, form)) {
+    return false;
+  }
+  const double first = std::stod(parts[2]);
+  const double last = parts[4].matched   ? std::stod(parts[4])
+                      : parts[3].matched ? std::numeric_limits<double>::infinity()
+                                         : first;
+  return (parts[1] == "at") == (row.outcome == "stopped_at_zero") && first <= row.half_cycles &&
+         row.half_cycles <= last;
+}
 
 }  // namespace
 
@@ -79,6 +96,24 @@ BOOST_AUTO_TEST_CASE(shows_the_first_arc) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(shows_what_a_cell_of_a_map_stands_for) {
+  const auto rows = map_rows();
+  for (const char* look : {"1280", "400"}) {
+    const json& hovers = seen(Scheme::light)["sweep"][look]["figures"]["map"]["hover_asked"];
+    BOOST_TEST_REQUIRE(hovers.size() == rows.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto readout = parsed(hovers[i]["readout"]);
+      BOOST_TEST_REQUIRE(readout.has_value(), hovers[i].dump());
+      if (hovers[i]["ring"].is_null()) {  // else a curve is near
+        BOOST_TEST(is_named(rows[i], readout->name), hovers[i] << " of " << rows[i].half_cycles);
+        ++count;
+      }
+    }
+    BOOST_TEST(count > rows.size() / 2);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(shows_its_own_place_where_nothing_is_near) {
   std::size_t count = 0;
   for_each_figure([&count](const json& figure) {
@@ -86,7 +121,7 @@ BOOST_AUTO_TEST_CASE(shows_its_own_place_where_nothing_is_near) {
     const auto readout = parsed(hover["readout"]);
     BOOST_TEST_REQUIRE(readout.has_value(), hover.dump());
     if (hover["ring"].is_null()) {
-      BOOST_TEST(readout->name == "");
+      BOOST_TEST(readout->name.empty() == (figure["has_map"] == false), hover.dump());
       check_near(place(*readout, figure["rest"]), hover["pointer"], 1);
       ++count;
     }

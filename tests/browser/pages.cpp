@@ -2,6 +2,7 @@
 #include "pages.hpp"
 
 #include "browser.hpp"
+#include "sweep_table.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -38,6 +39,11 @@ std::vector<Wanted> wanted() {
       {"region",
        {"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f", "0.26", "--delta", "0.37"},
        0},
+      {"pulse", {"design", data + "/scenes/pulse.json"}, 0},
+      {"sweep",
+       {"sweep", "--v0", "1", "--p", "1", "--f", "0.001:0.35:40:log", "--delta", "0:0.5:30",
+        "--output", "map.csv"},
+       0},
   };
 }
 
@@ -58,7 +64,7 @@ std::string page_of_frames(const Pages& made) {
   json points = json::object();
   std::ostringstream frames;
   for (const auto& [name, report] : made.reports) {
-    points[name] = curve_points(name);
+    points[name] = points_of_interest(name);
     for (const Look& look : looks) {
       frames << "<iframe src=\"probed_" << name << ".html\" name=\"" << name << ' ' << look.name
              << "\" width=\"" << look.width << "\" height=\"" << height
@@ -136,7 +142,18 @@ double millimetres(const json& report) {
   return 1e3 * report["physical"]["length_unit_m"].get<double>();
 }
 
-json curve_points(const std::string& page) {
+std::vector<MapRow> map_rows() {
+  constexpr std::size_t every = 37;  // all columns and rows get their turn
+  const auto table = cli_test::read_csv(pages().sandbox.read("map.csv"));
+  std::vector<MapRow> rows;
+  for (std::size_t i = 0; i < table.rows.size(); i += every) {
+    rows.push_back({table.number(i, "f"), table.number(i, "delta"), table.number(i, "half_cycles"),
+                    table.at(i, "outcome")});
+  }
+  return rows;
+}
+
+json points_of_interest(const std::string& page) {
   if (page == "design") {
     const json& report = pages().reports.at(page);
     const json& design = report["design"];
@@ -154,6 +171,13 @@ json curve_points(const std::string& page) {
     const double x = std::sin(t) - f * (1 - std::cos(t));
     const double v = std::cos(t) - f * std::sin(t);
     return {{"motion", {{t, x}}}, {"phase", {{x, v}}}, {"energy", {{t, (x * x + v * v) / 2}}}};
+  }
+  if (page == "sweep") {
+    json points = json::array();
+    for (const MapRow& row : map_rows()) {
+      points.push_back({row.f, row.delta});
+    }
+    return {{"map", points}};
   }
   return json::object();
 }

@@ -7,11 +7,12 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace stillpoint::browser_test {
 
-/// The pages under test, written by the program, by name: design, infeasible, free, forced, region.
-/// All are made once for the whole test program.
+/// The pages under test, written by the program, by name: design, infeasible, free, forced, region,
+/// pulse, sweep (with a logarithmic axis). All are made once for the whole test program.
 struct Pages {
   Pages();
 
@@ -26,9 +27,18 @@ enum class Scheme { light, dark };
 /// pixels) or "print" (laid out as on paper 700 pixels wide). One run of the browser a scheme.
 [[nodiscard]] const nlohmann::json& seen(Scheme scheme);
 
-/// Points of curves that the probe hovers over, by figure; from the reports and closed forms alone.
-/// In the units of the figure.
-[[nodiscard]] nlohmann::json curve_points(const std::string& page);
+/// Some rows of the sweep that the page "sweep" draws.
+struct MapRow {
+  double f;
+  double delta;
+  double half_cycles;
+  std::string outcome;
+};
+[[nodiscard]] std::vector<MapRow> map_rows();
+
+/// Points of curves and maps that the probe hovers over, by figure; from the reports and closed
+/// forms alone. In the units of the figure.
+[[nodiscard]] nlohmann::json points_of_interest(const std::string& page);
 
 /// What figures in millimetres multiply dimensionless lengths with.
 [[nodiscard]] double millimetres(const nlohmann::json& report);

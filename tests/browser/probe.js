@@ -107,7 +107,7 @@
 
   const figure = (svg, asked) => {
     const {place, part} = axes(svg);
-    const seen = {box: box(svg), rest: state(svg)};
+    const seen = {box: box(svg), rest: state(svg), has_map: svg.querySelector('.plot image') !== null};
     for (const mark of seen.rest.marks) mark.due = place(mark.at);
     for (const tick of seen.rest.ticks)
       tick.due = tick.axis === 'x' ? place([tick.value, 1])[0] : place([1, tick.value])[1];
