@@ -29,7 +29,7 @@ struct HardCase {
   std::function<double(const Inputs<double>&)> by_naive;  ///< empty as `naive`
   std::function<Exact(const Inputs<Exact>&)> exact;
   int neighbours{2000};
-  bool alike{false};  ///< the neighbours have about the condition number of `inputs`
+  bool alike{false};  ///< most neighbours have about the condition number of `inputs`
 };
 
 [[nodiscard]] std::vector<HardCase> free_cases();
