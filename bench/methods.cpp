@@ -54,13 +54,15 @@ std::vector<Method> methods(const peers::ReferenceScene& scene) {
       {"dopri5",
        "Boost.Odeint's dopri5, error-controlled, events bracketed (TOMS 748) on its dense "
        "output; absolute and relative tolerance alike",
-       "tolerance", true, tolerances(), peers::dopri5});
+       "tolerance", true, tolerances(),
+       [](const peers::Scene& s, double tolerance) { return peers::dopri5(s, tolerance); }});
   all.push_back(
       {"RK4",
        "the classical Runge-Kutta method with a fixed step, written out so that W is evaluated "
        "twice a step; events bracketed by the step, then Newton's method within the bracket "
        "on shorter steps",
-       "step", true, steps(scene.scene.excitation), peers::runge_kutta4});
+       "step", true, steps(scene.scene.excitation),
+       [](const peers::Scene& s, double step) { return peers::runge_kutta4(s, step); }});
   all.push_back(
       {"rk8pd",
        "GSL's rk8pd with gsl_odeiv2_evolve_apply; it has no dense output, so events are found "

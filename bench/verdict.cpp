@@ -19,8 +19,8 @@ Verdict judge(const peers::ReferenceScene& scene, const peers::Result& result) {
   verdict.end = scene.free ? std::abs(result.end_time - truth.end_time)
                            : std::max(std::abs(result.x - truth.x), std::abs(result.v - truth.v));
   verdict.counts = counts_of(result);
-  verdict.counts_right =
-      verdict.counts == counts_of(truth) && (!scene.free || result.outcome == truth.outcome);
+  verdict.counts_right = result.finished && verdict.counts == counts_of(truth) &&
+                         (!scene.free || result.outcome == truth.outcome);
   return verdict;
 }
 

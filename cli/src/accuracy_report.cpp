@@ -26,13 +26,25 @@ std::string exponent(double error) {
   return error == 0 ? "0" : format("{:.1e}", error);
 }
 
-ordered_json method_json(const MethodFigures& now) {
+/// As --json has it.
+std::string_view not_run(peers::Run run) {
+  return run == peers::Run::nothing_moves ? "nothing_moves" : "too_long";
+}
+
+/// "tolerance 1e-09"; "" where it has none.
+std::string setting(const peers::MethodRow& now) {
+  return now.knob.empty() ? "" : format("{} {:.3g}", now.knob, now.setting);
+}
+
+ordered_json method_json(const peers::MethodRow& now, bool used) {
   ordered_json json{
-      {"name", now.name},         {"setting", now.setting},    {"used_by_simulate", now.used},
+      {"name", now.name},         {"setting", setting(now)},   {"used_by_simulate", used},
       {"wall_time_s", nullptr},   {"peak_error", nullptr},     {"end_error", nullptr},
       {"zero_passages", nullptr}, {"turning_points", nullptr}, {"sticks", nullptr},
-      {"counts_right", nullptr}};
-  if (!now.too_long) {
+      {"counts_right", nullptr},  {"not_run", nullptr}};
+  if (now.run != peers::Run::done) {
+    json["not_run"] = not_run(now.run);
+  } else {
     json["wall_time_s"] = now.time.median;
     json["peak_error"] = now.peak_error;
     json["end_error"] = now.end_error;
@@ -47,11 +59,11 @@ ordered_json method_json(const MethodFigures& now) {
 }  // namespace
 
 ordered_json accuracy_json(const SimulateInput& input, const AccuracyAnswer& answer) {
-  const peers::Result& truth = answer.exact.rounded;
+  const peers::Result& truth = answer.comparison.exact.rounded;
   const bool stops = truth.outcome != Outcome::running;
   ordered_json methods = ordered_json::array();
-  for (const MethodFigures& now : answer.methods) {
-    methods.push_back(method_json(now));
+  for (const peers::MethodRow& now : answer.comparison.rows) {
+    methods.push_back(method_json(now, methods.empty()));
   }
   return {{"schema", "stillpoint/accuracy-report/1"},
           {"program", program_json()},
@@ -72,7 +84,7 @@ ordered_json accuracy_json(const SimulateInput& input, const AccuracyAnswer& ans
 
 std::string accuracy_text(const SimulateInput& input, const AccuracyAnswer& answer,
                           const std::optional<std::string>& title, Style style) {
-  const peers::Result& truth = answer.exact.rounded;
+  const peers::Result& truth = answer.comparison.exact.rounded;
   const bool stops = truth.outcome != Outcome::running;
   Page page(style);
   add_title(page, "Accuracy", title);
@@ -96,18 +108,24 @@ std::string accuracy_text(const SimulateInput& input, const AccuracyAnswer& answ
   std::vector<std::vector<std::string>> rows{
       {"", "setting", "time", "error of peak", stops ? "of rest" : "of end", "counts", ""}};
   std::vector<Tone> tones{Tone::plain};
-  for (const MethodFigures& now : answer.methods) {
-    if (now.too_long) {
-      rows.push_back({std::string(now.name), now.setting, "", "", "", "", "not run: too long"});
+  for (const peers::MethodRow& now : answer.comparison.rows) {
+    if (now.run != peers::Run::done) {
+      rows.push_back(
+          {std::string(now.name), setting(now), "", "", "", "",
+           now.run == peers::Run::nothing_moves ? "not run: nothing moves" : "not run: too long"});
       tones.push_back(Tone::faint);
       continue;
     }
-    rows.push_back({std::string(now.name), now.setting, microseconds(now.time.median),
+    rows.push_back({std::string(now.name), setting(now), microseconds(now.time.median),
                     exponent(now.peak_error), exponent(now.end_error), counts(now.result),
                     now.counts_right ? "right" : "wrong"});
     tones.push_back(now.counts_right ? Tone::good : Tone::bad);
   }
   page.table(rows, tones);
+  page.line(
+      stops ? "Errors of the peak and of the place of rest are relative to the peak, of the "
+              "stop time to itself."
+            : "Errors of the peak and of x are relative to the peak, of v to p times the peak.");
   page.line(format("simulate uses stillpoint: {}.", answer.why));
   return page.text();
 }

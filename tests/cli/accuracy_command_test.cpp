@@ -111,6 +111,32 @@ BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
   const json fine = method(report, "RK4", "step 0.001");
   BOOST_TEST(fine["wall_time_s"].is_null());
   BOOST_TEST(fine["counts_right"].is_null());
+  BOOST_TEST(fine["not_run"] == "too_long");
+  BOOST_TEST(method(report, "stillpoint")["not_run"].is_null());
+}
+
+// Friction holds the mass: each of these used to run without end.
+BOOST_AUTO_TEST_CASE(where_nothing_moves_it_says_so) {
+  for (const Arguments& still :
+       {Arguments{"accuracy", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.2"},
+        Arguments{"accuracy", "--v0", "0", "--p", "1", "--f", "0.1", "--delta", "0", "--excitation",
+                  "rectangle", "--k", "0.05", "--lambda", "1"}}) {
+    const json report = report_of(*this, still);
+    BOOST_TEST(method(report, "dopri5")["not_run"] == "nothing_moves");
+    BOOST_TEST(method(report, "regularised")["not_run"] == "nothing_moves");
+    BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
+    BOOST_TEST(run(still).out.find("not run: nothing moves") != std::string::npos);
+  }
+}
+
+// The scene S1 in units of 1e-5: counts and relative errors do not depend on units.
+BOOST_AUTO_TEST_CASE(dopri5_is_as_good_on_a_small_motion) {
+  const json report =
+      report_of(*this, {"accuracy", "--v0", "1e-5", "--p", "1", "--f", "2e-7", "--delta", "2e-12"});
+  const json loose = method(report, "dopri5", "tolerance 1e-06");
+  BOOST_TEST(loose["counts_right"] == true);
+  BOOST_TEST(loose["peak_error"].get<double>() > 1e-8);
+  BOOST_TEST(loose["peak_error"].get<double>() < 1e-6);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,8 @@
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/peers/exact.hpp>
 #include <stillpoint/peers/methods.hpp>
 #include <stillpoint/peers/reference.hpp>
@@ -11,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -126,10 +130,112 @@ BOOST_AUTO_TEST_CASE(the_regularised_model_tends_to_the_motion) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_regularised_model_gives_up_when_told) {
-  const Result result = regularised(scene("S2").scene, 1e-2, 100);
-  BOOST_TEST(result.steps == 100);
-  BOOST_TEST((result.outcome == Outcome::running));
+BOOST_AUTO_TEST_CASE(peers_give_up_when_told) {
+  const Scene& long_one = scene("S2").scene;
+  constexpr std::int64_t most = 100;
+  for (const Result& result : {dopri5(long_one, 1e-9, {}, most), runge_kutta4(long_one, 1e-2, most),
+                               regularised(long_one, 1e-2, {}, most)}) {
+    BOOST_TEST(!result.finished);
+    BOOST_TEST(result.steps <= most);
+    BOOST_TEST((result.outcome == Outcome::running));
+    BOOST_TEST(result.end_time > 0);
+    BOOST_TEST(result.end_time < long_one.t_end);
+  }
+  // Held for long by friction under a fast load: looks at the load are effort as well.
+  const Scene held = with(Harmonic<>{0.05, 1000}, {1, 0.1, 0}, {0, 0}, 1000);
+  BOOST_TEST(!runge_kutta4(held, 1e-2, most).finished);
+  BOOST_TEST(runge_kutta4(held, 1e-2).finished);
+}
+
+BOOST_AUTO_TEST_CASE(peers_that_come_to_the_end_have_finished) {
+  for (const ReferenceScene& now : scenes()) {
+    BOOST_TEST(dopri5(now.scene, 1e-9).finished);
+    BOOST_TEST(runge_kutta4(now.scene, 1e-2).finished);
+    BOOST_TEST(regularised(now.scene, 1e-2).finished);
+  }
+}
+
+// The same motion in units 2^-17 times as large (f by it, Delta by its square): the arithmetic is
+// the same but for exponents, so that a method that is told of the size says the same.
+BOOST_AUTO_TEST_CASE(a_scene_in_other_units_is_no_other_problem) {
+  const double unit = std::ldexp(1, -17);
+  const Scene& s = scene("S1").scene;
+  const Scene small =
+      with(NoExcitation{}, {1, unit * s.oscillator.f, unit * unit * s.oscillator.delta},
+           {0, unit * s.start.v0}, s.t_end);
+  const Size size{unit, unit, 1};
+  const auto same = [&](const Result& of_small, const Result& of_unit) {
+    BOOST_TEST(of_small.turns == of_unit.turns);
+    BOOST_TEST(of_small.passages == of_unit.passages);
+    BOOST_TEST(of_small.steps == of_unit.steps);
+    BOOST_TEST(of_small.peak == unit * of_unit.peak);
+    BOOST_TEST(of_small.end_time == of_unit.end_time);
+  };
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    same(dopri5(small, tolerance, size), dopri5(s, tolerance));
+  }
+  same(regularised(small, 1e-2, size), regularised(s, 1e-2));
+  // Not told, it takes the small motion for nearly nothing.
+  BOOST_TEST(dopri5(small, 1e-6).turns != scene("S1").truth.turns);
+}
+
+namespace {
+
+void every_peer_is(Run run, const Comparison& comparison) {
+  for (std::size_t i = 1; i < comparison.rows.size(); ++i) {
+    BOOST_TEST((comparison.rows[i].run == run), comparison.rows[i].name);
+  }
+  BOOST_TEST((comparison.rows.front().run == Run::done));
+  BOOST_TEST(comparison.rows.front().counts_right);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(where_nothing_moves_no_peer_is_run) {
+  const auto nothing_moves = [](const Scene& s) { every_peer_is(Run::nothing_moves, compare(s)); };
+  nothing_moves(with(NoExcitation{}, {1, 0.1, 0.2}, {0, 0.1}, 1));      // caught at the start
+  nothing_moves(with(NoExcitation{}, {1, 0.5, 0}, {0.25, 0}, 1));       // in the dead zone
+  nothing_moves(with(Rectangle<>{0.05, 1}, {1, 0.1, 0}, {0, 0}, 1));    // k < f
+  nothing_moves(with(Harmonic<>{0.05, 1}, {1, 0.1, 0}, {0, 0}, 1000));  // held for ever
+  every_peer_is(Run::done, compare(with(NoExcitation{}, {1, 0.5, 0}, {1, 0}, 10)));
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_end_to_follow_it_to_is_refused) {
+  const Start<> start{0, 1};
+  BOOST_TEST(!far_enough({1, 0, 0}, start, NoExcitation{}).has_value());
+  // 1e9 half-cycles by the map, 1e150 by the closed form, which no integer counts.
+  BOOST_CHECK_THROW(static_cast<void>(far_enough({1, 1e-9, 1e-9}, start, NoExcitation{})),
+                    TooManyHalfCycles);
+  BOOST_CHECK_THROW(static_cast<void>(far_enough({1e150, 1, 0}, start, NoExcitation{})),
+                    TooManyHalfCycles);
+}
+
+// f a hair below k: the mass moves by 1e-23, and what the width of the regularised model then is
+// makes it stiffer than anybody would wait for.
+BOOST_AUTO_TEST_CASE(what_hardly_moves_is_given_up) {
+  const Comparison found =
+      compare(with(FullSine<>{1, 0.5}, {1, 0.999999999999, 0.125}, {0, 0}, 30));
+  BOOST_TEST(found.rows.front().result.turns == 1);
+  BOOST_TEST(found.rows.front().peak_error < 1e-8);
+  BOOST_TEST((found.rows.back().run == Run::too_long));
+  BOOST_TEST(found.rows.back().name == "regularised");
+}
+
+// dopri5's errors of S1 follow its tolerance in any units, since both are relative to the peak.
+BOOST_AUTO_TEST_CASE(errors_are_relative) {
+  for (const double unit : {1.0, 1e-5, 1e-100, 1e100}) {
+    const Comparison found =
+        compare(with(NoExcitation{}, {1, 0.02 * unit, 0.02 * unit * unit}, {0, unit}, 140));
+    const MethodRow& loose = found.rows[1];
+    BOOST_TEST(loose.name == "dopri5");
+    BOOST_TEST(loose.setting == 1e-6);
+    BOOST_TEST(loose.counts_right, "unit " << unit);
+    BOOST_TEST(loose.peak_error > 1e-8);
+    BOOST_TEST(loose.peak_error < 1e-6);
+    BOOST_TEST(loose.end_error < 2e-6);
+    BOOST_TEST(found.rows.front().peak_error < 4e-16);
+    BOOST_TEST(found.rows.front().end_error < 1e-15);
+  }
 }
 
 // Pulses, an excitation that ends, a start at x0, an uneven record: the rules beyond the scenes,

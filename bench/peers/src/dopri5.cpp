@@ -5,9 +5,9 @@
 
 namespace stillpoint::peers {
 
-Result dopri5(const Scene& scene, double tolerance) {
-  Dopri5 method(tolerance);
-  return run_events(scene, method);
+Result dopri5(const Scene& scene, double tolerance, const Size& size, std::int64_t most) {
+  Dopri5 method(tolerance, size);
+  return run_events(scene, method, most);
 }
 
 }  // namespace stillpoint::peers

@@ -6,9 +6,36 @@
 #include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace stillpoint::peers {
+
+/// The error of a step by what is allowed, as odeint's own checker has it, but with an absolute
+/// tolerance for each of x and v.
+class SizedErrorChecker {
+ public:
+  using value_type = double;
+
+  SizedErrorChecker(double tolerance, const Size& size)
+      : tolerance_(tolerance), size_{size.length, size.speed} {}
+
+  template <class Algebra, class Time>
+  double error(Algebra& /*algebra*/, const State& state, const State& rate, const State& error,
+               Time step) const {
+    double most = 0;
+    for (std::size_t i = 0; i < error.size(); ++i) {
+      const double scale = size_[i] + (std::abs(state[i]) + std::abs(step) * std::abs(rate[i]));
+      most = std::max(most, std::abs(error[i]) / (tolerance_ * scale));
+    }
+    return most;
+  }
+
+ private:
+  double tolerance_;
+  State size_;
+};
 
 /// What odeint::make_dense_output does, with steps that can be told to end at a kink: from one to
 /// the next the last derivative of a step stays the first of the next.
@@ -17,8 +44,8 @@ class Dopri5 {
   static constexpr bool locates_events = false;
   static constexpr bool has_dense_output = true;
 
-  explicit Dopri5(double tolerance)
-      : controlled_(boost::numeric::odeint::make_controlled(tolerance, tolerance, Dopri())) {}
+  Dopri5(double tolerance, const Size& size)
+      : controlled_(SizedErrorChecker(tolerance, size)), next_(1e-2 * size.time) {}
 
   template <class AnyMotion>
   void begin(const AnyMotion& motion, double t, const State& state) {
@@ -64,10 +91,10 @@ class Dopri5 {
     State rate{};
   };
 
-  boost::numeric::odeint::controlled_runge_kutta<Dopri> controlled_;
+  boost::numeric::odeint::controlled_runge_kutta<Dopri, SizedErrorChecker> controlled_;
   Point before_;
   Point now_;
-  double next_{1e-2};
+  double next_;
 };
 
 }  // namespace stillpoint::peers

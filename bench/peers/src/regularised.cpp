@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// The model without events that people write first, e the width:
+// The model without events that people write first, e the width as a speed, d as a length:
 //   x' = v,   v' = -W - p^2 x - (f + Delta bump(x)) tanh(v / e),
-//   bump(x) = 1 / (2 e cosh^2(x / e)), whose integral is 1.
+//   bump(x) = 1 / (2 d cosh^2(x / d)), whose integral is 1.
 // It creeps where the mass should be held, so what it says of rests is read off a band |v| < 3 e:
 // tanh 3 = 0.995 is as good as held. A turn is an entry into the band or a change of sign of v
 // across it, a stick an entry under a load that friction can hold. A passage is one from beyond the
@@ -23,18 +23,19 @@ namespace {
 template <class Load>
 class SmoothRun {
  public:
-  SmoothRun(const Scene& scene, const Load& load, double width, std::int64_t most_steps)
+  SmoothRun(const Scene& scene, const Load& load, double width, const Size& size, std::int64_t most)
       : scene_(scene),
         load_(load),
         stiffness_(scene.oscillator.p * scene.oscillator.p),
-        width_(width),
-        most_steps_(most_steps) {}
+        method_(width * 1e-3, size),
+        e_(width * size.speed),
+        d_(width * size.length),
+        most_steps_(most) {}
 
   Result run() {
     State state{scene_.start.x0, scene_.start.v0};
-    Dopri5 method(width_ * 1e-3);
     const auto motion = [this](const State& now, State& rate, double t) {
-      const double held = friction(now[0]) * std::tanh(now[1] / width_);
+      const double held = friction(now[0]) * std::tanh(now[1] / e_);
       rate = {now[1], -load_(t) - stiffness_ * now[0] - held};
     };
     result_.peak = std::abs(state[0]);
@@ -47,21 +48,22 @@ class SmoothRun {
         jumped = load_.next_stretch() || jumped;
       }
       if (jumped) {
-        method.begin(motion, t, state);
+        method_.begin(motion, t, state);
         jumped = false;
       }
       const double limit = std::min({load_.stretch_end(), scene_.t_end, t + reach(state)});
-      const Step step = method.step(motion, limit);
+      const Step step = method_.step(motion, limit);
       t = step.to;
-      if (state[1] * method.state()[1] < 0) {
-        const auto speed = [&](double when) { return method.at(motion, when)[1]; };
+      if (state[1] * method_.state()[1] < 0) {
+        const auto speed = [&](double when) { return method_.at(motion, when)[1]; };
         const double top = bracketed_root(speed, step.from, step.to);
-        result_.peak = std::max(result_.peak, std::abs(method.at(motion, top)[0]));
+        result_.peak = std::max(result_.peak, std::abs(method_.at(motion, top)[0]));
       }
-      observe(state, method.state(), t);
-      state = method.state();
+      observe(state, method_.state(), t);
+      state = method_.state();
     }
     result_.outcome = outcome(state, t);
+    result_.finished = t >= scene_.t_end || result_.outcome != Outcome::running;
     result_.end_time = result_.outcome == Outcome::running ? t : entered_;
     result_.x = state[0];
     result_.v = state[1];
@@ -69,22 +71,23 @@ class SmoothRun {
   }
 
  private:
-  [[nodiscard]] double band() const { return 3 * width_; }
+  [[nodiscard]] double slowest() const { return 3 * e_; }
+  [[nodiscard]] double edge() const { return 3 * d_; }
 
-  [[nodiscard]] bool slow(const State& state) const { return std::abs(state[1]) < band(); }
+  [[nodiscard]] bool slow(const State& state) const { return std::abs(state[1]) < slowest(); }
 
   /// On which side of x = 0 the mass is; 0 within the bump.
   [[nodiscard]] int side(const State& state) const {
-    const double edge = scene_.oscillator.delta > 0 ? band() : 0;
-    return state[0] > edge ? 1 : state[0] < -edge ? -1 : 0;
+    const double beyond = scene_.oscillator.delta > 0 ? edge() : 0;
+    return state[0] > beyond ? 1 : state[0] < -beyond ? -1 : 0;
   }
 
   [[nodiscard]] double friction(double x) const {
     if (side_ == 0) {
       return scene_.oscillator.f;
     }
-    const double c = std::cosh(std::min(std::abs(x) / width_, 300.0));
-    return scene_.oscillator.f + scene_.oscillator.delta / (2 * width_ * c * c);
+    const double c = std::cosh(std::min(std::abs(x) / d_, 300.0));
+    return scene_.oscillator.f + scene_.oscillator.delta / (2 * d_ * c * c);
   }
 
   /// How far a step may go without jumping over the bump.
@@ -93,7 +96,7 @@ class SmoothRun {
       return for_ever;
     }
     const double speed = std::hypot(state[1], scene_.oscillator.p * state[0]);
-    return std::max(width_, std::abs(state[0]) / 2) / std::max(speed, band());
+    return std::max(d_, std::abs(state[0]) / 2) / std::max(speed, slowest());
   }
 
   [[nodiscard]] bool held(const State& state, double t) const {
@@ -109,7 +112,7 @@ class SmoothRun {
     if (!at_rest_ || !settled(state, t)) {
       return Outcome::running;
     }
-    const bool in_notch = scene_.oscillator.delta > 0 && std::abs(state[0]) < band();
+    const bool in_notch = scene_.oscillator.delta > 0 && std::abs(state[0]) < edge();
     return in_notch ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone;
   }
 
@@ -134,7 +137,9 @@ class SmoothRun {
   const Scene& scene_;
   Load load_;
   double stiffness_;
-  double width_;
+  Dopri5 method_;
+  double e_;
+  double d_;
   std::int64_t most_steps_;
   bool at_rest_{true};
   int side_{0};
@@ -144,9 +149,9 @@ class SmoothRun {
 
 }  // namespace
 
-Result regularised(const Scene& scene, double width, std::int64_t most_steps) {
+Result regularised(const Scene& scene, double width, const Size& size, std::int64_t most) {
   return with_load(scene.excitation, [&](const auto& load) {
-    return SmoothRun(scene, load, width, most_steps).run();
+    return SmoothRun(scene, load, width, size, most).run();
   });
 }
 

@@ -88,9 +88,9 @@ class FixedStep {
 
 }  // namespace
 
-Result runge_kutta4(const Scene& scene, double step) {
+Result runge_kutta4(const Scene& scene, double step, std::int64_t most) {
   FixedStep method(step);
-  return run_events(scene, method);
+  return run_events(scene, method, most);
 }
 
 }  // namespace stillpoint::peers

@@ -18,12 +18,14 @@
 
 #include <stillpoint/peers/event_root.hpp>
 #include <stillpoint/peers/load.hpp>
+#include <stillpoint/peers/methods.hpp>
 #include <stillpoint/peers/motion.hpp>
 #include <stillpoint/peers/scene.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace stillpoint::peers {
@@ -31,17 +33,18 @@ namespace stillpoint::peers {
 template <class Load, class Method>
 class EventRun {
  public:
-  EventRun(const Scene& scene, const Load& load, Method& method)
+  EventRun(const Scene& scene, const Load& load, Method& method, std::int64_t most)
       : scene_(scene),
         load_(load),
         method_(method),
+        effort_left_(most),
         stiffness_(scene.oscillator.p * scene.oscillator.p),
         notch_(2 * scene.oscillator.delta),
         state_{scene.start.x0, scene.start.v0} {}
 
   Result run() {
     begin();
-    while (t_ < scene_.t_end && result_.outcome == Outcome::running) {
+    while (t_ < scene_.t_end && result_.outcome == Outcome::running && effort_left_ > 0) {
       if (resting_) {
         rest();
       } else {
@@ -81,7 +84,10 @@ class EventRun {
   }
 
   void finish() {
-    if (result_.outcome == Outcome::running && resting_ && load_.over() && held()) {
+    result_.finished = result_.outcome != Outcome::running || t_ >= scene_.t_end;
+    if (!result_.finished) {
+      result_.end_time = t_;
+    } else if (result_.outcome == Outcome::running && resting_ && load_.over() && held()) {
       stop_where_it_rests();
     } else if (result_.outcome == Outcome::running) {
       result_.end_time = t_;
@@ -108,6 +114,7 @@ class EventRun {
     if (load_.over()) {
       return stop_where_it_rests();
     }
+    --effort_left_;
     const double from = t_;
     t_ = std::min({t_ + load_.scan_step(), load_.stretch_end(), scene_.t_end});
     if (!held()) {
@@ -122,6 +129,7 @@ class EventRun {
   void set_off() { set_off(-load()); }
 
   void set_off(double push) {
+    effort_left_ -= event_effort;
     result_.sticks += t_ > rest_begin_ ? 1 : 0;
     direction_ = push < 0 ? -1 : 1;
     resting_ = false;
@@ -132,9 +140,10 @@ class EventRun {
     const Motion<Load> motion{load_, stiffness_, s, s * scene_.oscillator.f};
     method_.begin(motion, t_, state_);
     const bool inward = s * x() < 0;
-    while (t_ < scene_.t_end) {
+    while (t_ < scene_.t_end && effort_left_ > 0) {
       const Step step = method_.step(motion, std::min(load_.stretch_end(), scene_.t_end));
       ++result_.steps;
+      --effort_left_;
       if (step_ends(motion, step, inward)) {
         return;
       }
@@ -199,6 +208,7 @@ class EventRun {
   void count_passage(bool inward) { result_.passages += inward && direction_ * x() >= 0 ? 1 : 0; }
 
   void turn(bool inward) {
+    effort_left_ -= event_effort;
     count_passage(inward);
     v() = 0;
     ++result_.turns;
@@ -209,6 +219,7 @@ class EventRun {
   }
 
   void arrive() {
+    effort_left_ -= event_effort;
     const double left = v() * v() - notch_;
     x() = 0;
     if (left <= 0) {
@@ -220,9 +231,12 @@ class EventRun {
     enter_stretch();
   }
 
+  static constexpr std::int64_t event_effort = 10;  // about that of a bracketed root
+
   const Scene& scene_;
   Load load_;
   Method& method_;
+  std::int64_t effort_left_;
   double stiffness_;
   double notch_;
   State state_;
@@ -233,11 +247,11 @@ class EventRun {
   Result result_;
 };
 
-/// The motion of `scene` by `method`.
+/// The motion of `scene` by `method`, which may take an effort of `most` (methods.hpp).
 template <class Method>
-Result run_events(const Scene& scene, Method& method) {
+Result run_events(const Scene& scene, Method& method, std::int64_t most = usual_effort) {
   return with_load(scene.excitation,
-                   [&](const auto& load) { return EventRun(scene, load, method).run(); });
+                   [&](const auto& load) { return EventRun(scene, load, method, most).run(); });
 }
 
 }  // namespace stillpoint::peers

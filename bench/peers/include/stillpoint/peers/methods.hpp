@@ -3,21 +3,30 @@
 
 #include <stillpoint/peers/scene.hpp>
 
+#include <cstdint>
+
 namespace stillpoint::peers {
 
-/// Boost.Odeint's dopri5, adaptive, absolute and relative error a step at most `tolerance`. Events
-/// are sign changes over a step, bracketed on its dense output. Steps end at the kinks of W.
-[[nodiscard]] Result dopri5(const Scene& scene, double tolerance);
+// Each gives up, Result::finished false, after an effort of `most`: a step, a look at the load of a
+// mass at rest, and ten of them for an event.
+inline constexpr std::int64_t usual_effort = 20'000'000;
+
+/// Boost.Odeint's dopri5, adaptive: the error of a step is at most `tolerance`, relative to the
+/// state plus `size`. Events are sign changes over a step, bracketed on its dense output. Steps end
+/// at the kinks of W.
+[[nodiscard]] Result dopri5(const Scene& scene, double tolerance, const Size& size = {},
+                            std::int64_t most = usual_effort);
 
 /// The classical Runge-Kutta method with a fixed `step` in tau, shortened only to end at events and
 /// kinks. Events are sign changes over a step, then Newton's method within the bracket on
 /// shorter steps from its start.
-[[nodiscard]] Result runge_kutta4(const Scene& scene, double step);
+[[nodiscard]] Result runge_kutta4(const Scene& scene, double step,
+                                  std::int64_t most = usual_effort);
 
-/// The model without events: sgn v becomes tanh(v / width), dirac(x) a bump of that width, and
-/// dopri5 integrates it with the tolerance width / 1000. Below 3 width the mass counts as at rest.
-/// Gives up after `most_steps`, `running`.
-[[nodiscard]] Result regularised(const Scene& scene, double width,
-                                 std::int64_t most_steps = 20'000'000);
+/// The model without events: sgn v becomes tanh(v / e), dirac(x) a bump, both `width` wide as a
+/// part of `size`, and dopri5 integrates it with the tolerance width / 1000. Below 3 e the mass
+/// counts as at rest.
+[[nodiscard]] Result regularised(const Scene& scene, double width, const Size& size = {},
+                                 std::int64_t most = usual_effort);
 
 }  // namespace stillpoint::peers

@@ -29,6 +29,15 @@ struct Result {
   std::int64_t turns{0};
   std::int64_t sticks{0};
   std::int64_t steps{0};  ///< accepted integration steps; 0 where the method has none
+  bool finished{true};    ///< false: it gave up after the effort it was allowed, `running`
+};
+
+/// What an integrator may be told of a motion: its absolute tolerances are relative to this, so
+/// that a scene in other units is no other problem.
+struct Size {
+  double length{1};
+  double speed{1};
+  double time{1};  ///< in which the motion changes
 };
 
 }  // namespace stillpoint::peers
