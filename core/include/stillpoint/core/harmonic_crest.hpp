@@ -100,7 +100,7 @@ class HarmonicCrest {
     const Real length = to - from;
     const Real ends = max(magnitude(left.y), magnitude(right.y));
     so_far = max(so_far, ends);
-    if (bound(left, right, ends, length) <= so_far || monotone(left, right, length)) {
+    if (adds_nothing(bound(left, right, ends, length), so_far) || monotone(left, right, length)) {
       return so_far;
     }
     const Real middle = from + length / 2;
@@ -136,23 +136,25 @@ class HarmonicCrest {
     return flow_.fast() ? magnitude(point.y - point.w / (r * r - 1)) : magnitude(point.y);
   }
 
-  /// (F19), (F20): what |x''| cannot exceed between two points; a little above the truth where the
-  /// interval is so short that nothing more is to be gained.
+  /// (F20), and the same with the ripple split off: what |x''| cannot exceed between two points.
   [[nodiscard]] Real bound(const Point& left, const Point& right, const Real& ends,
                            const Real& length) const {
     using std::max;
-    const Real r = flow_.r();
-    const Real square = length * length;
-    if (square * max(Real(1), Real(r * r)) < 1e-13) {
-      return ends;
+    using std::min;
+    const Real eighth = length * length / 8;
+    const Real whole = 2 * eighth < 1 ? Real((ends + eighth * push_) / (1 - eighth))
+                                      : std::numeric_limits<Real>::max();
+    if (!flow_.fast() || length >= 3) {
+      return whole;
     }
-    if (flow_.fast() && length < 3) {
-      const Real c = 1 / (r * r - 1);
-      const Real cosine = SineBounds<Real>(Real(length / 2)).cosine_low;
-      return max(height(left), height(right)) / cosine + c * push_;
-    }
-    return square < 4 ? Real((ends + square / 8 * push_) / (1 - square / 8))
-                      : std::numeric_limits<Real>::max();
+    const Real c = 1 / (flow_.r() * flow_.r() - 1);
+    const Real cosine = SineBounds<Real>(Real(length / 2)).cosine_low;
+    return min(whole, Real(max(height(left), height(right)) / cosine + c * push_));
+  }
+
+  /// Nothing on an interval whose bound this is matters: |x''| <= (1 + 4 epsilon) so_far there.
+  static bool adds_nothing(const Real& bound, const Real& so_far) {
+    return bound <= so_far + 4 * std::numeric_limits<Real>::epsilon() * so_far;
   }
 
   /// The jerk keeps its sign, so that the largest |x''| is at an end.
