@@ -24,13 +24,6 @@ int write_and_close(int descriptor, std::string_view text) {
   return ::close(descriptor) != 0 && error == 0 ? errno : error;
 }
 
-bool same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
-  const auto resolved = [](const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
-  };
-  return resolved(a) == resolved(b);
-}
-
 /// What a new file would be allowed: mkstemp makes it readable by its owner alone.
 mode_t permissions_for_new_files() {
   const mode_t mask = ::umask(0);
@@ -55,14 +48,7 @@ void Output::write_file(std::string_view field, const std::string& path, std::st
     return;
   }
   // A link stays a link: what it points to is replaced.
-  const std::filesystem::path target = behind_links(path);
-  for (const Staged& other : staged_) {
-    if (same_place(other.target, target)) {
-      throw UsageError(
-          fmt::format("{} and {} are both {}: give two files", other.field, field, path));
-    }
-  }
-  stage(field, target, text);
+  stage(field, behind_links(path), text);
 }
 
 void Output::stage(std::string_view field, const std::filesystem::path& target,

@@ -22,7 +22,8 @@ class Output {
 
   void print(std::string_view text) { printed_ += text; }
 
-  /// Throws UsageError, naming the field, where the file cannot be written.
+  /// Throws UsageError, naming the field, where the file cannot be written. No two files may be
+  /// one, see require_files_apart.
   void write_file(std::string_view field, const std::string& path, std::string_view text);
 
   /// Throws UsageError where anything cannot be written.

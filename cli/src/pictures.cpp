@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <filesystem>
 #include <numbers>
 #include <span>
@@ -148,6 +149,32 @@ Figure pulse_figure(const design::Pulse& pulse, const design::Problem& problem,
 
 }  // namespace
 
+std::span<const std::string_view> figure_names(Command command) {
+  static constexpr std::array<std::string_view, 5> of_design{"region", "motion", "phase", "energy",
+                                                             "pulse"};
+  static constexpr std::array<std::string_view, 1> of_region{"region"};
+  static constexpr std::array<std::string_view, 4> of_simulate{"motion", "phase", "energy",
+                                                               "excitation"};
+  static constexpr std::array<std::string_view, 1> of_sweep{"map"};
+  switch (command) {
+    case Command::design:
+      return of_design;
+    case Command::region:
+      return of_region;
+    case Command::simulate:
+      return of_simulate;
+    case Command::sweep:
+      return of_sweep;
+    case Command::accuracy:
+      break;
+  }
+  return {};
+}
+
+std::string svg_path(const std::string& directory, std::string_view figure) {
+  return (std::filesystem::path(directory) / format("{}.svg", figure)).string();
+}
+
 bool wants_pictures(const Settings& settings) {
   return settings.has("html") || settings.has("svg");
 }
@@ -249,8 +276,8 @@ void write_pictures(const Settings& settings, Command command, HtmlPage page, Ou
   }
   for (const Figure& figure : page.figures) {
     if (directory) {
-      const std::filesystem::path path = std::filesystem::path(*directory) / (figure.id + ".svg");
-      output.write_file("svg", path.string(), svg(figure, Frame::alone));
+      assert(std::ranges::count(figure_names(command), figure.id) == 1);
+      output.write_file("svg", svg_path(*directory, figure.id), svg(figure, Frame::alone));
     }
   }
 }

@@ -8,7 +8,17 @@
 #include "sweep_map.hpp"
 #include "sweep_report.hpp"
 
+#include <span>
+#include <string>
+#include <string_view>
+
 namespace stillpoint::cli {
+
+/// The figures that a command may draw; each is a file NAME.svg of --svg.
+[[nodiscard]] std::span<const std::string_view> figure_names(Command command);
+
+/// The file of a figure in the directory of --svg.
+[[nodiscard]] std::string svg_path(const std::string& directory, std::string_view figure);
 
 /// Whether --html or --svg asks for any.
 [[nodiscard]] bool wants_pictures(const Settings& settings);

@@ -8,6 +8,7 @@
 #include "progress.hpp"
 #include "scene.hpp"
 #include "sweep.hpp"
+#include "written_files.hpp"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     let_flags_choose_the_excitation(invocation.flags, scene);
     settings.complete_with(scene);
   }
+  require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run_command(invocation.command, settings, output);
   note_unused(scene, invocation.command);
   return code;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "written_files.hpp"
+
+#include "pictures.hpp"
+#include "writing.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+struct NamedFile {
+  std::string field;
+  std::string path;
+};
+
+std::string shown(const NamedFile& file) {
+  return fmt::format("{} {}", file.field, file.path == "-" ? "on standard input" : file.path);
+}
+
+std::vector<NamedFile> read_files(Command command, const Settings& settings,
+                                  const std::optional<std::string>& scene) {
+  std::vector<NamedFile> files;
+  if (scene) {
+    files.push_back({"scene", *scene});
+  }
+  for (const char* const option : {"record", "list"}) {
+    if (const auto path = settings.text(option); path && find_option(option)->serves(command)) {
+      files.push_back({option, *path});
+    }
+  }
+  return files;
+}
+
+std::vector<NamedFile> written_files(Command command, const Settings& settings) {
+  std::vector<NamedFile> files;
+  for (const char* const option : {"trajectory", "html", "output"}) {
+    if (const auto path = settings.text(option); path && find_option(option)->serves(command)) {
+      files.push_back({option, *path});
+      if (command == Command::sweep && option == std::string_view("output")) {
+        files.push_back({option, *path + ".part"});
+        files.push_back({option, *path + ".part.json"});
+      }
+    }
+  }
+  if (const auto directory = settings.text("svg");
+      directory && find_option("svg")->serves(command)) {
+    for (const std::string_view figure : figure_names(command)) {
+      files.push_back({"svg", svg_path(*directory, figure)});
+    }
+  }
+  return files;
+}
+
+/// What is no name is refused where the file is written, in its own words.
+bool may_be_a_file(const std::string& path) {
+  return !path.empty() && path != "-" && !is_special_file(path);
+}
+
+std::filesystem::path place(const std::string& path) {
+  std::error_code unreachable;
+  const auto whole = std::filesystem::absolute(behind_links(path), unreachable);
+  auto resolved = std::filesystem::weakly_canonical(whole, unreachable);
+  return unreachable ? whole.lexically_normal() : resolved;
+}
+
+/// By name as well, for what is not there yet.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code not_there;
+  return std::filesystem::equivalent(a, b, not_there) || place(a) == place(b);
+}
+
+}  // namespace
+
+void require_files_apart(Command command, const Settings& settings,
+                         const std::optional<std::string>& scene) {
+  const std::vector<NamedFile> inputs = read_files(command, settings, scene);
+  const std::vector<NamedFile> outputs = written_files(command, settings);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const NamedFile& output = outputs[i];
+    if (!may_be_a_file(output.path)) {
+      continue;
+    }
+    for (const NamedFile& input : inputs) {
+      if (same_file(input.path == "-" ? "/dev/stdin" : input.path, output.path)) {
+        throw UsageError(fmt::format("{} would overwrite the {}: give another file", shown(output),
+                                     shown(input)));
+      }
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const NamedFile& other = outputs[j];
+      const bool both_standard = is_standard_output(other.path) && is_standard_output(output.path);
+      if (may_be_a_file(other.path) && !both_standard && same_file(other.path, output.path)) {
+        throw UsageError(
+            fmt::format("{} and {} are one file: give two", shown(other), shown(output)));
+      }
+    }
+  }
+}
+
+}  // namespace stillpoint::cli
