@@ -82,20 +82,6 @@ ExcitationInput record(const Settings& settings, double time_s, double gravity) 
 
 }  // namespace
 
-void let_flags_choose_the_excitation(const Settings& flags, Settings& scene) {
-  const std::string type = flags.text("excitation").value_or(flags.has("record") ? "record" : "");
-  if (type == "record") {
-    for (const std::string_view name : wave_options) {
-      scene.drop(name);
-    }
-    scene.drop("excitation");
-  } else if (!type.empty()) {
-    for (const std::string_view name : record_options) {
-      scene.drop(name);
-    }
-  }
-}
-
 std::optional<ExcitationInput> excitation_input(const Settings& settings, double time_s,
                                                 double gravity) {
   const std::string type =

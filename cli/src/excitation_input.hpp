@@ -21,10 +21,6 @@ struct ExcitationInput {
   std::optional<double> record_scale;
 };
 
-/// Where a flag asks for a record the scene's wave is no more, and the other way round: drops the
-/// options of it.
-void let_flags_choose_the_excitation(const Settings& flags, Settings& scene);
-
 /// Empty where nothing is asked for. A record's seconds are divided by `time_s`, the unit of tau.
 /// Throws UsageError for options that do not go together or a file that is not in order, and
 /// InputError for a wrong value.

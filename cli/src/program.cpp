@@ -3,10 +3,10 @@
 
 #include "command_line.hpp"
 #include "commands.hpp"
-#include "excitation_input.hpp"
 #include "page.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
+#include "scene_and_flags.hpp"
 #include "sweep.hpp"
 #include "written_files.hpp"
 
@@ -63,8 +63,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   }
   if (invocation.scene) {
     scene = read_scene(*invocation.scene, invocation.command);
-    let_flags_choose_the_excitation(invocation.flags, scene);
-    settings.complete_with(scene);
+    settings = scene_and_flags(invocation.command, invocation.flags, scene);
   }
   require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run_command(invocation.command, settings, output);

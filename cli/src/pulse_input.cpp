@@ -9,8 +9,16 @@
 
 namespace stillpoint::cli {
 
+std::optional<std::string> pulse_type(const Settings& settings) {
+  auto type = settings.text("pulse");
+  if (type && *type != "half-sine" && *type != "rectangle") {
+    throw InputError("pulse", *type, "must be half-sine or rectangle");
+  }
+  return type;
+}
+
 std::optional<design::Pulse> pulse_input(const Settings& settings) {
-  const auto type = settings.text("pulse");
+  const auto type = pulse_type(settings);
   if (!type) {
     // A scene's excitation is for simulate, and these are its options.
     for (const char* const name : {"k", "lambda"}) {
@@ -19,9 +27,6 @@ std::optional<design::Pulse> pulse_input(const Settings& settings) {
       }
     }
     return std::nullopt;
-  }
-  if (*type != "half-sine" && *type != "rectangle") {
-    throw InputError("pulse", *type, "must be half-sine or rectangle");
   }
   const double k = settings.required("k", "give --k, the peak of the pulse in g");
   const double lambda = settings.required("lambda", "give --lambda, its angular frequency");

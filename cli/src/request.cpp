@@ -217,6 +217,10 @@ DesignInput design_input(const Settings& settings) {
 }
 
 RegionInput region_input(const Settings& settings) {
+  if (settings.has("pulse") && !settings.has("v0") && !settings.has("velocity")) {
+    throw InputError::missing(
+        "v0", "region needs a velocity, not a pulse: give --v0, or --velocity in m/s");
+  }
   const Task given = task(settings, false);
   RegionInput input{given.problem, given.limits, settings.number("f"), {}, given.physical};
   input.delta = point_friction(settings, "delta", "delta-m", given.physical);

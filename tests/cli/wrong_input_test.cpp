@@ -346,7 +346,7 @@ const std::vector<Wrong> scenes{
          "samples": 18446744073709551615})"},
     {"contradiction_with_a_flag",
      {"design", "-", "--velocity", "1"},
-     {"v0 and velocity", "exclude each other"},
+     {"p and velocity", "exclude each other"},
      "{" + good + "}"},
 };
 
