@@ -53,6 +53,18 @@ SimulateAnswer free_answer(const SimulateInput& input) {
   return answer;
 }
 
+/// A motion that excitation throws far rests late; where it is listed it must be followed until
+/// then.
+void require_followable(const SimulateInput& input, double horizon) {
+  const double latest = largest_phase / input.oscillator.p;
+  if (!input.t_end && horizon > latest) {
+    throw InputError::missing(
+        "t-end", fmt::format("the motion goes on to tau = {:.6g} and can be followed up to {:.6g}: "
+                             "give --t-end",
+                             horizon, latest));
+  }
+}
+
 SimulateAnswer forced_answer(const SimulateInput& input) {
   const Excitation& excitation = input.excitation->excitation;
   Progress progress(progress_in_tau(input.t_end.value_or(0)));
@@ -80,6 +92,7 @@ SimulateAnswer forced_answer(const SimulateInput& input) {
   const Response& what_any_motion_has = *answer.forced;
   answer.response = what_any_motion_has;
   const double horizon = forced_horizon(input, *answer.forced);
+  require_followable(input, horizon);
   trace(horizon);
   answer.half_cycles = forced_half_cycles(input.oscillator, input.start, excitation, horizon,
                                           input.max_half_cycles, ask.go_on);

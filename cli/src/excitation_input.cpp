@@ -54,7 +54,7 @@ Excitation harmonic(const Settings& settings) {
                     settings.number("duration").value_or(std::numeric_limits<double>::infinity())};
 }
 
-ExcitationInput record(const Settings& settings, double time_s, double gravity) {
+ExcitationInput record(const Settings& settings, const RecordClock& clock, double gravity) {
   refuse(settings, wave_options, "record");
   RecordOptions options;
   options.step = settings.number("record-step");
@@ -63,15 +63,16 @@ ExcitationInput record(const Settings& settings, double time_s, double gravity) 
   }
   options.scale = settings.number("record-scale").value_or(1);
   options.gravity_m_per_s2 = gravity;
+  options.clock = clock;
   const auto path = settings.text("record");
   if (!path) {
     throw InputError::missing("record", "give --record FILE");
   }
   RecordFile file = read_record(*path, options);
   for (double& time : file.times) {
-    time /= time_s;
+    time /= clock.per_tau;
   }
-  return {Record<>{std::move(file.values), file.step / time_s, std::move(file.times)},
+  return {Record<>{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
           "record",
           path,
           file.description,
@@ -82,7 +83,7 @@ ExcitationInput record(const Settings& settings, double time_s, double gravity) 
 
 }  // namespace
 
-std::optional<ExcitationInput> excitation_input(const Settings& settings, double time_s,
+std::optional<ExcitationInput> excitation_input(const Settings& settings, const RecordClock& clock,
                                                 double gravity) {
   const std::string type =
       settings.text("excitation").value_or(settings.has("record") ? "record" : "");
@@ -93,7 +94,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, double
   }
   std::optional<ExcitationInput> input;
   if (type == "record") {
-    input = record(settings, time_s, gravity);
+    input = record(settings, clock, gravity);
   } else {
     refuse(settings, record_options, type);
     Excitation excitation;

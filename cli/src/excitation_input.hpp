@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "record_clock.hpp"
 #include "settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
@@ -21,10 +22,11 @@ struct ExcitationInput {
   std::optional<double> record_scale;
 };
 
-/// Empty where nothing is asked for. A record's seconds are divided by `time_s`, the unit of tau.
+/// Empty where nothing is asked for. A record's times become tau by its `clock`.
 /// Throws UsageError for options that do not go together or a file that is not in order, and
 /// InputError for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
-                                                              double time_s, double gravity);
+                                                              const RecordClock& clock,
+                                                              double gravity);
 
 }  // namespace stillpoint::cli

@@ -77,18 +77,32 @@ void check_count(const Row& row, std::size_t wanted, const RecordColumns& record
   }
 }
 
-void add_time(std::string_view text, RecordColumns& record, const RecordLines& lines) {
+void add_time(std::string_view text, RecordColumns& record, const RecordLines& lines,
+              const RecordClock& clock) {
   const double time = lines.parse_number(text);
-  if (!record.times.empty() && !(time > record.times.back())) {
-    lines.refuse(fmt::format("time {}: must be more than {}, the time before it", time,
-                             record.times.back()));
+  if (!(time >= 0)) {
+    lines.refuse(fmt::format("time {} {}: must be at least 0", time, clock.unit));
+  }
+  if (!clock.reaches(time)) {
+    lines.refuse(
+        fmt::format("time {} {}: must be at most {:.3g}", time, clock.unit, clock.latest()));
+  }
+  if (!record.times.empty()) {
+    const double before = record.times.back();
+    if (!(time > before)) {
+      lines.refuse(fmt::format("time {}: must be more than {}, the time before it", time, before));
+    }
+    if (!clock.tells_apart(before, time)) {
+      lines.refuse(fmt::format("time {} {}: is too near to {}, the time before it", time,
+                               clock.unit, before));
+    }
   }
   record.times.push_back(time);
 }
 
 }  // namespace
 
-RecordColumns read_columns(RecordLines& lines, const RecordScale& scale) {
+RecordColumns read_columns(RecordLines& lines, const RecordScale& scale, const RecordClock& clock) {
   RecordColumns record;
   std::size_t count = 0;
   while (lines.next()) {
@@ -104,7 +118,7 @@ RecordColumns read_columns(RecordLines& lines, const RecordScale& scale) {
     }
     check_count(row, count, record, lines);
     if (count == most_columns) {
-      add_time(row.columns[0], record, lines);
+      add_time(row.columns[0], record, lines, clock);
     }
     record.values.push_back(scale.read(row.columns[count - 1], lines));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "record_clock.hpp"
 #include "record_lines.hpp"
 #include "record_scale.hpp"
 
@@ -12,7 +13,7 @@ namespace stillpoint::cli {
 
 /// Time and value, or value alone.
 struct RecordColumns {
-  std::vector<double> times;  ///< increasing; empty where there are values alone
+  std::vector<double> times;  ///< from 0 on, increasing; empty where there are values alone
   std::vector<double> values;
   std::string description;    ///< the first comment
   std::size_t first_line{0};  ///< that holds values
@@ -20,7 +21,8 @@ struct RecordColumns {
 
 /// One or two columns between blanks, tabs or commas. What follows a # is a comment; blank lines
 /// are passed over.
-[[nodiscard]] RecordColumns read_columns(RecordLines& lines, const RecordScale& scale);
+[[nodiscard]] RecordColumns read_columns(RecordLines& lines, const RecordScale& scale,
+                                         const RecordClock& clock);
 
 /// The step h = t_1 of times that are 0, h, 2 h, ... but for the rounding of doubles:
 ///

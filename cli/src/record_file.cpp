@@ -25,9 +25,22 @@ namespace {
 constexpr double smallest_scale = 1e-100;
 constexpr double largest_scale = 1e100;
 
+bool holds_step(const RecordClock& clock, double step) {
+  return clock.reaches(step) && clock.tells_apart(0, step);
+}
+
+std::string out_of_reach(const RecordClock& clock) {
+  return fmt::format("must be from {:.3g} to {:.3g} {}", clock.shortest(), clock.latest(),
+                     clock.unit);
+}
+
 void check(const RecordOptions& options) {
   if (options.step && !(std::isfinite(*options.step) && *options.step > 0)) {
-    throw InputError("record-step", *options.step, "must be a finite number of seconds above 0");
+    throw InputError("record-step", *options.step,
+                     fmt::format("must be a finite number of {} above 0", options.clock.unit));
+  }
+  if (options.step && !holds_step(options.clock, *options.step)) {
+    throw InputError("record-step", *options.step, out_of_reach(options.clock));
   }
   const double magnitude = std::abs(options.scale);
   if (!(magnitude >= smallest_scale && magnitude <= largest_scale)) {
@@ -66,6 +79,9 @@ void refuse_step(const RecordOptions& options, const RecordLines& lines, std::si
 RecordFile read_at2(RecordLines& lines, const RecordOptions& options) {
   At2Header header = read_at2_header(lines);
   refuse_step(options, lines, header.line, "DT stands here");
+  if (!holds_step(options.clock, header.step)) {
+    lines.refuse(header.line, fmt::format("DT = {}: {}", header.step, out_of_reach(options.clock)));
+  }
   if (header.units && options.units && *header.units != *options.units) {
     lines.refuse(header.units_line,
                  fmt::format("the values are in {}, which record-units = {} contradicts",
@@ -76,7 +92,7 @@ RecordFile read_at2(RecordLines& lines, const RecordOptions& options) {
 }
 
 RecordFile read_plain(RecordLines& lines, const RecordOptions& options) {
-  RecordColumns columns = read_columns(lines, scale_for(options, options.units));
+  RecordColumns columns = read_columns(lines, scale_for(options, options.units), options.clock);
   RecordFile record{std::move(columns.values), 0, {}, std::move(columns.description)};
   if (columns.times.empty()) {
     if (!options.step) {

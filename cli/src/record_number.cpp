@@ -29,6 +29,9 @@ ScannedNumber scan_c_number(std::string_view text) {
   if (error == std::errc::result_out_of_range) {
     return {0, NumberFault::out_of_range};
   }
+  if (std::fpclassify(value) == FP_SUBNORMAL) {
+    return {0, NumberFault::out_of_range};
+  }
   return {value, std::isfinite(value) ? NumberFault::none : NumberFault::not_finite};
 }
 

@@ -15,8 +15,9 @@ struct RecordScale {
 
   /// The acceleration that `text`, a part of this line, stands for; refuses where it is none.
   [[nodiscard]] double read(std::string_view text, const RecordLines& lines) const {
-    const double value = lines.parse_number(text) * factor / units_per_g;
-    if (!std::isfinite(value)) {
+    const double given = lines.parse_number(text);
+    const double value = given * factor / units_per_g;
+    if (given != 0 && !std::isnormal(value)) {
       lines.refuse(quoted(text) + " is out of range once it is scaled");
     }
     return value;

@@ -254,10 +254,12 @@ SimulateInput simulate_input(const Settings& settings) {
   if (settings.has("samples") && !input.trajectory) {
     throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
   }
-  const PhysicalInput none;
+  require_valid(input.oscillator, input.start);
+  const RecordClock clock = input.physical
+                                ? RecordClock{"s", input.physical->scales.time_s, motion.p}
+                                : RecordClock{"tau", 1, motion.p};
   input.excitation = excitation_input(
-      settings, input.physical ? input.physical->scales.time_s : none.scales.time_s,
-      settings.number("gravity").value_or(none.scales.gravity_m_per_s2));
+      settings, clock, settings.number("gravity").value_or(design::Scales().gravity_m_per_s2));
   if (input.t_end && !input.trajectory && !input.excitation) {
     throw UsageError(
         "t-end is for a trajectory or an excitation: give --trajectory FILE or --excitation as "
@@ -271,8 +273,6 @@ SimulateInput simulate_input(const Settings& settings) {
       throw InputError::missing("t-end", "give --t-end, the excitation never ends");
     }
     require_valid(input.oscillator, input.start, input.excitation->excitation, input.t_end);
-  } else {
-    require_valid(input.oscillator, input.start);
   }
   return input;
 }

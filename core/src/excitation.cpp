@@ -19,7 +19,6 @@ namespace stillpoint {
 
 namespace {
 
-constexpr double largest_phase = 1e15;
 constexpr double largest_ratio = 1e12;
 
 void require_wave(double k, double lambda) {

@@ -21,8 +21,9 @@ void require_valid(const PulseProblem& problem, const Limits& limits) {
   const double lambda = angular_frequency(problem.pulse);
   if (!(lambda >= problem.p && lambda <= shortest_pulse * problem.p)) {
     throw InputError("lambda", lambda,
-                     fmt::format("must be from p to {:g} p (p = {}): a longer pulse is no impulse",
-                                 shortest_pulse, problem.p));
+                     fmt::format("must be from p to {:g} p (p = {}): {}", shortest_pulse, problem.p,
+                                 lambda < problem.p ? "a longer pulse is no impulse"
+                                                    : "a shorter pulse cannot be followed"));
   }
   require_valid(problem_at(problem, 0), limits);
 }

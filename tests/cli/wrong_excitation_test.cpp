@@ -25,6 +25,11 @@ Wrong scene(const char* name, const std::string& excitation, const Texts& says) 
 
 const Arguments step_record{"--record", "values.txt", "--record-step", "1"};
 
+/// At a period of 2 s.
+Arguments in_seconds(const char* record) {
+  return {"simulate", "--period", "2", "--f", "0.1", "--delta-m", "0", "--record", record};
+}
+
 const std::vector<Wrong> wrong_inputs{
     {"type_unknown", pulse("sine"), {"excitation = sine", "harmonic, half-sine"}},
     {"type_empty", pulse(""), {"excitation = ", "must be harmonic"}},
@@ -87,6 +92,31 @@ const std::vector<Wrong> wrong_inputs{
     {"record_whose_time_does_not_grow",
      at_rest({"--record", "times.txt"}),
      {"record times.txt, line 3", "time 1"}},
+    {"record_that_begins_before_0",
+     at_rest({"--record", "before.txt"}),
+     {"record before.txt, line 2: time -1 tau", "at least 0"}},
+    {"record_that_begins_before_0_in_seconds",
+     in_seconds("before.txt"),
+     {"record before.txt, line 2: time -1 s", "at least 0"}},
+    {"record_that_goes_on_too_long",
+     in_seconds("long.txt"),
+     {"record long.txt, line 2: time 1e+300 s", "at most"}},
+    {"record_whose_times_are_too_near",
+     in_seconds("near.txt"),
+     {"record near.txt, line 2: time 2e-300 s", "too near to 1e-300"}},
+    {"record_of_subnormal_values",
+     in_seconds("tiny.txt"),
+     {"record tiny.txt, line 1: \"1e-320\" is out of range"}},
+    {"record_step_too_small",
+     at_rest({"--record", "values.txt", "--record-step", "1e-200"}),
+     {"record-step = 1e-200", "1e-150", "tau"}},
+    {"record_dt_too_small",
+     in_seconds("dense.at2"),
+     {"record dense.at2, line 4: DT = 1e-200", " s"}},
+    {"pulse_whose_motion_goes_on_too_long",
+     {"simulate", "--p", "1", "--f", "0.01", "--delta", "0", "--excitation", "rectangle", "--k",
+      "1e100", "--lambda", "1e12"},
+     {"t-end is missing", "tau = 4.9348e+90", "give --t-end"}},
     {"record_that_holds_less_than_it_says",
      at_rest({"--record", "short.at2"}),
      {"record short.at2, line ", "4"}},
@@ -136,6 +166,12 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_excitation, data::make(wrong_inputs), wron
   write("empty.txt", "");
   write("text.txt", "# comment\n0 0.1\n1 0.2\n2 much\n");
   write("times.txt", "0 0.1\n1 0.2\n1 0.3\n");
+  write("before.txt", "# comment\n-1 0.1\n1 0.2\n");
+  write("long.txt", "1e-300 1\n1e300 1\n");
+  write("near.txt", "1e-300 1\n2e-300 1\n");
+  write("tiny.txt", "0 1e-320\n1 1\n");
+  write("dense.at2",
+        "A\nB\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= 3, DT= 1e-200 SEC\n.1 .2 .3\n");
   write("short.at2",
         "A\nB\nACCELERATION TIME HISTORY IN UNITS OF G\nNPTS= 4, DT= .01 SEC\n.1 .2 .3\n");
   check_refused(*this, wrong);

@@ -54,6 +54,10 @@ struct NoExcitation {};
 using Excitation =
     std::variant<NoExcitation, Harmonic<>, HalfSine<>, FullSine<>, Rectangle<>, Record<>>;
 
+/// p tau, lambda tau and the phase are at most this in a run under an excitation: further on sines
+/// lose their digits.
+inline constexpr double largest_phase = 1e15;
+
 /// The excitation is 0 from here on; infinite where it never ends.
 [[nodiscard]] double duration(const Excitation& excitation);
 
