@@ -81,7 +81,8 @@ constexpr std::array table{
     Option{"k", number, "K", shaking, "its peak in g, or that of the pulse",
            design | motions | sweep},
     Option{"lambda", number, "L", shaking,
-           "angular frequency; half-sine and rectangle last pi/L, full-sine 2 pi/L",
+           "angular frequency, dimensionless with physical input too: L/p times the natural one; "
+           "half-sine and rectangle last pi/L, full-sine 2 pi/L",
            design | motions | sweep},
     Option{"phase", number, "PHI", shaking, "of harmonic, W = K sin(L tau + PHI); default 0",
            motions | sweep},

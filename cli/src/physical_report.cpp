@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 namespace stillpoint::cli {
 
@@ -79,6 +80,21 @@ void add_response(Quantities& list, const design::Scales& scales,
   list.push_back({"arrival_speed_m_per_s", times(now.arrival_speed, scales.velocity_m_per_s)});
 }
 
+/// Of a wave; null for a record and where there is none.
+void add_excitation(Quantities& list, const design::Scales& scales, const Excitation& excitation) {
+  std::optional<double> lambda;
+  std::visit(
+      [&lambda](const auto& kind) {
+        if constexpr (requires { kind.lambda; }) {
+          lambda = kind.lambda;
+        }
+      },
+      excitation);
+  list.push_back({"excitation_rad_per_s", finite(times(lambda, 1 / scales.time_s))});
+  list.push_back({"excitation_duration_s",
+                  lambda ? finite(duration(excitation) * scales.time_s) : std::nullopt});
+}
+
 }  // namespace
 
 PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& mend) {
@@ -119,6 +135,7 @@ Quantities design_quantities(const DesignInput& input, const design::DesignResul
     add_damper(list, scales, {}, {});
     add_response(list, scales, {});
   }
+  add_excitation(list, scales, input.pulse ? design::excitation(*input.pulse) : NoExcitation{});
   return list;
 }
 
@@ -144,6 +161,7 @@ Quantities simulate_quantities(const SimulateInput& input, const SimulateAnswer&
   Quantities list = scale_quantities(*input.physical);
   add_damper(list, scales, input.oscillator.f, input.oscillator.delta);
   add_response(list, scales, answer.response);
+  add_excitation(list, scales, input.excitation ? input.excitation->excitation : NoExcitation{});
   if (answer.forced) {
     const ForcedResponse& forced = *answer.forced;
     list.push_back({"end_time_s", times(forced.end_time, scales.time_s)});

@@ -40,8 +40,8 @@ std::string sentence(design::PulseWarning warning, const design::PulseCheck& che
 void add_pulse(Page& page, const design::Pulse& pulse,
                const std::optional<PhysicalInput>& physical) {
   const double lambda = design::angular_frequency(pulse);
-  page.row("pulse", format("{}, k = {:.6g}, lambda = {:.6g}", design::name(pulse),
-                           design::peak_load(pulse), lambda));
+  page.row("pulse", format("{}, k = {:.6g}, lambda = {:.6g}{}", design::name(pulse),
+                           design::peak_load(pulse), lambda, in_rad_per_s(physical, lambda)));
   const double lasts = duration(design::excitation(pulse));
   page.row("lasts", format("{:.6g}{}", lasts, in_seconds(physical, lasts)));
 }

@@ -23,6 +23,10 @@ std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau)
   return physical ? format(" = {}", with_unit(tau * physical->scales.time_s, "s")) : "";
 }
 
+std::string in_rad_per_s(const std::optional<PhysicalInput>& physical, double lambda) {
+  return physical ? format(" = {:.5g} rad/s", lambda / physical->scales.time_s) : "";
+}
+
 void add_title(Page& page, std::string_view what, const std::optional<std::string>& title) {
   page.title(title ? format("{}: {}", what, spelled_out(*title)) : std::string(what));
 }
@@ -183,9 +187,10 @@ void add_excitation(Page& page, const ExcitationInput& input,
                     const std::optional<PhysicalInput>& physical) {
   std::string what = input.type;
   std::visit(
-      [&what](const auto& kind) {
+      [&](const auto& kind) {
         if constexpr (requires { kind.lambda; }) {
-          what += format(", k = {:.6g}, lambda = {:.6g}", kind.k, kind.lambda);
+          what += format(", k = {:.6g}, lambda = {:.6g}{}", kind.k, kind.lambda,
+                         in_rad_per_s(physical, kind.lambda));
         } else if constexpr (requires { kind.values; }) {
           const auto [least, most] = std::ranges::minmax(kind.values);
           what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least, most);

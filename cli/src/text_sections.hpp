@@ -21,6 +21,9 @@ namespace stillpoint::cli {
 /// " = 1.53 s" behind a tau; "" without physical input.
 [[nodiscard]] std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau);
 
+/// " = 62.8 rad/s" behind an angular frequency; "" without physical input.
+[[nodiscard]] std::string in_rad_per_s(const std::optional<PhysicalInput>& physical, double lambda);
+
 void add_title(Page& page, std::string_view what, const std::optional<std::string>& title);
 void add_physical_input(Page& page, const PhysicalInput& physical);
 void add_problem(Page& page, const design::Problem& problem, const design::Limits& limits,

@@ -416,6 +416,8 @@ BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
                   dimensionless["peak_amplitude"].get<double>() * 9.80665 / (pi * pi), 1e-9));
   BOOST_TEST(
       near(report["physical"]["stop_time_s"], dimensionless["stop_time"].get<double>() / pi, 1e-8));
+  BOOST_TEST(report["physical"]["excitation_rad_per_s"].is_null());
+  BOOST_TEST(report["physical"]["excitation_duration_s"].is_null());
 }
 
 BOOST_AUTO_TEST_CASE(waves_are_in_tau_also_where_the_input_is_physical) {
@@ -429,6 +431,20 @@ BOOST_AUTO_TEST_CASE(waves_are_in_tau_also_where_the_input_is_physical) {
                           "harmonic", "--k", "0.1", "--lambda", "0.7", "--t-end", "30"});
   BOOST_TEST(report["response"] == same);
   BOOST_TEST(same["end_time"] == 30);
+}
+
+// p is the natural frequency, so lambda / p times 2 pi / 3 is the other one.
+BOOST_AUTO_TEST_CASE(waves_are_reported_in_si_where_the_input_is_physical) {
+  const Arguments scene{"simulate", "--velocity", "0.4",   "--period",    "3",   "--f",
+                        "0.02",     "--delta-m",  "0.001", "--k",         "0.1", "--lambda",
+                        "0.7",      "--t-end",    "30",    "--excitation"};
+  const json endless = report_of(*this, joined(scene, {"harmonic"}));
+  const double rad_per_s = 0.7 / endless["input"]["p"].get<double>() * 2 * pi / 3;
+  BOOST_TEST(near(endless["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
+  BOOST_TEST(endless["physical"]["excitation_duration_s"].is_null());
+  const json pulse = report_of(*this, joined(scene, {"full-sine"}));
+  BOOST_TEST(near(pulse["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
+  BOOST_TEST(near(pulse["physical"]["excitation_duration_s"], 2 * pi / rad_per_s, 1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(synthetic_records_run) {

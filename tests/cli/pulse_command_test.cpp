@@ -140,6 +140,8 @@ BOOST_AUTO_TEST_CASE(physical_input_goes_with_a_pulse) {
   BOOST_TEST(near(report["input"]["beta"], 0.05 / h, 1e-15));
   BOOST_TEST(near(report["physical"]["velocity_m_per_s"],
                   report["input"]["v0"].get<double>() * h * M_PI, 1e-14));
+  BOOST_TEST(near(report["physical"]["excitation_rad_per_s"], 20 * M_PI, 1e-14));
+  BOOST_TEST(near(report["physical"]["excitation_duration_s"], 1.0 / 20, 1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(scene_gives_a_pulse) {
@@ -173,6 +175,9 @@ const std::vector<Wrong> wrong_pulses{
     {"lambda_below_p",
      joined(without(asked, "--lambda"), {"--lambda", "0.5"}),
      {"lambda = 0.5", "from p to"}},
+    {"lambda_too_large",
+     joined(without(asked, "--lambda"), {"--lambda", "1e13"}),
+     {"lambda = 1", "to 1e+12 p", "a shorter pulse cannot be followed"}},
     {"p_missing", without(asked, "--p"), {"p is missing"}},
     {"beta_missing", without(asked, "--beta"), {"beta is missing"}},
     {"with_v0", joined(asked, {"--v0", "1"}), {"v0 and pulse exclude each other"}},
