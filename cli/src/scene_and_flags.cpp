@@ -16,7 +16,6 @@ namespace stillpoint::cli {
 namespace {
 
 using Names = std::span<const std::string_view>;
-using std::string_view_literals::operator""sv;
 
 /// Of each row at most one can be given.
 constexpr std::array<std::array<std::string_view, 3>, 6> rivals{{{"v0", "velocity", "pulse"},
@@ -25,8 +24,9 @@ constexpr std::array<std::array<std::string_view, 3>, 6> rivals{{{"v0", "velocit
                                                                  {"x0", "x0-m"},
                                                                  {"delta", "delta-m"},
                                                                  {"delta-max", "delta-max-m"}}};
-constexpr std::array wave{"excitation"sv, "k"sv, "lambda"sv, "phase"sv, "duration"sv};
-constexpr std::array of_a_record{"record"sv, "record-units"sv, "record-step"sv, "record-scale"sv};
+constexpr std::array<std::string_view, 5> wave{"excitation", "k", "lambda", "phase", "duration"};
+constexpr std::array<std::string_view, 4> of_a_record{"record", "record-units", "record-step",
+                                                      "record-scale"};
 
 bool has_any(const Settings& settings, Names names) {
   return std::ranges::any_of(names, [&](std::string_view name) { return settings.has(name); });
