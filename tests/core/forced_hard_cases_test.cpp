@@ -102,14 +102,14 @@ BOOST_AUTO_TEST_CASE(a_release_with_vanishing_rate_keeps_its_digits) {
 // hardly moves: |x''| = w - f to 1e-14 of it, largest at the crest, where it is 1 - f. The run ends
 // 1e-7 after the crest, where |x''| is less than a third of that.
 template <class Real>
-void crest_is_found(double tolerance) {
+void crest_is_found(double allowed) {
   const double f = 1 - std::ldexp(1, -47);
   constexpr double crest = 1e-6;
   const ForcedScene<> scene{
       {0, 0, 1, f, 0}, Harmonic<>{1, 1, half_circle / 2 - crest}, crest + 1e-7};
   const auto run = run_forced(widened<Real>(scene));
   const auto error = static_cast<double>(run.state.acceleration / Real(1 - f) - 1);
-  BOOST_TEST(std::abs(error) <= tolerance, error << " off");
+  BOOST_TEST(std::abs(error) <= allowed, error << " off");
 }
 
 BOOST_AUTO_TEST_CASE(the_largest_acceleration_may_be_as_low_as_the_rounding_of_the_load) {

@@ -142,8 +142,10 @@ class HarmonicCrest {
     using std::max;
     using std::min;
     const Real eighth = length * length / 8;
-    const Real whole = 2 * eighth < 1 ? Real((ends + eighth * push_) / (1 - eighth))
-                                      : std::numeric_limits<Real>::max();
+    Real whole = std::numeric_limits<Real>::max();
+    if (2 * eighth < 1) {
+      whole = (ends + eighth * push_) / (1 - eighth);
+    }
     if (!flow_.fast() || length >= 3) {
       return whole;
     }
