@@ -252,7 +252,9 @@ HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer)
 HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary, const SweepMap& map) {
   HtmlPage page;
   page.title = "Sweep";
-  page.verdict = format("{} motions.", summary.state.rows);
+  page.verdict = format(
+      "{} motions. At 0: it rests at x = 0; off 0: in the dead zone; the number is of half-cycles.",
+      summary.state.rows);
   if (task.output) {
     page.report = sweep_text(task, summary, {}, Style(false));
   }
