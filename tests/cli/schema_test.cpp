@@ -137,6 +137,34 @@ BOOST_AUTO_TEST_CASE(allow_the_report_of_every_scene_that_is_shipped) {
   }
 }
 
+/// docs/examples are what the commands in docs/reports.md print.
+BOOST_AUTO_TEST_CASE(allow_the_reports_that_the_docs_show) {
+  const std::string scene = (data_dir / "scenes/isolator.json").string();
+  const std::map<std::string, Arguments> commands{
+      {"design", {"design", scene, "--json"}},
+      {"region", {"region", scene, "--f", "0.024", "--delta-m", "0.006", "--json"}},
+      {"simulation", {"simulate", scene, "--f", "0.006", "--delta-m", "0.001", "--json"}}};
+  for (const auto& [name, command] : commands) {
+    BOOST_TEST_CONTEXT(name) {
+      const json shown = read_json(data_dir / ("../docs/examples/" + name + ".json"));
+      const json printed = run(command).json();
+      BOOST_TEST(report_faults(shown, UnknownProperties::fail).empty());
+      const auto fields = [](const json& report) {
+        const json flat = report.flatten();
+        std::vector<std::string> places;
+        for (const auto& [place, value] : flat.items()) {
+          places.push_back(place);
+        }
+        return places;
+      };
+      BOOST_TEST(fields(shown) == fields(printed), boost::test_tools::per_element());
+      if (name != "design") {  // which has NLopt's last digits and times of the clock
+        BOOST_TEST((shown == printed));
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(allow_a_field_more_but_none_less) {
   json report = run(plain_design).json();
   report["colour"] = "red";
