@@ -32,8 +32,8 @@ struct FreeTask {
 
 /// For the box around `f` of the given tolerance: the velocity of its low corner, and as limits
 /// what the velocity of its high corner leaves of f3 and Delta2, and f_most. What this task admits
-/// of such a box, the pulse does as well. Both velocities and f_most are taken to the safe side by a
-/// relative `slack`.
+/// of such a box, the pulse does as well. Both velocities and f_most are taken to the safe side by
+/// a relative `slack`.
 [[nodiscard]] FreeTask task_of_box(const PulseTask& task, double f, double tolerance, double slack);
 
 /// The largest f whose box fits below f3, f_most and f_max, f3 with the velocity of that f. There
