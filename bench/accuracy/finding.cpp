@@ -60,6 +60,7 @@ std::vector<Errors> errors_of_neighbours(const HardCase& hard_case, double condi
   constexpr int seed = 20261121;
   Dice dice(seed);
   std::vector<Inputs<double>> neighbours;
+  neighbours.reserve(static_cast<std::size_t>(hard_case.neighbours));
   for (int i = 0; i < hard_case.neighbours; ++i) {
     neighbours.push_back(hard_case.neighbour(dice));
   }
