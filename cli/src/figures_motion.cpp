@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numbers>
 
 namespace stillpoint::cli {
@@ -16,12 +18,16 @@ namespace {
 
 using fmt::format;
 
-constexpr double smoothness = 150;  // samples a period
-constexpr double fewest_samples = 300;
-constexpr double most_samples = 4000;
+constexpr double smoothness = 40;  // samples a period
+constexpr double fewest_samples = 400;
+constexpr double most_samples = smoothness * most_drawn_periods;
+/// More than a figure is wide.
+constexpr std::size_t most_columns = 2000;
+/// Marks that can still be told apart.
+constexpr std::size_t most_marks = 500;
 
-std::int64_t sample_count(double p, double horizon) {
-  const double periods = p * horizon / (2 * std::numbers::pi);
+std::int64_t sample_count(double rate, double horizon) {
+  const double periods = rate * horizon / (2 * std::numbers::pi);
   return static_cast<std::int64_t>(std::clamp(smoothness * periods, fewest_samples, most_samples));
 }
 
@@ -53,9 +59,13 @@ std::vector<FigurePoint> places(const std::vector<State>& states, const Place& p
 /// Marks of events, in the three shapes that both figures use.
 template <class Place>
 void mark_events(Figure& figure, const DrawnMotion& motion, const Place& place) {
-  figure.marks.push_back(
-      {"turn", places(motion.turns, place), Shape::disc, Ink::blue, Fill::hollow});
-  figure.marks.push_back({"passage", places(motion.passages, place), Shape::cross, Ink::orange});
+  if (motion.turns.size() <= most_marks) {
+    figure.marks.push_back(
+        {"turn", places(motion.turns, place), Shape::disc, Ink::blue, Fill::hollow});
+  }
+  if (motion.passages.size() <= most_marks) {
+    figure.marks.push_back({"passage", places(motion.passages, place), Shape::cross, Ink::orange});
+  }
   if (motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});
   }
@@ -66,6 +76,17 @@ std::string beginning(const DrawnMotion& motion) {
 }
 
 }  // namespace
+
+double fastest_rate(double p, const Excitation& excitation) {
+  const auto lambda = [](const auto& wave) {
+    if constexpr (requires { wave.lambda; }) {
+      return wave.lambda;
+    } else {
+      return 0.0;
+    }
+  };
+  return std::max(p, std::visit(lambda, excitation));
+}
 
 DrawnMotion drawn_free_motion(const Oscillator<double>& oscillator, const Start<double>& start,
                               const std::optional<double>& horizon) {
@@ -92,7 +113,8 @@ DrawnMotion drawn_forced_motion(const Oscillator<double>& oscillator, const Star
   const ForcedTrajectory path(oscillator, start, excitation, limits);
   DrawnMotion motion;
   motion.oscillator = oscillator;
-  motion.states = path.sampled(sample_count(oscillator.p, path.horizon()));
+  motion.states =
+      path.sampled(sample_count(fastest_rate(oscillator.p, excitation), path.horizon()));
   bool held = false;
   double held_since = 0;
   for (const ForcedEvent& event : path.events()) {
@@ -108,7 +130,9 @@ DrawnMotion drawn_forced_motion(const Oscillator<double>& oscillator, const Star
       held_since = event.state.tau;
     }
     if (held && (event.kind == release || event.kind == end || event.kind == rest)) {
-      motion.sticks.emplace_back(held_since, event.state.tau);
+      if (event.state.tau > held_since) {
+        motion.sticks.emplace_back(held_since, event.state.tau);
+      }
       held = false;
     }
   }
@@ -180,7 +204,10 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       "x = 0.",
       motion.states.front().x * units.length, motion.states.front().v * units.velocity,
       jumps.strokes.size());
-  figure.curves = {std::move(arcs), std::move(jumps)};
+  figure.curves = {std::move(arcs)};
+  if (!jumps.strokes.empty()) {
+    figure.curves.push_back(std::move(jumps));
+  }
   mark_events(figure, motion, place);
   return figure;
 }
@@ -228,9 +255,10 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
       "Of the energy {:.6g} constant friction took {:.6g} and point friction {:.6g}; {:.6g} is "
       "left.",
       all.front().y, constant * units.energy, point * units.energy, left.back().y);
-  figure.areas = {{"left", between(nothing, left), Ink::blue},
-                  {"constant friction", between(left, with_constant), Ink::orange},
-                  {"point friction", between(with_constant, all), Ink::green}};
+  figure.areas = {
+      {"left", between(nothing, left), Ink::blue},
+      {constant > 0 ? "constant friction" : "", between(left, with_constant), Ink::orange},
+      {point > 0 ? "point friction" : "", between(with_constant, all), Ink::green}};
   figure.curves = {
       {"", {left}, Ink::blue}, {"", {with_constant}, Ink::orange}, {"", {all}, Ink::green}};
   return figure;
@@ -281,9 +309,20 @@ struct Wave {
     return until_horizon(std::move(points));
   }
 
-  /// Without what lies beyond it, and 0 from the end on.
+  /// Up to the horizon, and 0 from its own end on.
   [[nodiscard]] std::vector<FigurePoint> until_horizon(std::vector<FigurePoint> points) const {
-    std::erase_if(points, [this](const FigurePoint& at) { return at.x > horizon; });
+    const auto beyond =
+        std::ranges::find_if(points, [this](const FigurePoint& at) { return at.x > horizon; });
+    if (beyond != points.end()) {
+      if (beyond != points.begin()) {
+        const FigurePoint& before = *std::prev(beyond);
+        const double part = (horizon - before.x) / (beyond->x - before.x);
+        *beyond = {horizon, before.y + (beyond->y - before.y) * part};
+        points.erase(std::next(beyond), points.end());
+        return points;
+      }
+      points.clear();  // a record that begins later
+    }
     if (points.empty() || points.back().x < horizon) {
       const double since = points.empty() ? 0 : points.back().x;
       points.push_back({since, 0});
@@ -293,11 +332,34 @@ struct Wave {
   }
 };
 
+/// The least and the largest of each column where there are more points than columns.
+std::vector<FigurePoint> thinned(const std::vector<FigurePoint>& points) {
+  if (points.size() <= 2 * most_columns) {
+    return points;
+  }
+  std::vector<FigurePoint> kept;
+  const std::size_t step = (points.size() + most_columns - 1) / most_columns;
+  for (std::size_t first = 0; first < points.size(); first += step) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end =
+        points.begin() + static_cast<std::ptrdiff_t>(std::min(first + step, points.size()));
+    auto [least, most] = std::ranges::minmax_element(begin, end, {}, &FigurePoint::y);
+    if (most < least) {
+      std::swap(least, most);
+    }
+    kept.push_back(*least);
+    if (most != least) {
+      kept.push_back(*most);
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion,
                          const FigureUnits& units) {
-  std::vector<FigurePoint> points = std::visit(Wave{motion.states.back().tau}, excitation);
+  std::vector<FigurePoint> points = thinned(std::visit(Wave{motion.states.back().tau}, excitation));
   double least = 0;
   double most = 0;
   for (FigurePoint& at : points) {

@@ -28,6 +28,11 @@ struct DrawnMotion {
 
 /// So many half-cycles are drawn of a longer motion.
 inline constexpr std::int64_t most_drawn_half_cycles = 200;
+/// Of the spring or of the load, whichever is faster: as many.
+inline constexpr double most_drawn_periods = 100;
+
+/// The fastest that the motion can swing: p, or the excitation's lambda.
+[[nodiscard]] double fastest_rate(double p, const Excitation& excitation);
 
 /// A free motion up to `horizon`; empty: to its end.
 [[nodiscard]] DrawnMotion drawn_free_motion(const Oscillator<double>& oscillator,

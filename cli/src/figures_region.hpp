@@ -4,9 +4,12 @@
 #include "figure.hpp"
 #include "figure_units.hpp"
 
+#include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
 
+#include <functional>
 #include <optional>
+#include <string>
 
 namespace stillpoint::cli {
 
@@ -18,11 +21,20 @@ struct DrawnDamper {
   double tolerance{0};
 };
 
+/// The problem at a constant friction f: another one for each f where a pulse leaves the velocity.
+using ProblemAt = std::function<design::Problem(double)>;
+
+/// What there is to draw of a region.
+struct DrawnRegion {
+  design::Problem problem;
+  design::Limits limits;
+  design::Region region;
+  std::optional<DrawnDamper> damper;
+  std::optional<design::PulseProblem> pulse;
+};
+
 /// The admissible region in the (f, Delta) plane, its edges by name, and a point in it.
-[[nodiscard]] Figure region_figure(const design::Problem& problem, const design::Limits& limits,
-                                   const design::Region& region,
-                                   const std::optional<DrawnDamper>& damper,
-                                   const FigureUnits& units);
+[[nodiscard]] Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
 
 /// The analytic boundaries alone, within the axes of the figure.
 void add_boundaries(Figure& figure, const design::Problem& problem, const FigureUnits& units);

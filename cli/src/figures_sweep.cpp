@@ -28,7 +28,7 @@ std::string class_name(std::size_t index) {
   constexpr std::size_t ranges = SweepClass::ranges;
   if (index >= 2 * ranges) {
     constexpr std::array<const char*, 3> others{"does not move", "never stops",
-                                                "moving at the end"};
+                                                "not known to have stopped"};
     return others.at(index - 2 * ranges);
   }
   const std::size_t range = index % ranges;

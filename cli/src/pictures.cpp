@@ -38,7 +38,9 @@ std::string scene_of(const Settings& settings, Command command) {
                                "resume", "trajectory", "samples", "columns"};
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
   settings.for_each([&](std::string_view option, const Settings::Value& value) {
-    if (std::ranges::find(no_part, option) != no_part.end() ||
+    const bool for_the_trajectory =
+        option == "t-end" && !settings.has("excitation") && !settings.has("record");
+    if (std::ranges::find(no_part, option) != no_part.end() || for_the_trajectory ||
         !find_option(option)->serves(command)) {
       return;
     }
@@ -93,27 +95,31 @@ std::vector<HalfCycle> drawable_half_cycles(const SimulateInput& input) {
   return first_half_cycles(input.oscillator, input.start, most_drawn_half_cycles);
 }
 
-std::optional<double> least_of(const std::optional<double>& a, const std::optional<double>& b) {
-  return a && b ? std::optional(std::min(*a, *b)) : (a ? a : b);
-}
-
 DrawnMotion drawn(const SimulateInput& input, const SimulateAnswer& answer) {
   if (!input.excitation) {
     const auto listed = drawable_half_cycles(input);
     const auto cut = end_of_beginning(static_cast<std::int64_t>(listed.size()), listed);
-    DrawnMotion motion =
-        drawn_free_motion(input.oscillator, input.start, least_of(input.t_end, cut));
+    DrawnMotion motion = drawn_free_motion(input.oscillator, input.start, cut);
     motion.whole = !cut;
     return motion;
   }
-  const double horizon = forced_horizon(input, *answer.forced);
   const Excitation& excitation = input.excitation->excitation;
-  const auto listed = forced_half_cycles(input.oscillator, input.start, excitation, horizon,
+  const double horizon = forced_horizon(input, *answer.forced);
+  const double rate = fastest_rate(input.oscillator.p, excitation);
+  double last = std::min(horizon, most_drawn_periods * 2 * std::numbers::pi / rate);
+  const auto listed = forced_half_cycles(input.oscillator, input.start, excitation, last,
                                          most_drawn_half_cycles, {});
-  const auto cut = end_of_beginning(static_cast<std::int64_t>(listed.size()), listed);
-  DrawnMotion motion = drawn_forced_motion(input.oscillator, input.start, excitation,
-                                           std::min(horizon, cut.value_or(horizon)));
-  motion.whole = !cut || *cut >= horizon;
+  last = std::min(
+      last, end_of_beginning(static_cast<std::int64_t>(listed.size()), listed).value_or(last));
+  // Where the mass rests for good there is little to see.
+  constexpr double seen_at_rest = 1.25;
+  const auto& stop_time = answer.forced->stop_time;
+  const bool rests = stop_time && *stop_time > 0;
+  if (rests) {
+    last = std::min(last, seen_at_rest * *stop_time);
+  }
+  DrawnMotion motion = drawn_forced_motion(input.oscillator, input.start, excitation, last);
+  motion.whole = last >= horizon || (rests && last >= *stop_time);
   return motion;
 }
 
@@ -122,11 +128,21 @@ bool moves(const DrawnMotion& motion) {
 }
 
 void make_directory(const std::string& path) {
+  if (path.empty()) {
+    throw UsageError("svg: the name of the directory is empty");
+  }
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) {
     throw UsageError(format("svg {}: {}", path, error.message()));
   }
+}
+
+std::optional<design::PulseProblem> pulse_problem(const DesignInput& input,
+                                                  const design::Problem& problem) {
+  return input.pulse ? std::optional(design::PulseProblem{*input.pulse, problem.p, problem.beta,
+                                                          problem.criterion})
+                     : std::nullopt;
 }
 
 /// The design as its pulse moves it, from rest.
@@ -135,8 +151,9 @@ Figure pulse_figure(const design::Pulse& pulse, const design::Problem& problem,
   const Excitation shaking = design::excitation(pulse);
   const double ends = duration(shaking);
   constexpr double periods = 3;  // where it does not stop
-  const double horizon =
-      found.pulse->response.stop_time.value_or(ends + periods * 2 * std::numbers::pi / problem.p);
+  constexpr double behind_the_end = 1.04;
+  const double horizon = behind_the_end * found.pulse->response.stop_time.value_or(
+                                              ends + periods * 2 * std::numbers::pi / problem.p);
   DrawnMotion motion = drawn_forced_motion({problem.p, found.point.f, found.point.delta}, {0, 0},
                                            shaking, std::max(horizon, ends));
   motion.beta = problem.beta;
@@ -179,6 +196,19 @@ bool wants_pictures(const Settings& settings) {
   return settings.has("html") || settings.has("svg");
 }
 
+void prepare_pictures(const Settings& settings) {
+  if (const auto directory = settings.text("svg")) {
+    make_directory(*directory);
+  }
+  if (const auto path = settings.text("html")) {
+    const std::filesystem::path folder = std::filesystem::path(*path).parent_path();
+    std::error_code unknown;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, unknown)) {
+      throw UsageError(format("html {}: there is no directory {}", *path, folder.string()));
+    }
+  }
+}
+
 HtmlPage design_page(const DesignInput& input, const design::DesignResult& result) {
   const auto& [problem, limits, search] = result.request;
   const FigureUnits units(input.physical);
@@ -187,7 +217,7 @@ HtmlPage design_page(const DesignInput& input, const design::DesignResult& resul
   page.report = design_text(input, result, {}, Style(false));
   if (!result.finding) {
     page.verdict = "No admissible design: " + result.reason;
-    page.figures = {region_figure(problem, limits, result.region, {}, units)};
+    page.figures = {region_figure({problem, limits, result.region, {}, {}}, units)};
     return page;
   }
   const design::Finding& found = *result.finding;
@@ -197,12 +227,20 @@ HtmlPage design_page(const DesignInput& input, const design::DesignResult& resul
                         found.cross_check.passed ? "agree" : "DISAGREE");
   DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
   motion.beta = problem.beta;
-  page.figures = {region_figure(problem, limits, result.region,
-                                DrawnDamper{"design", f, delta, tolerance}, units),
-                  motion_figure(motion, units), phase_figure(motion, units),
-                  energy_figure(motion, units)};
+  page.figures = {
+      region_figure({problem, limits, result.region, DrawnDamper{"design", f, delta, tolerance},
+                     pulse_problem(input, problem)},
+                    units),
+      motion_figure(motion, units), phase_figure(motion, units), energy_figure(motion, units)};
   if (found.pulse) {
-    page.figures.front().title += format(" at this design's V0 = {:.4g}", problem.v0);
+    for (Figure& figure : page.figures) {
+      figure.title += figure.id == "region" ? "" : ", reduced to V0";
+    }
+    for (const design::PulseWarning warning : found.pulse->warnings) {
+      page.verdict += warning == design::PulseWarning::pulse_not_short
+                          ? " The pulse is not short: the reduction to V0 is rough."
+                          : " Friction is not small against the pulse.";
+    }
     page.figures.push_back(pulse_figure(*input.pulse, problem, found, units));
   }
   page.tables = {constraint_table(found.constraints), check_table(found.cross_check)};
@@ -222,7 +260,7 @@ HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer) {
               *input.delta, answer.tolerance.value_or(0)};
     page.tables = {constraint_table(answer.constraints)};
   }
-  page.figures = {region_figure(input.problem, input.limits, answer.region, damper,
+  page.figures = {region_figure({input.problem, input.limits, answer.region, damper, {}},
                                 FigureUnits(input.physical))};
   return page;
 }
@@ -240,7 +278,7 @@ HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer)
   page.verdict = format("f = {:.6g}, Δ = {:.6g}{}.", input.oscillator.f, input.oscillator.delta,
                         in_metres(input.physical, input.oscillator.delta));
   if (!motion.whole) {
-    page.verdict += format(" The first {} half-cycles are drawn.", most_drawn_half_cycles);
+    page.verdict += " The figures show its beginning.";
   }
   page.figures = {motion_figure(motion, units), phase_figure(motion, units)};
   page.figures.push_back(input.excitation

@@ -23,6 +23,10 @@ namespace stillpoint::cli {
 /// Whether --html or --svg asks for any.
 [[nodiscard]] bool wants_pictures(const Settings& settings);
 
+/// Makes the directory of --svg and asks whether --html can be written, so that a long run does not
+/// end in vain. Throws UsageError.
+void prepare_pictures(const Settings& settings);
+
 [[nodiscard]] HtmlPage design_page(const DesignInput& input, const design::DesignResult& result);
 [[nodiscard]] HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
 [[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer);

@@ -97,8 +97,8 @@ RecordFile read_plain(RecordLines& lines, const RecordOptions& options) {
   if (columns.times.empty()) {
     if (!options.step) {
       throw InputError::missing(
-          "record-step", fmt::format("record {}, line {}: values without times need the step in s",
-                                     lines.path(), columns.first_line));
+          "record-step", fmt::format("record {}, line {}: values without times need the step in {}",
+                                     lines.path(), columns.first_line, options.clock.unit));
     }
     record.step = *options.step;
     return record;

@@ -172,6 +172,7 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   std::optional<SweepMap> map;
   if (wants_pictures(settings)) {
     map.emplace(task);
+    prepare_pictures(settings);
   }
   const double begun = seconds_now();
   const std::unique_ptr<RowSink> sink = open_rows(task);

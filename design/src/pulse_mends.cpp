@@ -16,6 +16,8 @@ namespace {
 
 /// Six decades of any input are more than a design has to spare, and leave it valid.
 constexpr double far = 1e6;
+/// Of lambda to p, as require_valid has it.
+constexpr double longest_ratio = 1e12;
 
 struct Case {
   PulseProblem problem;
@@ -51,7 +53,9 @@ void add_p(std::vector<Mend>& list, const Case& base) {
     return;
   }
   const double v0 = problem_at(base.problem, 0).v0;
-  const auto value = nearest_fit(*raised, p / far, [&](double lower) {
+  // A forced run reaches no further.
+  const double least = std::max(p / far, angular_frequency(base.problem.pulse) / longest_ratio);
+  const auto value = nearest_fit(*raised, least, [&](double lower) {
     Case wide = with(lower);
     wide.problem.beta = 2 * v0 / lower;  // twice the peak without friction
     return fits(wide);
@@ -71,7 +75,7 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   }
   const double k = peak_load(problem.pulse);
   const double lambda = angular_frequency(problem.pulse);
-  const double most_lambda = std::min(lambda * far, problem.p * 1e12);
+  const double most_lambda = std::min(lambda * far, problem.p * longest_ratio);
   add_mend(list, base, fits, "k", k, k / far, [](Case& now, double value) { now.set_k(value); });
   add_mend(list, base, fits, "lambda", lambda, most_lambda,
            [](Case& now, double value) { now.set_lambda(value); });

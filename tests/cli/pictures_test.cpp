@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
   const std::string page = read("page.html");
   check_offline(page);
   parsed(page);
-  BOOST_TEST(contains(page, "moving at the end"));
+  BOOST_TEST(contains(page, "not known to have stopped"));
   BOOST_TEST(!contains(page, "Δ₁ exact"));
 }
 
@@ -237,6 +237,50 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_run
     BOOST_TEST(contains(answer.err, word), answer.err);
     BOOST_TEST(contents().size() == 1U);
   }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_sweep_that_cannot_be_written_are_refused_before_it_runs) {
+  const Arguments sweep{"sweep",     "--v0",    "1",       "--p",      "1",       "--f",
+                        "0.1:0.3:5", "--delta", "0:0.5:5", "--output", "rows.csv"};
+  for (const auto& [option, place] : std::vector<std::pair<std::string, std::string>>{
+           {"--html", "none/page.html"}, {"--svg", "/proc/none"}, {"--svg", ""}}) {
+    const ProgramRun answer = run(joined(sweep, {option, place}));
+    BOOST_TEST(answer.exit_code == 2);
+    BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
+    BOOST_TEST(contents().empty());
+  }
+}
+
+/// W as it is, also where the run ends before it does.
+BOOST_AUTO_TEST_CASE(of_an_excitation_end_with_the_run) {
+  write("record.txt", "0 0.25\n1 0.25\n2 -0.25\n3 0.25\n");
+  for (const auto& [excitation, last] : std::vector<std::pair<Arguments, double>>{
+           {{"--excitation", "rectangle", "--k", "0.5", "--lambda", "0.1", "--t-end", "5"}, 0.5},
+           {{"--record", "record.txt", "--t-end", "2.5"}, 0}}) {
+    const ProgramRun answer = run(joined(
+        {"simulate", "--p", "1", "--f", "0.02", "--delta", "0", "--svg", "figures"}, excitation));
+    BOOST_TEST(answer.exit_code == 0, answer.err);
+    const std::string text = read("figures/excitation.svg");
+    const Range y = attribute(text, "data-y");
+    std::smatch curve;
+    BOOST_TEST_REQUIRE(
+        std::regex_search(text, curve, std::regex("hover\" d=\"[^\"]* ([0-9.]+)\"")));
+    const double drawn = y.most - std::stod(curve[1]) / 290 * (y.most - y.least);
+    BOOST_TEST(std::abs(drawn - last) < 0.01 * (y.most - y.least));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
+  std::string record;
+  for (int i = 0; i < 200'000; ++i) {
+    record += std::to_string(0.2 * std::sin(0.3 * i)) + "\n";
+  }
+  write("record.txt", record);
+  const ProgramRun answer =
+      run({"simulate", "--p", "0.01", "--f", "0.001", "--delta", "0", "--record", "record.txt",
+           "--record-step", "0.01", "--html", "page.html"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  BOOST_TEST(read("page.html").size() < 1'000'000U);
 }
 
 BOOST_AUTO_TEST_CASE(make_the_directory_that_they_go_to) {

@@ -387,6 +387,21 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_mends_it) {
   BOOST_TEST((fields == std::vector<std::string>{"k", "lambda", "p", "beta"}));
 }
 
+// Neither p nor lambda is mended to beyond what a forced run can follow.
+BOOST_AUTO_TEST_CASE(the_shortest_pulses_are_mended_too) {
+  for (const double lambda : {1e6, 1.1e6, 1e9, 1e12}) {
+    PulseRequest request;
+    request.problem = {Rectangle<>{1, lambda}, 1, 1, Criterion::published};
+    request.limits.delta_max = 1e-3 / (lambda * lambda);
+    const DesignResult result = stillpoint::design::design(request);
+    BOOST_TEST(!result.finding.has_value());
+    BOOST_TEST(!result.mends.empty());
+    for (const Mend& mend : result.mends) {
+      BOOST_TEST(stillpoint::design::design(mended(request, mend)).finding.has_value(), mend.field);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_pulses_are_refused_by_field) {
   const auto field_of = [](double k, double lambda, double p, double beta) -> std::string {
     PulseRequest request;
