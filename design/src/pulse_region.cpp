@@ -42,8 +42,8 @@ double highest_delta(const PulseTask& task, double f) {
 
 }  // namespace
 
-PulseTask::PulseTask(const PulseProblem& pulse, const Limits& given)
-    : problem(pulse), limits(given), f_most(last_f_that_returns(pulse)) {}
+PulseTask::PulseTask(const PulseProblem& what, const Limits& allowed)
+    : problem(what), limits(allowed), f_most(last_f_that_returns(what)) {}
 
 FreeTask task_of_box(const PulseTask& task, double f, double tolerance, double slack) {
   const auto& [problem, limits, f_most] = task;

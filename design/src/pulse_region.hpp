@@ -15,7 +15,7 @@ namespace stillpoint::design {
 
 /// What a design for a pulse is looked for in.
 struct PulseTask {
-  PulseTask(const PulseProblem& problem, const Limits& limits);
+  PulseTask(const PulseProblem& what, const Limits& allowed);
 
   PulseProblem problem;
   Limits limits;

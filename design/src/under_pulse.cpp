@@ -45,7 +45,8 @@ std::string_view name(PulseWarning warning) noexcept {
 }
 
 PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
-  const auto& [f, delta, tolerance] = finding.point;
+  const double f = finding.point.f;
+  const double delta = finding.point.delta;
   PulseCheck result;
   result.shortness = problem.p / angular_frequency(problem.pulse);
   result.friction_ratio = f / peak_load(problem.pulse);
