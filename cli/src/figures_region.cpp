@@ -12,7 +12,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-using design::Limits;
 using design::Problem;
 using design::Region;
 using fmt::format;

@@ -120,18 +120,18 @@ double value_of(const PulseRequest& request, double f, double tolerance) {
 
 bool corners_hold(const PulseRequest& request, double f, double delta, double tolerance) {
   const auto& [problem, limits, search] = request;
-  return holds(problem, limits, f * (1 - tolerance), delta * (1 - tolerance)) &&
-         holds(problem, limits, f, delta) &&
-         holds_under_pulse(problem, f * (1 - tolerance), delta * (1 - tolerance)) &&
-         holds_under_pulse(problem, f * (1 + tolerance), delta * (1 - tolerance)) && [&] {
-           // At the high corner stopping is no part of the question.
-           const double high = f * (1 + tolerance);
-           const double v0 = v0_at(problem, high);
-           return high * std::sqrt(8.0) <= v0 * problem.p &&
-                  delta * (1 + tolerance) <= v0 * v0 / 2 &&
-                  high <= limits.f_max.value_or(HUGE_VAL) &&
-                  delta * (1 + tolerance) <= limits.delta_max.value_or(HUGE_VAL);
-         }();
+  // At the high corner stopping is no part of the question.
+  const double high = f * (1 + tolerance);
+  const double v0 = v0_at(problem, high);
+  const bool starts_and_returns = high * std::sqrt(8.0) <= v0 * problem.p &&
+                                  delta * (1 + tolerance) <= v0 * v0 / 2 &&
+                                  high <= limits.f_max.value_or(HUGE_VAL) &&
+                                  delta * (1 + tolerance) <= limits.delta_max.value_or(HUGE_VAL);
+  const double low = f * (1 - tolerance);
+  const double low_delta = delta * (1 - tolerance);
+  return starts_and_returns && holds(problem, limits, low, low_delta) &&
+         holds(problem, limits, f, delta) && holds_under_pulse(problem, low, low_delta) &&
+         holds_under_pulse(problem, high, low_delta);
 }
 
 Scan scan(const PulseRequest& request) {
