@@ -73,7 +73,8 @@ std::vector<FigurePoint> box(const DrawnDamper& damper, double unit) {
 
 /// A vertical edge named at its upper end, where it lies within the axes.
 void add_vertical(Figure& figure, double f, const std::string& name) {
-  if (f > figure.x.least && f < figure.x.most) {
+  constexpr double apart = 0.01;  // from the frame
+  if (figure.x.position(f) > apart && f < figure.x.most) {
     figure.curves.push_back(
         {"", {{{f, figure.y.least}, {f, figure.y.most}}}, Ink::grey, Dash::solid, false});
     figure.notes.push_back({name, {f, figure.y.value(0.985)}, Anchor::end, true});

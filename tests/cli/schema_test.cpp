@@ -120,7 +120,8 @@ BOOST_FIXTURE_TEST_SUITE(report_schemas, Sandbox)
 BOOST_AUTO_TEST_CASE(name_the_same_part_alike) {
   std::map<std::string, json> parts;
   for (const fs::path& path : files_in(data_dir / "schemas")) {
-    for (const auto& [name, part] : read_json(path).value("$defs", json::object()).items()) {
+    const json shared = read_json(path).value("$defs", json::object());
+    for (const auto& [name, part] : shared.items()) {
       BOOST_TEST((parts.emplace(name, part).first->second == part), path << ": " << name);
     }
   }
