@@ -21,14 +21,19 @@ void note_interrupt(int /*signal*/) {
   interrupt_seen = 1;
 }
 
+/// What handled an interrupt before. One that comes once this one does is not forgotten.
+auto handle_interrupts() {
+  interrupt_seen = 0;
+  return std::signal(SIGINT, note_interrupt);
+}
+
 }  // namespace
 
 Progress::Progress(Line line)
     : line_(std::move(line)),
       shown_(::isatty(STDERR_FILENO) == 1),
       started_s_(seconds_now()),
-      previous_(std::signal(SIGINT, note_interrupt)) {
-  interrupt_seen = 0;
+      previous_(handle_interrupts()) {
   if (previous_ == SIG_IGN) {
     std::signal(SIGINT, SIG_IGN);  // as in the background of a script
   }
