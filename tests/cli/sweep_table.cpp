@@ -102,7 +102,7 @@ NpyFile read_npy(const std::string& file) {
   const auto low = static_cast<unsigned char>(file[8]);
   const auto high = static_cast<unsigned char>(file[9]);
   NpyFile npy;
-  npy.header_size = prefix + low + 256U * high;
+  npy.header_size = prefix + low + std::size_t{256} * high;
   BOOST_TEST(npy.header_size % 64 == 0U);
   BOOST_TEST_REQUIRE(file.size() >= npy.header_size);
   const std::string header = file.substr(prefix, npy.header_size - prefix);
