@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "checkpoint.hpp"
 
+#include "printable.hpp"
 #include "settings.hpp"
 #include "text_file.hpp"
 #include "writing.hpp"
@@ -51,6 +52,15 @@ std::string text(const ordered_json& task, const std::string& key) {
   return task.contains(key) ? task.at(key).dump() : "nothing";
 }
 
+/// The library prints a value by recursion, so that the stack would end with a deep one.
+bool is_flat(int depth, ordered_json::parse_event_t /*event*/, const ordered_json& /*parsed*/) {
+  constexpr int deepest = 16;  // a checkpoint has three levels
+  if (depth > deepest) {
+    throw UsageError("");
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Checkpoint> read_checkpoint(const std::string& path) {
@@ -60,7 +70,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
   }
   const std::string content = read_text_file("resume", path, largest);
   try {
-    return from_json(ordered_json::parse(content));
+    return from_json(ordered_json::parse(content, is_flat));
   } catch (const std::exception&) {
     throw UsageError(
         fmt::format("resume {}: is not what a sweep leaves: remove it to start anew", path));
@@ -69,7 +79,9 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
 
 int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   const std::string next = path + ".new";
-  const int descriptor = ::open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  // A file of our own, even where somebody has put a link under its name.
+  ::unlink(next.c_str());
+  const int descriptor = ::open(next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) {
     return errno;
   }
@@ -86,7 +98,8 @@ std::string difference(const std::string& old_task, const std::string& new_task)
   for (const ordered_json* const task : {&was, &is}) {
     for (const auto& [key, value] : task->items()) {
       if (text(was, key) != text(is, key)) {
-        return fmt::format("{} was {}, is {}", key, text(was, key), text(is, key));
+        return fmt::format("{} was {}, is {}", key, shortened(text(was, key), longest_word),
+                           shortened(text(is, key), longest_word));
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.hpp"
 
+#include "printable.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>
@@ -115,7 +116,7 @@ void refuse_extras(const CLI::App& app) {
   if (extras.empty()) {
     return;
   }
-  const std::string& first = extras.front();
+  const std::string first = shortened(extras.front(), longest_word);
   if (!first.starts_with("-")) {
     throw UsageError(fmt::format("{}: unexpected, only one scene can be given", first));
   }
@@ -162,9 +163,9 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 
 [[noreturn]] void refuse_command(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
-  throw UsageError(
-      fmt::format("{}: must be design, region, simulate, sweep or accuracy (stillpoint --help)",
-                  extras.empty() ? "no command" : "command " + extras.front()));
+  throw UsageError(fmt::format(
+      "{}: must be design, region, simulate, sweep or accuracy (stillpoint --help)",
+      extras.empty() ? "no command" : "command " + shortened(extras.front(), longest_word)));
 }
 
 }  // namespace
@@ -198,7 +199,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
                            : app.help();
     return invocation;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
+    throw UsageError(shortened(error.what(), longest_path));
   }
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty()) {

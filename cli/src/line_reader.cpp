@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "line_reader.hpp"
 
+#include "printable.hpp"
 #include "progress.hpp"
 #include "settings.hpp"
 
@@ -41,7 +42,8 @@ LineReader::LineReader(const std::string& path)
       descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
       buffer_(buffer_size) {
   if (descriptor_ < 0) {
-    throw UsageError(fmt::format("list {}: cannot be read: {}", source_, std::strerror(errno)));
+    throw UsageError(fmt::format("list {}: cannot be read: {}", shortened(source_, longest_path),
+                                 std::strerror(errno)));
   }
 }
 

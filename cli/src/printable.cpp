@@ -46,23 +46,27 @@ bool is_utf8(std::string_view text) {
 
 }  // namespace
 
+std::string shortened(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) {
+    return std::string(text);
+  }
+  std::size_t length = longest;
+  while (length > 0 && is_continuation(text[length])) {
+    --length;
+  }
+  return std::string(text.substr(0, length)) + "...";
+}
+
 std::string printable(std::string_view text, std::size_t longest) {
   const bool keeps_beyond_ascii = is_utf8(text);
-  std::size_t length = text.size();
-  if (length > longest) {
-    length = longest;
-    while (length > 0 && is_continuation(text[length])) {
-      --length;  // no sequence is cut in two
-    }
-  }
-  std::string result(text.substr(0, length));
+  std::string result = shortened(text, longest);
   for (char& c : result) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20U || byte == 0x7FU || (byte >= 0x80U && !keeps_beyond_ascii)) {
       c = '?';
     }
   }
-  return length < text.size() ? result + "..." : result;
+  return result;
 }
 
 }  // namespace stillpoint::cli

@@ -48,13 +48,22 @@ std::string read_all(std::FILE* file, const std::string& source) {
 }
 
 [[noreturn]] void refuse_twice(const std::string& key) {
-  throw UsageError(fmt::format("{} is set twice: a key may stand only once in a scene", key));
+  throw UsageError(fmt::format("{} is set twice: a key may stand only once in a scene",
+                               shortened(key, longest_word)));
 }
 
-/// The library keeps the last of two equal keys silently, so they are watched for while it parses.
-class RepeatedKeys {
+/// What the library passes over, watched for while it parses: of two equal keys it keeps the last,
+/// and it prints a value by recursion, so that the stack ends with a deep one.
+class SceneWatch {
  public:
+  explicit SceneWatch(std::string_view source) : source_(source) {}
+
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+    constexpr int deepest = 16;  // a scene has three levels
+    if (depth > deepest) {
+      throw UsageError(
+          fmt::format("scene {}: is nested deeper than {} levels, no scene is", source_, deepest));
+    }
     const auto level = static_cast<std::size_t>(depth);
     if (event == json::parse_event_t::object_start) {
       seen_.resize(level + 1);
@@ -73,6 +82,7 @@ class RepeatedKeys {
   [[nodiscard]] const std::string& last() const { return last_; }
 
  private:
+  std::string source_;
   std::string last_;
   std::vector<std::set<std::string>> seen_;
 };
@@ -87,14 +97,15 @@ json parse_json(std::string_view text, std::string_view source) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw UsageError(fmt::format("scene {}: is empty, must be a JSON object", source));
   }
-  RepeatedKeys watch;
+  SceneWatch watch(source);
   try {
     return json::parse(text, [&watch](int depth, json::parse_event_t event, const json& parsed) {
       return watch(depth, event, parsed);
     });
   } catch (const json::out_of_range& error) {
     throw UsageError(fmt::format("scene {}: {}: {}, must have a magnitude up to 1.8e308", source,
-                                 watch.last(), without_prefix(error.what())));
+                                 shortened(watch.last(), longest_word),
+                                 printable(without_prefix(error.what()), longest_message)));
   } catch (const json::exception& error) {
     throw UsageError(fmt::format("scene {}: is not valid JSON: {}", source,
                                  printable(without_prefix(error.what()), longest_message)));
@@ -162,7 +173,8 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
 void add_key(Settings& settings, const std::string& key, const json& value, const Option* option,
              Command command) {
   if (option == nullptr) {
-    throw InputError(key, value.dump(), fmt::format("is not a key of a scene{}", suggestion(key)));
+    throw InputError(shortened(key, longest_word), value.dump(),
+                     fmt::format("is not a key of a scene{}", suggestion(key)));
   }
   if (settings.has(option->name)) {
     refuse_twice(key);
@@ -215,7 +227,8 @@ Settings read_scene(const std::string& path, Command command) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) {
-    throw UsageError(fmt::format("scene {}: cannot be read: {}", path, std::strerror(errno)));
+    throw UsageError(fmt::format("scene {}: cannot be read: {}", shortened(path, longest_path),
+                                 std::strerror(errno)));
   }
   return parse_scene(read_all(file.get(), path), path, command);
 }

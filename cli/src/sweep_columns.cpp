@@ -56,8 +56,8 @@ std::vector<Quantity> asked_columns(std::string_view names, SweepKind kind) {
           all += fmt::format("{}{}", all.empty() ? "" : ", ", name(one));
         }
       }
-      throw UsageError(
-          fmt::format("columns: \"{}\" is none of this sweep, which has {}", wanted, all));
+      throw UsageError(fmt::format("columns: \"{}\" is none of this sweep, which has {}",
+                                   shortened(wanted, longest_word), all));
     }
     if (contains(columns, *quantity)) {
       throw UsageError(fmt::format("columns: {} stands twice", wanted));

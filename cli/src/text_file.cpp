@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "text_file.hpp"
 
+#include "printable.hpp"
 #include "settings.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,8 @@ namespace stillpoint::cli {
 namespace {
 
 [[noreturn]] void refuse(std::string_view kind, std::string_view source, int error) {
-  throw UsageError(fmt::format("{} {}: cannot be read: {}", kind, source, std::strerror(error)));
+  throw UsageError(fmt::format("{} {}: cannot be read: {}", kind, shortened(source, longest_path),
+                               std::strerror(error)));
 }
 
 }  // namespace

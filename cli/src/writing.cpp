@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "writing.hpp"
 
+#include "printable.hpp"
 #include "settings.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,8 @@
 namespace stillpoint::cli {
 
 void refuse_writing(std::string_view field, const std::string& path, int error) {
-  throw UsageError(fmt::format("{} {}: cannot be written: {}", field, path, std::strerror(error)));
+  throw UsageError(fmt::format("{} {}: cannot be written: {}", field, shortened(path, longest_path),
+                               std::strerror(error)));
 }
 
 void require_file_name(std::string_view field, const std::string& path) {
@@ -28,6 +30,9 @@ void require_file_name(std::string_view field, const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown)) {
     refuse_writing(field, path, EISDIR);
+  }
+  if (std::filesystem::is_symlink(behind_links(path), unknown)) {
+    refuse_writing(field, path, ELOOP);
   }
 }
 

@@ -8,8 +8,25 @@
 
 namespace stillpoint {
 
+namespace {
+
+/// As much of a wrong value as a message quotes, without a UTF-8 sequence cut in two.
+std::string shortened(const std::string& value) {
+  constexpr std::size_t longest = 80;
+  if (value.size() <= longest) {
+    return value;
+  }
+  std::size_t length = longest;
+  while (length > 0 && (static_cast<unsigned char>(value[length]) & 0xC0U) == 0x80U) {
+    --length;
+  }
+  return value.substr(0, length) + "...";
+}
+
+}  // namespace
+
 InputError::InputError(std::string field, const std::string& value, const std::string& bound)
-    : std::invalid_argument(fmt::format("{} = {}: {}", field, value, bound)),
+    : std::invalid_argument(fmt::format("{} = {}: {}", field, shortened(value), bound)),
       field_(std::move(field)) {}
 
 InputError::InputError(std::string field, double value, const std::string& bound)

@@ -101,6 +101,16 @@ BOOST_AUTO_TEST_CASE(keeps_a_link_to_what_does_not_exist_yet) {
   BOOST_TEST(is_report(read("link.json")));
 }
 
+BOOST_AUTO_TEST_CASE(is_refused_where_links_lead_in_a_circle) {
+  fs::create_symlink("b.json", path("a.json"));
+  fs::create_symlink("a.json", path("b.json"));
+  const auto before = contents();
+  const ProgramRun answer = run(design({"--output", "a.json"}));
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(answer.err.find("output a.json: cannot be written") != std::string::npos, answer.err);
+  BOOST_TEST((contents() == before));
+}
+
 BOOST_AUTO_TEST_CASE(has_the_permissions_of_any_new_file) {
   for (const unsigned mask : {0022U, 0077U, 0002U}) {
     const Mask set(mask);

@@ -312,7 +312,7 @@ const std::vector<Wrong> scenes{
     scene("comma_behind_the_last_value", "{" + good + ",}", {"not valid JSON"}),
     scene("comment", "{" + good + " // why\n}", {"not valid JSON"}),
     scene("not_utf8", "{\"title\": \"\xff\", " + good + "}", {"not valid JSON"}),
-    scene("deeply_nested", std::string(500'000, '['), {"not valid JSON"}),
+    scene("deeply_nested", std::string(500'000, '['), {"nested deeper"}),
     scene("an_array", "[1, 2]", {"array", "must be an object"}),
     scene("a_number", "17", {"number", "must be an object"}),
     scene("null", "null", {"null", "must be an object"}),
@@ -398,6 +398,59 @@ BOOST_AUTO_TEST_CASE(of_a_hundred_megabytes) {
 
 BOOST_AUTO_TEST_CASE(that_never_ends) {
   check_refused(*this, {"", {"design", "/dev/zero"}, {"/dev/zero", "too large", "1048576 bytes"}});
+}
+
+/// Such a value would take the stack with it, and its text the screen.
+BOOST_AUTO_TEST_CASE(that_is_nested_deeper_than_any) {
+  for (const int levels : {17, 50'000, 100'000, 500'000}) {
+    const auto count = static_cast<std::size_t>(levels);
+    const std::string arrays = std::string(count, '[') + "1" + std::string(count, ']');
+    check_refused(*this,
+                  {"", {"design", "-"}, {"nested deeper than 16"}, "{\"v0\": " + arrays + "}"});
+    check_refused(*this, {"", {"design", "-"}, {"nested deeper than 16"}, arrays});
+  }
+  std::string objects;
+  for (int i = 0; i < 100'000; ++i) {
+    objects += "{\"a\":";
+  }
+  check_refused(*this, {"", {"sweep", "-"}, {"nested deeper than 16"}, objects + "1"});
+}
+
+/// A message holds so much of what it quotes as one reads.
+BOOST_AUTO_TEST_CASE(whose_text_is_long_is_quoted_in_part) {
+  const std::string text(100'000, 'x');
+  const std::string quoted = "\"" + text + "\"";
+  std::string numbers = "[\"a\"";
+  for (int i = 0; i < 50'000; ++i) {
+    numbers += ",1";
+  }
+  numbers += "]";
+  const std::vector<Wrong> long_ones{
+      {"", {"design", "-"}, {"v0 = ", "must be a number"}, "{\"v0\": " + quoted + "}"},
+      {"", {"design", "-"}, {"v0 = ", "must be a number"}, "{\"v0\": " + numbers + "}"},
+      {"", {"sweep", "-"}, {"f = ", "an array of numbers"}, "{\"f\": " + numbers + "}"},
+      {"", {"design", "-"}, {"xxx", "is not a key"}, "{" + quoted + ": 1}"},
+      {"", {"design", "-"}, {"xxx", "set twice"}, "{" + quoted + ": 1, " + quoted + ": 1}"},
+      {"", {"design", "-"}, {"not valid JSON"}, "{" + quoted},
+      {"", {"design", "-"}, {"v0", "1.8e308"}, "{\"v0\": 1" + std::string(100'000, '0') + "}"},
+      {"", {"design", text}, {"scene xxx", "cannot be read"}},
+      {"", {"design", "--" + text}, {"xxx", "unknown option"}},
+      {"", {"design", "a", text}, {"xxx", "only one scene"}},
+      {"", {text}, {"command xxx", "must be design"}},
+      {"", {"design", "--v0", text}, {"v0 = ", "finite number"}},
+      {"", design({"--criterion", text}), {"criterion = xxx", "published or exact"}},
+      {"", design({"--algorithm", text}), {"algorithm = xxx"}},
+      {"", simulate({"--samples", text}), {"samples = ", "whole number"}},
+      {"", simulate({"--record", text}), {"record xxx", "cannot be read"}},
+      {"", simulate({"--trajectory", text}), {"trajectory xxx", "cannot be written"}},
+      {"", {"sweep", "--v0", text + ":1:2"}, {"v0 = ", "finite number"}},
+      {"", {"sweep", "--v0", "1", "--list", text}, {"list xxx", "cannot be read"}},
+  };
+  for (const Wrong& wrong : long_ones) {
+    const ProgramRun answer = run(wrong.arguments, {.input = wrong.input});
+    check_refusal(answer, wrong.says);
+    BOOST_TEST(answer.err.size() < 600U, answer.err.substr(0, 1000));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(that_is_empty_or_no_scene) {

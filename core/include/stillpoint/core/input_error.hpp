@@ -8,7 +8,7 @@
 namespace stillpoint {
 
 /// Wrong input, found where it enters. The message names the field, the value and the bound, e.g.
-/// "p = -1: must be a number from 1e-150 to 1e+150".
+/// "p = -1: must be a number from 1e-150 to 1e+150". Of a long value it quotes the beginning.
 class InputError : public std::invalid_argument {
  public:
   InputError(std::string field, const std::string& value, const std::string& bound);
