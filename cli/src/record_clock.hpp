@@ -17,6 +17,8 @@ struct RecordClock {
   /// The shortest time between two values, rounded.
   [[nodiscard]] double shortest() const { return smallest_speed / (p < 1 ? p : 1) * per_tau; }
   [[nodiscard]] double latest() const { return largest_speed * per_tau; }
+  /// The largest value in g.
+  [[nodiscard]] double largest_load() const { return largest_speed * (p < 1 ? p : 1); }
   [[nodiscard]] bool reaches(double time) const { return time / per_tau <= largest_speed; }
   /// Whether the motion sees `time` behind `before`.
   [[nodiscard]] bool tells_apart(double before, double time) const {

@@ -35,10 +35,6 @@ std::string out_of_reach(const RecordClock& clock) {
 }
 
 void check(const RecordOptions& options) {
-  if (options.step && !(std::isfinite(*options.step) && *options.step > 0)) {
-    throw InputError("record-step", *options.step,
-                     fmt::format("must be a finite number of {} above 0", options.clock.unit));
-  }
   if (options.step && !holds_step(options.clock, *options.step)) {
     throw InputError("record-step", *options.step, out_of_reach(options.clock));
   }
@@ -64,7 +60,8 @@ double units_per_g(RecordUnits units, double gravity_m_per_s2) {
 }
 
 RecordScale scale_for(const RecordOptions& options, std::optional<RecordUnits> units) {
-  return {options.scale, units_per_g(units.value_or(RecordUnits::g), options.gravity_m_per_s2)};
+  return {options.scale, units_per_g(units.value_or(RecordUnits::g), options.gravity_m_per_s2),
+          options.clock.largest_load()};
 }
 
 /// A step for a file that has its own.

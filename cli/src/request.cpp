@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -23,6 +24,8 @@ constexpr double unlimited = std::numeric_limits<double>::max();
 /// As for the isolator's own figures: what these make dimensionless is then valid as well.
 constexpr double smallest_physical = 1e-30;
 constexpr double largest_physical = 1e30;
+/// Of a limit of Delta, as problem.hpp has it.
+constexpr double smallest_limit = 1e-300;
 
 constexpr std::array physical_names{"velocity", "period",  "stiffness",
                                     "mass",     "gravity", "max-displacement",
@@ -122,13 +125,19 @@ MotionInput motion_input(const Settings& settings, bool from_rest) {
   return motion;
 }
 
-/// A length of the damper that may be given in metres or dimensionless.
+/// A length of the damper that may be given in metres or dimensionless, then at least `least`.
 std::optional<double> point_friction(const Settings& settings, std::string_view plain,
                                      std::string_view metres,
-                                     const std::optional<PhysicalInput>& physical) {
+                                     const std::optional<PhysicalInput>& physical,
+                                     double least = 0) {
   if (const auto value = settings.number(metres)) {
-    require_within(std::string(metres).c_str(), *value, 0, unlimited);
-    return *value / physical->scales.length_m;
+    const double unit = physical->scales.length_m;
+    const double most = std::min(largest_square * unit, unlimited);
+    if (!(*value >= least * unit && *value <= most)) {
+      throw InputError(std::string(metres), *value,
+                       fmt::format("must be a number from {:.3g} to {:.3g}", least * unit, most));
+    }
+    return *value / unit;
   }
   return settings.number(plain);
 }
@@ -160,7 +169,8 @@ Task task(const Settings& settings, bool pulse) {
   }
   result.problem.criterion = criterion(settings);
   result.limits.f_max = settings.number("f-max");
-  result.limits.delta_max = point_friction(settings, "delta-max", "delta-max-m", motion.physical);
+  result.limits.delta_max =
+      point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit);
   result.limits.tolerance = settings.number("tolerance").value_or(0);
   result.physical = motion.physical;
   return result;
@@ -266,7 +276,10 @@ SimulateInput simulate_input(const Settings& settings) {
         "well");
   }
   if (input.t_end) {
-    require_within("t-end", *input.t_end, std::numeric_limits<double>::min(), unlimited);
+    const bool forced = input.excitation.has_value();
+    require_within("t-end", *input.t_end,
+                   forced ? smallest_speed : std::numeric_limits<double>::min(),
+                   forced ? largest_speed : unlimited);
   }
   if (input.excitation) {
     if (!input.t_end && std::isinf(duration(input.excitation->excitation))) {

@@ -31,8 +31,12 @@ void check(const NoExcitation& /*excitation*/) {}
 void check(const Harmonic<>& excitation) {
   require_wave(excitation.k, excitation.lambda);
   require_within("phase", excitation.phase, -largest_phase, largest_phase);
-  if (excitation.duration != 0 && excitation.duration != std::numeric_limits<double>::infinity()) {
-    require_within("duration", excitation.duration, smallest_speed, largest_speed);
+  const double lasts = excitation.duration;
+  const bool within = lasts >= smallest_speed && lasts <= largest_speed;
+  if (!(lasts == 0 || within || lasts == std::numeric_limits<double>::infinity())) {
+    throw InputError(
+        "duration", lasts,
+        fmt::format("must be 0 or a number from {} to {}", smallest_speed, largest_speed));
   }
 }
 

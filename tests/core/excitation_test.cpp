@@ -51,6 +51,8 @@ BOOST_AUTO_TEST_CASE(waves_out_of_range_are_refused) {
   BOOST_TEST(refused(Harmonic<>{1, 1, infinity}) == "phase");
   BOOST_TEST(refused(Harmonic<>{1, 1, 0, -1}) == "duration");
   BOOST_TEST(refused(Harmonic<>{1, 1, 0, not_a_number}) == "duration");
+  BOOST_TEST(refused(Harmonic<>{1, 1, 0, 1e-151}) == "duration");
+  BOOST_TEST(refused(Harmonic<>{1, 1, 0, 0}).empty());
   BOOST_TEST(refused(HalfSine<>{1, 0}) == "lambda");
   BOOST_TEST(refused(FullSine<>{not_a_number, 1}) == "k");
   BOOST_TEST(refused(Rectangle<>{1, infinity}) == "lambda");
