@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "sweep_outcome.hpp"
 #include "sweep_rows.hpp"
-
-#include <stillpoint/core/outcome.hpp>
 
 #include <array>
 #include <charconv>
@@ -43,7 +42,7 @@ void append_csv(const SweepBlock& block, const std::vector<Quantity>& columns, E
           append_number(value, text);
           break;
         case Form::outcome:
-          text += name(static_cast<Outcome>(value));
+          text += sweep_outcome_name(static_cast<std::size_t>(value));
           break;
         case Form::truth:
           text += value != 0 ? "true" : "false";

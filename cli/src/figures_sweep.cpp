@@ -22,13 +22,13 @@ using fmt::format;
 constexpr std::array<const char*, SweepClass::count> palette{
     "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
     "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
-    "#555555", "#000000", "#cc79a7"};
+    "#555555", "#000000", "#cc79a7", "#009e73"};
 
 std::string class_name(std::size_t index) {
   constexpr std::size_t ranges = SweepClass::ranges;
   if (index >= 2 * ranges) {
-    constexpr std::array<const char*, 3> others{"does not move", "never stops",
-                                                "not known to have stopped"};
+    constexpr std::array<const char*, 4> others{
+        "does not move", "never stops", "not known to have stopped", "too many half-cycles"};
     return others.at(index - 2 * ranges);
   }
   const std::size_t range = index % ranges;

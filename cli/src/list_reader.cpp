@@ -27,22 +27,25 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Takes the field before the next comma off `rest`; false after the last.
+std::string_view without_quotes(std::string_view text) {
+  return text.size() >= 2 && text.front() == '"' && text.back() == '"'
+             ? trimmed(text.substr(1, text.size() - 2))
+             : text;
+}
+
+/// Takes the field before the next comma off `rest`; false after the last. It may stand in quotes,
+/// and then a comma between them is its own (RFC 4180).
 bool take_field(std::string_view& rest, bool& more, std::string_view& field) {
   if (!more) {
     return false;
   }
-  const std::size_t comma = rest.find(',');
+  const bool in_quotes = trimmed(rest).starts_with('"');
+  const std::size_t quote = in_quotes ? rest.find('"', rest.find('"') + 1) : 0;
+  const std::size_t comma = quote == std::string_view::npos ? quote : rest.find(',', quote);
   more = comma != std::string_view::npos;
-  field = trimmed(rest.substr(0, comma));
+  field = without_quotes(trimmed(rest.substr(0, comma)));
   rest = more ? rest.substr(comma + 1) : std::string_view();
   return true;
-}
-
-std::string_view without_quotes(std::string_view text) {
-  return text.size() >= 2 && text.front() == '"' && text.back() == '"'
-             ? text.substr(1, text.size() - 2)
-             : text;
 }
 
 bool is_input(Quantity quantity) {
@@ -87,7 +90,7 @@ bool ListReader::next_line(std::string_view& line) {
 void ListReader::read_header(std::string_view line) {
   std::string_view field;
   for (bool more = true; take_field(line, more, field);) {
-    const auto quantity = find_quantity(without_quotes(field));
+    const auto quantity = find_quantity(field);
     if (!quantity || !is_input(*quantity)) {
       refuse(fmt::format("\"{}\" is no column of a list: it may have {}",
                          printable(field, longest_quoted), column_names));

@@ -111,7 +111,8 @@ constexpr std::array table{
 
     Option{"max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate},
     Option{"half-cycle-limit", number, "N", output,
-           "refuse a motion that may take more steps (default 1e8)", simulate | sweep},
+           "a motion that may take more half-cycles is not computed (default 1e8)",
+           simulate | sweep},
     Option{"trajectory", text, "FILE", output, "write tau,x,v to a CSV file", simulate},
     Option{"samples", integer, "N", output,
            "evenly spaced instants in it, besides every event (default 1000)", simulate},

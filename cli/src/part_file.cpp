@@ -58,13 +58,27 @@ void PartFile::refuse(int error) {
 
 void PartFile::lock() {
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    throw UsageError(fmt::format("{} {}: another sweep is writing it", field, part()));
+    throw UsageError(fmt::format(
+        "{} {}: another sweep is writing it: let it end, or give another file", field, part()));
   }
+}
+
+/// False where there is none. The lock of a sweep that is alive comes before whatever else is to be
+/// said of its file; it ends with that sweep, however that ends. The part is nobody's link.
+bool PartFile::open_part() {
+  descriptor_ = ::open(part().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+  if (descriptor_ < 0 && errno != ENOENT) {
+    refuse(errno);
+  }
+  if (descriptor_ >= 0) {
+    lock();
+  }
+  return descriptor_ >= 0;
 }
 
 void PartFile::open_new() {
   descriptor_ = ::open(part().c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0 && errno == EEXIST) {
+  if (descriptor_ < 0 && errno == EEXIST && open_part()) {
     throw UsageError(
         fmt::format("{} {}: {} is left of an interrupted sweep: go on with --resume, or remove it "
                     "to start anew",
@@ -79,9 +93,10 @@ void PartFile::open_new() {
 }
 
 void PartFile::open_left() {
+  const bool part_is_there = open_part();
   std::optional<Checkpoint> left = read_checkpoint(checkpoint());
   const std::string differs = left ? difference(left->task, saved_.task) : "";
-  if (!exists(part())) {
+  if (!part_is_there) {
     // Either nothing is left, or the program ended between the last two steps of `finish`.
     const bool only_to_tidy = left && left->complete && differs.empty() && exists(target_);
     if (!only_to_tidy) {
@@ -99,18 +114,13 @@ void PartFile::open_left() {
   }
   found_ = state_ = saved_.state;
   bytes_ = saved_.bytes;
-  if (exists(part())) {
+  if (part_is_there) {
     cut_back(checkpoint_is_there);
   }
 }
 
 /// What is behind the last checkpoint is cut off.
 void PartFile::cut_back(bool checkpoint_is_there) {
-  descriptor_ = ::open(part().c_str(), O_RDWR | O_CLOEXEC);
-  if (descriptor_ < 0) {
-    refuse(errno);
-  }
-  lock();
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0) {
     refuse(errno);

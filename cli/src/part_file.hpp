@@ -34,6 +34,7 @@ class PartFile : public RowSink {
   void open_left();
   void cut_back(bool checkpoint_is_there);
   void lock();
+  [[nodiscard]] bool open_part();
   void save();
   void synchronize();
   [[noreturn]] void refuse(int error);

@@ -78,6 +78,7 @@ class Sweep {
       go_on();
     } catch (const EntryError& error) {
       const std::string place = task_.source->place(block_, error.entry());
+      keep_before(error.entry());
       leave_refused(place.empty() ? error.what() : fmt::format("{}: {}", place, error.what()));
     }
     if (Progress::interrupted()) {
@@ -112,6 +113,15 @@ class Sweep {
     if (block_.size == 0 || Progress::interrupted()) {
       return false;
     }
+    if (!write_block()) {
+      return false;
+    }
+    size_.learn(seconds_now() - begun);
+    return progress_.goes_on(static_cast<double>(state_.rows));
+  }
+
+  /// False after an interrupt.
+  bool write_block() {
     run_(block_);
     const auto& pieces = rows_.rows(block_);
     if (Progress::interrupted()) {
@@ -126,10 +136,17 @@ class Sweep {
     if (map_ != nullptr) {
       map_->add(block_);
     }
-    size_.learn(seconds_now() - begun);
-    state_.add(block_, task_.source->digest());
+    state_.add(block_);
     sink_.reached(state_);
-    return progress_.goes_on(static_cast<double>(state_.rows));
+    return true;
+  }
+
+  /// The rows before a wrong entry of the block.
+  void keep_before(Index entry) {
+    block_.cut(entry);
+    if (entry > 0) {
+      write_block();
+    }
   }
 
   void read_block() {

@@ -89,7 +89,6 @@ class GridSource : public SweepSource {
     next_ = entries;
   }
 
-  [[nodiscard]] std::uint64_t digest() const override { return 0; }
   [[nodiscard]] std::optional<std::int64_t> total() const override { return total_; }
 
   [[nodiscard]] std::string place(const SweepBlock& block, Index i) const override {

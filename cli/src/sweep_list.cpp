@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace stillpoint::cli {
@@ -49,7 +51,6 @@ class ListSource : public SweepSource {
     }
   }
 
-  [[nodiscard]] std::uint64_t digest() const override { return digest_.value(); }
   [[nodiscard]] std::optional<std::int64_t> total() const override { return std::nullopt; }
 
   [[nodiscard]] std::string place(const SweepBlock& block, Index i) const override {
@@ -59,18 +60,23 @@ class ListSource : public SweepSource {
 
  private:
   void read(SweepBlock& block, Index most) {
+    if (wrong_) {
+      throw UsageError(*wrong_);
+    }
     block.first = next_;
     block.lines.clear();
+    block.digests.clear();
     for (const Quantity column : list_.columns()) {
       block[column].resize(most);
     }
     Index size = 0;
-    for (; size < most && list_.next(values_); ++size) {
+    for (; size < most && has_next(size); ++size) {
       block.lines.push_back(list_.line());
       for (std::size_t i = 0; i < values_.size(); ++i) {
         block[list_.columns()[i]][size] = values_[i];
         digest_.add(values_[i]);
       }
+      block.digests.push_back(digest_.value());
     }
     for (const Quantity column : list_.columns()) {
       block[column].conservativeResize(size);
@@ -79,7 +85,22 @@ class ListSource : public SweepSource {
     next_ += size;
   }
 
+  /// Reads the next entry. What is wrong with it is kept until those before it, `size` in this
+  /// block, have been given.
+  bool has_next(Index size) {
+    try {
+      return list_.next(values_);
+    } catch (const UsageError& error) {
+      if (size == 0) {
+        throw;
+      }
+      wrong_ = error.what();
+      return false;
+    }
+  }
+
   ListReader list_;
+  std::optional<std::string> wrong_;
   std::vector<SweepAxis> fixed_;
   std::vector<double> values_;
   Digest digest_;

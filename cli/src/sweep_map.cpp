@@ -2,6 +2,7 @@
 #include "sweep_map.hpp"
 
 #include "progress.hpp"
+#include "sweep_outcome.hpp"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,13 @@ std::size_t range_of(double half_cycles) {
   const auto& firsts = SweepClass::first_half_cycles;
   const auto* const beyond = std::ranges::upper_bound(firsts, half_cycles);
   return static_cast<std::size_t>(beyond - firsts.begin()) - 1;
+}
+
+std::uint8_t class_of(const SweepBlock& block, Index i) {
+  const auto outcome = static_cast<std::size_t>(block[Quantity::outcome][i]);
+  return outcome == too_many_half_cycles
+             ? SweepClass::too_many
+             : SweepClass::of(static_cast<Outcome>(outcome), block[Quantity::half_cycles][i]);
 }
 
 }  // namespace
@@ -102,8 +110,7 @@ void SweepMap::add(const SweepBlock& block) {
     const auto f_cell = f_.cell(entry / delta_size_);
     const auto delta_cell = delta_.cell(entry % delta_size_);
     if (f_cell && delta_cell) {
-      at(*f_cell, *delta_cell) = SweepClass::of(static_cast<Outcome>(block[Quantity::outcome][i]),
-                                                block[Quantity::half_cycles][i]);
+      at(*f_cell, *delta_cell) = class_of(block, i);
     }
   }
 }
@@ -124,8 +131,7 @@ bool SweepMap::complete(const SweepTask& task, SweepRun& run) {
     }
     run(block);
     for (std::int64_t i = 0; i < block.size; ++i) {
-      at(f_cell, i) = SweepClass::of(static_cast<Outcome>(block[Quantity::outcome][i]),
-                                     block[Quantity::half_cycles][i]);
+      at(f_cell, i) = class_of(block, i);
     }
   }
   return !Progress::interrupted();

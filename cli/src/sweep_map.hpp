@@ -20,8 +20,11 @@ class SweepClass {
   /// The first of each range of half-cycles.
   static constexpr std::array<int, 6> first_half_cycles{1, 2, 3, 4, 7, 16};
   static constexpr std::size_t ranges = first_half_cycles.size();
-  /// At x = 0 and off it by ranges, then: does not move, never stops, runs on.
-  static constexpr std::size_t count = 2 * ranges + 3;
+  /// At x = 0 and off it by ranges, then: does not move, never stops, runs on, has more half-cycles
+  /// than the sweep allows.
+  static constexpr std::size_t count = 2 * ranges + 4;
+
+  static constexpr std::uint8_t too_many = count - 1;
 
   [[nodiscard]] static std::uint8_t of(Outcome outcome, double half_cycles);
 };

@@ -35,7 +35,7 @@ enum class Quantity : std::uint8_t {
 /// How a quantity is written. In a block all are doubles.
 enum class Form : std::uint8_t {
   number,   ///< NaN: does not exist; infinite: never comes. Both are empty in CSV
-  outcome,  ///< an Outcome: its name in CSV
+  outcome,  ///< as of sweep_outcome.hpp: its name in CSV
   truth,    ///< 0 or 1
 };
 

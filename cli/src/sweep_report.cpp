@@ -23,13 +23,14 @@ double rate(const SweepSummary& summary) {
          std::max(summary.wall_time_s, least_s);
 }
 
-constexpr std::array<std::string_view, SweepState::outcome_count> outcome_labels{
-    "stop at x = 0", "stop in dead zone", "never stop", "caught at start", "running"};
+constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
+    "stop at x = 0",   "stop in dead zone", "never stop",
+    "caught at start", "running",           "too many half-cycles"};
 
 ordered_json outcomes_json(const SweepState& state) {
   ordered_json counts;
-  for (std::size_t i = 0; i < SweepState::outcome_count; ++i) {
-    counts[std::string(name(static_cast<Outcome>(i)))] = state.outcomes[i];
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    counts[std::string(sweep_outcome_name(i))] = state.outcomes[i];
   }
   return counts;
 }
@@ -79,7 +80,7 @@ std::string sweep_text(const SweepTask& task, const SweepSummary& summary,
     return page.text();
   }
   page.section("Outcomes");
-  for (std::size_t i = 0; i < SweepState::outcome_count; ++i) {
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
     if (state.outcomes[i] > 0) {
       page.row(outcome_labels[i], fmt::format("{}", state.outcomes[i]));
     }

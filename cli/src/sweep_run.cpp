@@ -3,6 +3,7 @@
 
 #include "entry_threads.hpp"
 #include "progress.hpp"
+#include "sweep_outcome.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
@@ -18,6 +19,12 @@ namespace {
 
 using Eigen::Index;
 using enum Quantity;
+
+/// What is found of every motion, and of a forced one beside.
+constexpr std::initializer_list<Quantity> free_results{peak_amplitude, half_cycles, outcome,
+                                                       stop_position, stop_time};
+constexpr std::initializer_list<Quantity> forced_results{end_time, final_position, final_velocity,
+                                                         sticks, stick_time};
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -61,8 +68,16 @@ void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
   block[stick_time][i] = response.stick_time;
 }
 
+/// More half-cycles than the task allows: that is all that is known of the motion.
+void set_too_many(SweepBlock& block, Index i, std::initializer_list<Quantity> results) {
+  for (const Quantity result : results) {
+    block[result][i] = absent;
+  }
+  block[outcome][i] = static_cast<double>(too_many_half_cycles);
+}
+
 void make_room_for_response(SweepBlock& block) {
-  make_room(block, {peak_amplitude, half_cycles, outcome, stop_position, stop_time});
+  make_room(block, free_results);
 }
 
 }  // namespace
@@ -113,13 +128,17 @@ void SweepRun::run_free_one_by_one(SweepBlock& block) const {
   make_room_for_response(block);
   const Ask ask{.times = task_.times, .margin = false, .half_cycle_limit = task_.half_cycle_limit};
   for_each_entry(block.size, task_.threads, [&](Index i) {
-    set_response(block, i, free_response(oscillator(block, i), start(block, i), ask));
+    try {
+      set_response(block, i, free_response(oscillator(block, i), start(block, i), ask));
+    } catch (const TooManyHalfCycles&) {
+      set_too_many(block, i, free_results);
+    }
   });
 }
 
 void SweepRun::run_forced(SweepBlock& block) const {
   make_room_for_response(block);
-  make_room(block, {end_time, final_position, final_velocity, sticks, stick_time});
+  make_room(block, forced_results);
   ForcedAsk ask;
   ask.t_end = task_.t_end;
   ask.half_cycle_limit = task_.half_cycle_limit;
@@ -137,8 +156,13 @@ void SweepRun::run_forced(SweepBlock& block) const {
     }
   }
   for_each_entry(block.size, task_.threads, [&](Index i) {
-    set_forced(block, i,
-               forced_response(oscillator(block, i), start(block, i), task_.excitation, ask));
+    try {
+      set_forced(block, i,
+                 forced_response(oscillator(block, i), start(block, i), task_.excitation, ask));
+    } catch (const TooManyHalfCycles&) {
+      set_too_many(block, i, free_results);
+      set_too_many(block, i, forced_results);
+    }
   });
 }
 

@@ -24,15 +24,13 @@ class SweepSource {
   virtual ~SweepSource() = default;
 
   /// The inputs of the next entries, `most` of them or what is left; size 0 at the end. After an
-  /// interrupt what it holds is of no use.
+  /// interrupt what it holds is of no use. Throws UsageError where the next entry is wrong; those
+  /// before it were given first.
   virtual void fill(SweepBlock& block, Eigen::Index most) = 0;
 
   /// Passes over the first `entries`, before the first fill. Throws UsageError where they are not
   /// those that `digest` was of.
   virtual void skip(std::int64_t entries, std::uint64_t digest) = 0;
-
-  /// Of all entries so far, where they could be others in another run; else 0.
-  [[nodiscard]] virtual std::uint64_t digest() const = 0;
 
   /// All entries, where that is known.
   [[nodiscard]] virtual std::optional<std::int64_t> total() const = 0;

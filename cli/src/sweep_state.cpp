@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_state.hpp"
 
+#include <algorithm>
+
 namespace stillpoint::cli {
 
-void SweepState::add(const SweepBlock& block, std::uint64_t digest_behind_it) {
+void SweepBlock::cut(Eigen::Index count) {
+  for (Eigen::ArrayXd& column : columns) {
+    column.conservativeResize(std::min(count, column.size()));
+  }
+  const auto kept = static_cast<std::size_t>(count);
+  lines.resize(std::min(kept, lines.size()));
+  digests.resize(std::min(kept, digests.size()));
+  size = count;
+}
+
+void SweepState::add(const SweepBlock& block) {
   rows += block.size;
-  digest = digest_behind_it;
+  digest = block.digest();
   if (block[Quantity::outcome].size() == block.size) {
     for (const double outcome : block[Quantity::outcome]) {
       ++outcomes[static_cast<std::size_t>(outcome)];

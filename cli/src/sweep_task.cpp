@@ -200,9 +200,8 @@ std::uint64_t record_digest(const Excitation& excitation) {
 }
 
 nlohmann::ordered_json identity(const SweepTask& task, const Settings& settings) {
-  constexpr std::array no_part{"list",   "list-format", "format", "columns",          "times",
-                               "output", "threads",     "resume", "half-cycle-limit", "title",
-                               "json",   "html",        "svg"};
+  constexpr std::array no_part{"list",    "list-format", "format", "columns", "times", "output",
+                               "threads", "resume",      "title",  "json",    "html",  "svg"};
   nlohmann::ordered_json result;
   result["version"] = program_version();
   result["kind"] = name(task.kind);

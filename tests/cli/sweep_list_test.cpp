@@ -7,6 +7,8 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace {
@@ -43,6 +45,7 @@ const std::vector<Spelling> spellings{
     {"with_blank_lines", "\n \nf,delta\n\n0.1,0.2\n\t\n0.02,0.03\n0,0\n\n"},
     {"with_spaces", " f , delta\n 0.1 ,\t0.2\n0.02, 0.03 \n0,0\n"},
     {"with_quoted_names", "\"f\",\"delta\"\n0.1,0.2\n0.02,0.03\n0,0\n"},
+    {"with_quotes", "\"f\",delta\n\"0.1\",\"0.2\"\n0.02 , \"0.03\"\r\n\" 0 \",0\n"},
     {"with_other_numerals", "f,delta\n+1e-1,.2\n2E-2,3e-02\n0.0,-0\n"},
     {"as_json_lines",
      "{\"f\": 0.1, \"delta\": 0.2}\n{\"delta\": 0.03, \"f\": 0.02}\n\n{\"f\": 0, \"delta\": 0}"},
@@ -121,6 +124,36 @@ BOOST_AUTO_TEST_CASE(of_many_entries_comes_through_whole_and_in_order) {
   }
 }
 
+/// The entries around one that would take too long are computed, and its row says why it is not.
+BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
+  const std::string text = "f,delta,x0\n0.1,0.2,0\n1e-12,1e-30,0\n0.02,0.03,0.5\n";
+  const Arguments plainly{"sweep", "--v0", "1", "--p", "1", "--list", "-", "--times"};
+  const Arguments forced =
+      joined(plainly, {"--excitation", "half-sine", "--k", "1e-9", "--lambda", "3"});
+  for (const Arguments& arguments : {plainly, forced}) {
+    const ProgramRun answer = run(arguments, with_input(text));
+    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const SweepTable table = read_csv(answer.out);
+    BOOST_TEST_REQUIRE(table.rows.size() == 3U);
+    BOOST_TEST(table.at(1, "outcome") == "too_many_half_cycles");
+    for (const std::string& column : table.columns) {
+      const bool given = column == "f" || column == "delta" || column == "x0";
+      BOOST_TEST((given || column == "outcome" || table.at(1, column).empty()), column);
+    }
+    for (const std::size_t row : {std::size_t{0}, std::size_t{2}}) {
+      BOOST_TEST(table.at(row, "outcome") == "stopped_at_zero");
+      BOOST_TEST(table.number(row, "peak_amplitude") > 0);
+    }
+  }
+  Surroundings list = with_input(text);
+  const auto report = run(joined(plainly, {"--output", "rows.npy", "--json"}), list).json();
+  BOOST_TEST(report["outcomes"]["too_many_half_cycles"] == 1);
+  const NpyFile file = read_npy(read("rows.npy"));
+  BOOST_TEST(file.byte(1, "outcome") == 5);
+  BOOST_TEST(std::isnan(file.number(1, "half_cycles")));
+  BOOST_TEST(std::isnan(file.number(1, "stop_time")));
+}
+
 BOOST_AUTO_TEST_CASE(without_entries_gives_none) {
   BOOST_TEST(run(sweep(), with_input("f,delta\n")).out ==
              "f,delta,peak_amplitude,half_cycles,outcome,stop_position\n");
@@ -136,6 +169,7 @@ struct Wrong {
   const char* name;
   std::string text;
   Arguments says;
+  int rows{0};  ///< in front of the wrong one
 };
 
 std::ostream& operator<<(std::ostream& stream, const Wrong& wrong) {
@@ -151,28 +185,37 @@ const std::vector<Wrong> wrong_lists{
     {"column_twice", "f,delta,f\n", {"line 1", "f", "twice"}},
     {"column_missing", "f\n0.1\n", {"delta is missing", "column of the list"}},
     {"column_that_is_an_option", "f,delta,v0\n1,1,1\n", {"v0", "column", "option", "give one"}},
-    {"too_few_values", "f,delta\n0.1,0.2\n0.1\n", {"line 3", "1 values", "2 columns"}},
+    {"too_few_values", "f,delta\n0.1,0.2\n0.1\n", {"line 3", "1 values", "2 columns"}, 1},
     {"too_many_values", "f,delta\n0.1,0.2,0.3\n", {"line 2", "3 values"}},
-    {"no_number", "f,delta\n0.1,0.2\n\nabc,1\n", {"line 4", "f = \"abc\"", "finite number"}},
+    {"no_number", "f,delta\n0.1,0.2\n\nabc,1\n", {"line 4", "f = \"abc\"", "finite number"}, 1},
     {"empty_value", "f,delta\n,1\n", {"line 2", "f = \"\"", "finite number"}},
     {"nan", "f,delta\nnan,1\n", {"line 2", "f = \"nan\""}},
     {"beyond_a_double", "f,delta\n1e999,1\n", {"line 2", "1e999"}},
-    {"negative", "f,delta\n0.1,0.2\n0.1,-3\n", {"line 3", "delta = -3", "from 0"}},
-    {"the_first_of_several", "f,delta\n0.1,0.2\n0.1,-3\n-1,1\n", {"line 3", "delta = -3"}},
-    {"too_many_half_cycles", "f,delta\n0.1,0.2\n1e-12,1e-30\n", {"line 3", "half-cycle-limit"}},
+    {"negative", "f,delta\n0.1,0.2\n0.1,-3\n", {"line 3", "delta = -3", "from 0"}, 1},
+    {"the_first_of_several", "f,delta\n0.1,0.2\n0.1,-3\n-1,1\n", {"line 3", "delta = -3"}, 1},
+    {"comma_in_quotes", "f,delta\n\"0,1\",1\n", {"line 2", "f = \"0,1\"", "finite number"}},
+    {"quote_without_an_end",
+     "f,delta\n\"0.1,0.2\n",
+     {"line 2", "f = \"\"0.1,0.2\"", "finite number"}},
+    {"text_behind_quotes", "f,delta\n\"0.1\"2,0.2\n", {"line 2", "\"0.1\"2", "finite number"}},
+    {"doubled_quotes", "f,delta\n\"0\"\"1\",0.2\n", {"line 2", "finite number"}},
     {"line_without_an_end", "f,delta\n" + std::string(100'000, '1'), {"line 2", "longer"}},
-    {"json_broken", "{\"f\": 1, \"delta\": 1}\n{\"f\": 1,\n", {"line 2", "not valid JSON"}},
-    {"json_array", "{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}},
-    {"json_number", "{\"f\": 1, \"delta\": 1}\n7\n", {"line 2", "number", "object"}},
+    {"json_broken", "{\"f\": 1, \"delta\": 1}\n{\"f\": 1,\n", {"line 2", "not valid JSON"}, 1},
+    {"json_array", "{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}, 1},
+    {"json_number", "{\"f\": 1, \"delta\": 1}\n7\n", {"line 2", "number", "object"}, 1},
     {"json_nested", "{\"f\": {\"a\": 1}, \"delta\": 1}\n", {"line 1", "f is an object"}},
     {"json_text", "{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a text", "number"}},
     {"json_null", "{\"f\": null, \"delta\": 1}\n", {"line 1", "f is null", "number"}},
     {"json_key_twice", "{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1", "key f", "twice"}},
     {"json_unknown_key", "{\"f\": 1, \"delta\": 1, \"g\": 2}\n", {"line 1", "\"g\"", "no key"}},
-    {"json_key_missing", "{\"f\": 1, \"delta\": 1}\n{\"f\": 1}\n", {"line 2", "1 keys", "has 2"}},
+    {"json_key_missing",
+     "{\"f\": 1, \"delta\": 1}\n{\"f\": 1}\n",
+     {"line 2", "1 keys", "has 2"},
+     1},
     {"json_key_too_many",
      "{\"f\": 1, \"delta\": 1}\n{\"f\": 1, \"delta\": 1, \"x0\": 1}\n",
-     {"line 2", "x0", "first object"}},
+     {"line 2", "x0", "first object"},
+     1},
     {"json_two_on_a_line", "{\"f\": 1, \"delta\": 1} {}\n", {"line 1", "not valid JSON"}},
     {"json_without_keys", "{}\n", {"line 1", "keys"}},
     {"json_beyond_a_double", "{\"f\": 1e999, \"delta\": 1}\n", {"line 1", "1e999"}},
@@ -184,11 +227,18 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_list, data::make(wrong_lists), wrong) {
   for (const Arguments& more : {Arguments{}, Arguments{"--output", "rows.npy"}}) {
     const ProgramRun answer = run(sweep(more), with_input(wrong.text));
     BOOST_TEST(answer.exit_code == 2);
-    BOOST_TEST(answer.out.empty(), answer.out);
+    const bool to_file = !more.empty();
+    const bool kept = wrong.rows > 0;
     BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
     for (const std::string& part : wrong.says) {
       BOOST_TEST(answer.err.find(part) != std::string::npos, "no " << part << " in " << answer.err);
     }
-    BOOST_TEST(contents().empty());
+    // The rows in front of the wrong one are there, below their header, and nothing else is.
+    BOOST_TEST(std::ranges::count(answer.out, '\n') == (kept && !to_file ? wrong.rows + 1 : 0));
+    BOOST_TEST(contents().size() == (kept && to_file ? 2U : 0U));
+    if (kept && to_file) {
+      const auto left = nlohmann::json::parse(read("rows.npy.part.json"));
+      BOOST_TEST(left["rows"] == wrong.rows);
+    }
   }
 }

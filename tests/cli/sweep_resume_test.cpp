@@ -141,7 +141,10 @@ BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none)
   const std::string text = read("rows.csv.part.json");
   fs::remove(path("rows.csv.part.json"));
   check_refused({}, {"rows.csv.part.json", "is missing"});
-  for (const char* wrong : {"", "{}", "[]", "{\"schema\": 1}", "nonsense"}) {
+  const std::string deep = R"({"schema": "stillpoint/sweep-checkpoint/1", "task": )" +
+                           std::string(200'000, '[') + std::string(200'000, ']') + "}";
+  for (const std::string& wrong : {std::string(), std::string("{}"), std::string("[]"),
+                                   std::string("{\"schema\": 1}"), std::string("nonsense"), deep}) {
     write("rows.csv.part.json", wrong);
     check_refused({}, {"rows.csv.part.json", "is not what a sweep leaves"});
   }
@@ -149,12 +152,36 @@ BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none)
   BOOST_TEST(resume().exit_code == 0);
 }
 
+/// Whatever else there is to say of its file: nobody is to remove it.
 BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   const int other = ::open(path("rows.csv.part").c_str(), O_RDWR | O_CLOEXEC);
   BOOST_TEST_REQUIRE(::flock(other, LOCK_EX) == 0);
-  check_refused({}, {"rows.csv.part", "another sweep"});
+  check_refused({}, {"rows.csv.part: another sweep is writing it"});
+  check_refused({"--times"}, {"rows.csv.part: another sweep is writing it"});
+  const auto before = contents();
+  const ProgramRun anew = run(sweep({"--output", "rows.csv"}));
+  BOOST_TEST(anew.exit_code == 2);
+  BOOST_TEST(anew.err.find("rows.csv.part: another sweep is writing it") != std::string::npos,
+             anew.err);
+  BOOST_TEST(anew.err.find("remove") == std::string::npos, anew.err);
+  BOOST_TEST((contents() == before));
   ::close(other);
   BOOST_TEST(resume().exit_code == 0);
+}
+
+/// Where others may write as well, a link under the name of one of its files leads nowhere.
+BOOST_AUTO_TEST_CASE(follows_no_link_from_its_own_files) {
+  write("victim", "not ours");
+  fs::create_symlink("victim", path("rows.csv.part.json.new"));
+  BOOST_TEST(resume().exit_code == 0);
+  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(read("victim") == "not ours");
+
+  fs::create_symlink("victim", path("rows.csv.part"));
+  for (const Arguments& more : {Arguments{}, Arguments{"--resume"}}) {
+    BOOST_TEST(run(sweep(joined({"--output", "rows.csv"}, more))).exit_code == 2);
+    BOOST_TEST(read("victim") == "not ours");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(between_the_last_two_steps_is_tidied_up) {
@@ -201,8 +228,6 @@ BOOST_AUTO_TEST_CASE(at_any_moment_leaves_what_can_be_resumed) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_FIXTURE_TEST_SUITE(list, Sandbox)
-
 namespace {
 
 std::string rows(int count, const std::string& last) {
@@ -223,6 +248,8 @@ ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Argumen
 }
 
 }  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(list, Sandbox)
 
 BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
   constexpr int count = 3000;
@@ -251,6 +278,32 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
   BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
   BOOST_TEST(mended.json()["resumed_at"] > 0);
   BOOST_TEST((read("rows.npy") == whole));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(wrong_entry, Sandbox)
+
+/// However many entries are computed at once: all in front of the wrong one are kept, and the rest
+/// of the list may be mended.
+BOOST_AUTO_TEST_CASE(keeps_every_row_before_it) {
+  const std::string whole_list = rows(200, "0.1,0.5");
+  BOOST_TEST(resume(*this, whole_list).exit_code == 0);
+  const std::string whole = read("rows.npy");
+  for (const std::string& wrong : {std::string("-0.1,0.5"), std::string("a,0.5")}) {
+    for (const int at : {2, 150}) {
+      fs::remove(path("rows.npy"));
+      const ProgramRun refused = resume(*this, rows(at, wrong) + "0.2,0.5\n");
+      BOOST_TEST(refused.exit_code == 2);
+      BOOST_TEST(refused.err.find("line " + std::to_string(at + 1) + ": f = ") != std::string::npos,
+                 refused.err);
+      BOOST_TEST(json::parse(read("rows.npy.part.json"))["rows"] == at - 1);
+      const ProgramRun mended = resume(*this, whole_list, {"--json"});
+      BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
+      BOOST_TEST(mended.json()["resumed_at"] == at - 1);
+      BOOST_TEST((read("rows.npy") == whole));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
