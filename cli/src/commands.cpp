@@ -134,15 +134,13 @@ ExitCode run_region(const Settings& settings, Output& output) {
   answer.region = design::admissible_region(input.problem, input.limits);
   answer.reason = design::reason(answer.region, input.problem, input.limits);
   answer.mends = design::mends(input.problem, input.limits);
+  answer.joint_mend = design::joint_mend(input.problem, input.limits);
   if (input.f) {
     answer.delta1_published = design::delta1_published(input.problem, *input.f);
     answer.delta1_exact = design::delta1_exact(input.problem, *input.f);
   }
   if (input.delta) {
-    const auto list = design::constraints(input.problem, *input.f, *input.delta);
-    answer.constraints.assign(list.begin(), list.end());
-    const auto limits = design::limit_constraints(input.limits, *input.f, *input.delta);
-    answer.constraints.insert(answer.constraints.end(), limits.begin(), limits.end());
+    answer.constraints = design::constraints(input.problem, input.limits, *input.f, *input.delta);
     answer.tolerance =
         design::largest_tolerance(input.problem, input.limits, *input.f, *input.delta);
     answer.admissible = design::admissible(input.problem, input.limits, *input.f, *input.delta);

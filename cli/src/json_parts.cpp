@@ -20,6 +20,14 @@ ordered_json mends_json(const std::vector<design::Mend>& mends) {
   return list;
 }
 
+ordered_json joint_json(const std::optional<design::JointMend>& joint) {
+  if (!joint) {
+    return nullptr;
+  }
+  return {{"largest_tolerance", number(joint->largest_tolerance)},
+          {"mends", mends_json(joint->mends)}};
+}
+
 /// The constraints and limits that exclude each other, by name; null where none do.
 ordered_json conflict_json(design::Conflict conflict) {
   switch (conflict) {
@@ -64,7 +72,8 @@ ordered_json text(const std::string& value) {
 }
 
 ordered_json region_fields(const design::Region& region, const std::string& reason,
-                           const std::vector<design::Mend>& mends) {
+                           const std::vector<design::Mend>& mends,
+                           const std::optional<design::JointMend>& joint) {
   return {{"feasible", region.feasible},
           {"reason", text(reason)},
           {"conflict", conflict_json(region.conflict)},
@@ -75,13 +84,15 @@ ordered_json region_fields(const design::Region& region, const std::string& reas
           {"f_upper", number(region.f_upper)},
           {"delta2", number(region.delta2)},
           {"beta_min", number(region.beta_min)},
-          {"mends", mends_json(mends)}};
+          {"mends", mends_json(mends)},
+          {"joint_mend", joint_json(joint)}};
 }
 
 ordered_json constraints_json(std::span<const design::Constraint> constraints) {
   ordered_json list = ordered_json::array();
   for (const design::Constraint& constraint : constraints) {
     list.push_back({{"name", constraint.name},
+                    {"variable", constraint.variable},
                     {"relation", constraint.relation},
                     {"value", number(constraint.value)},
                     {"limit", number(constraint.limit)},

@@ -28,7 +28,8 @@ namespace stillpoint::cli {
                                                const design::Limits& limits);
 [[nodiscard]] nlohmann::ordered_json region_fields(const design::Region& region,
                                                    const std::string& reason,
-                                                   const std::vector<design::Mend>& mends);
+                                                   const std::vector<design::Mend>& mends,
+                                                   const std::optional<design::JointMend>& joint);
 [[nodiscard]] nlohmann::ordered_json constraints_json(
     std::span<const design::Constraint> constraints);
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);

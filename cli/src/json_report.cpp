@@ -76,17 +76,18 @@ ordered_json design_json(const DesignInput& input, const design::DesignResult& r
   add_pulse(task, input.pulse);
   task["objective"] = name(search.objective);
   task["algorithm"] = input.algorithm ? ordered_json(*input.algorithm) : ordered_json(nullptr);
-  ordered_json report{{"schema", "stillpoint/design-report/1"},
-                      {"program", program_json()},
-                      {"input", task},
-                      {"region", region_fields(result.region, result.reason, result.mends)},
-                      {"design", nullptr},
-                      {"constraints", ordered_json::array()},
-                      {"response", nullptr},
-                      {"search", nullptr},
-                      {"cross_check", nullptr},
-                      {"pulse", nullptr},
-                      {"physical", physical_json(design_quantities(input, result))}};
+  ordered_json report{
+      {"schema", "stillpoint/design-report/1"},
+      {"program", program_json()},
+      {"input", task},
+      {"region", region_fields(result.region, result.reason, result.mends, result.joint_mend)},
+      {"design", nullptr},
+      {"constraints", ordered_json::array()},
+      {"response", nullptr},
+      {"search", nullptr},
+      {"cross_check", nullptr},
+      {"pulse", nullptr},
+      {"physical", physical_json(design_quantities(input, result))}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
     report["design"] = design_point_json(problem, finding.point);
@@ -109,7 +110,7 @@ ordered_json region_json(const RegionInput& input, const RegionAnswer& answer) {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},
       {"input", task},
-      {"region", region_fields(answer.region, answer.reason, answer.mends)},
+      {"region", region_fields(answer.region, answer.reason, answer.mends, answer.joint_mend)},
       {"delta1_published", number(answer.delta1_published)},
       {"delta1_exact", number(answer.delta1_exact)},
       {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},

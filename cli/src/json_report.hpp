@@ -21,6 +21,7 @@ struct RegionAnswer {
   design::Region region;
   std::string reason;
   std::vector<design::Mend> mends;
+  std::optional<design::JointMend> joint_mend;
   std::optional<double> delta1_published;
   std::optional<double> delta1_exact;
   std::optional<bool> admissible;

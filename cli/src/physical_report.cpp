@@ -40,18 +40,21 @@ void add_region(Quantities& list, const PhysicalInput& physical, const design::R
 }
 
 /// Mended inputs; null where that input alone cannot mend it.
-void add_mends(Quantities& list, const design::Scales& scales,
-               const std::vector<design::Mend>& mends) {
+void add_mends(Quantities& list, PhysicalInput physical, const std::vector<design::Mend>& mends) {
   const auto mended = [&](std::string_view field) -> std::optional<double> {
     for (const design::Mend& mend : mends) {
       if (mend.field == field) {
-        return physical_mend(scales, mend).value;
+        return physical_mend(physical, mend).value;
       }
     }
     return std::nullopt;
   };
+  physical.by_stiffness = false;
   list.push_back({"velocity_mend_m_per_s", mended("v0")});
   list.push_back({"period_mend_s", mended("p")});
+  physical.by_stiffness = true;
+  list.push_back(
+      {"stiffness_mend_n_per_m", physical.scales.mass_kg ? finite(mended("p")) : std::nullopt});
   list.push_back({"max_displacement_mend_m", mended("beta")});
   list.push_back({"delta_max_mend_m", mended("delta_max")});
 }
@@ -97,7 +100,8 @@ void add_excitation(Quantities& list, const design::Scales& scales, const Excita
 
 }  // namespace
 
-PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& mend) {
+PhysicalMend physical_mend(const PhysicalInput& physical, const design::Mend& mend) {
+  const design::Scales& scales = physical.scales;
   // The conversion rounds a few times; so much to the safe side keeps the mended input feasible.
   constexpr double safety = 1e-14;
   const auto outward = [&](double value, bool upwards) {
@@ -106,6 +110,10 @@ PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& men
   const bool up = mend.upwards;
   if (mend.field == "v0") {
     return {"velocity", "m/s", outward(mend.value * scales.velocity_m_per_s, up), up};
+  }
+  if (mend.field == "p" && physical.by_stiffness && scales.mass_kg) {
+    const double omega = mend.value / scales.time_s;
+    return {"stiffness", "N/m", outward(*scales.mass_kg * omega * omega, up), up};
   }
   if (mend.field == "p") {
     const double period = 2 * std::numbers::pi * scales.time_s / mend.value;
@@ -127,7 +135,7 @@ Quantities design_quantities(const DesignInput& input, const design::DesignResul
   const design::Scales& scales = input.physical->scales;
   Quantities list = scale_quantities(*input.physical);
   add_region(list, *input.physical, result.region);
-  add_mends(list, scales, result.mends);
+  add_mends(list, *input.physical, result.mends);
   if (result.finding) {
     add_damper(list, scales, result.finding->point.f, result.finding->point.delta);
     add_response(list, scales, result.finding->response);
@@ -146,7 +154,7 @@ Quantities region_quantities(const RegionInput& input, const RegionAnswer& answe
   const design::Scales& scales = input.physical->scales;
   Quantities list = scale_quantities(*input.physical);
   add_region(list, *input.physical, answer.region);
-  add_mends(list, scales, answer.mends);
+  add_mends(list, *input.physical, answer.mends);
   add_damper(list, scales, input.f, input.delta);
   list.push_back({"delta1_published_m", times(answer.delta1_published, scales.length_m)});
   list.push_back({"delta1_exact_m", times(answer.delta1_exact, scales.length_m)});

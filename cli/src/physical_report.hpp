@@ -24,13 +24,14 @@ struct Quantity {
 [[nodiscard]] std::vector<Quantity> simulate_quantities(const SimulateInput& input,
                                                         const SimulateAnswer& answer);
 
-/// The physical value of a mended input, with its name and unit; H, a mere unit of length, stays.
+/// The physical value of a mended input, by the name under which it was given, with its unit; H, a
+/// mere unit of length, stays.
 struct PhysicalMend {
   std::string_view name;
   std::string_view unit;
   double value;
   bool upwards;
 };
-[[nodiscard]] PhysicalMend physical_mend(const design::Scales& scales, const design::Mend& mend);
+[[nodiscard]] PhysicalMend physical_mend(const PhysicalInput& physical, const design::Mend& mend);
 
 }  // namespace stillpoint::cli

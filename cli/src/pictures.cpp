@@ -61,10 +61,9 @@ std::string scene_of(const Settings& settings, Command command) {
 HtmlTable constraint_table(std::span<const design::Constraint> constraints) {
   HtmlTable table{"Constraints", {{"name", "of", "value", "", "limit", "slack", ""}}};
   for (const design::Constraint& now : constraints) {
-    const bool is_delta = now.name == "start" || now.name == "stop" || now.name == "delta_max";
-    table.rows.push_back({std::string(now.name), is_delta ? "Δ" : "f", figure(now.value),
-                          std::string(now.relation), figure(now.limit), figure(now.slack),
-                          now.satisfied ? "kept" : "VIOLATED"});
+    table.rows.push_back({std::string(now.name), now.variable == "delta" ? "Δ" : "f",
+                          figure(now.value), std::string(now.relation), figure(now.limit),
+                          figure(now.slack), now.satisfied ? "kept" : "VIOLATED"});
   }
   return table;
 }
@@ -251,7 +250,7 @@ HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer) {
   HtmlPage page;
   page.title = "Admissible region";
   page.report = region_text(input, answer, {}, Style(false));
-  page.verdict = answer.region.feasible ? format("Left for f: {:.6g} to {:.6g}.",
+  page.verdict = answer.region.feasible ? format("Feasible f: {:.6g} to {:.6g}.",
                                                  *answer.region.f_lower, *answer.region.f_upper)
                                         : "No admissible design: " + answer.reason;
   std::optional<DrawnDamper> damper;

@@ -104,6 +104,7 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   physical.scales =
       design::physical_scales(isolator, reference_velocity(std::abs(velocity), x0_m, isolator));
   physical.velocity_m_per_s = velocity;
+  physical.by_stiffness = isolator.stiffness_n_per_m.has_value();
   physical.period_s = 2 * std::numbers::pi / physical.scales.omega_rad_per_s;
   motion.v0 = velocity / physical.scales.velocity_m_per_s;
   motion.p = physical.scales.p;

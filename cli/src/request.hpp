@@ -20,6 +20,7 @@ struct PhysicalInput {
   design::Scales scales;
   double velocity_m_per_s{0};
   double period_s{0};
+  bool by_stiffness{false};  ///< not by the period
   std::optional<double> max_displacement_m;
 };
 

@@ -22,7 +22,7 @@ std::string design_text(const DesignInput& input, const design::DesignResult& re
   page.row("objective", name(search.objective));
   add_region(page, result.region, input.physical);
   if (!result.finding) {
-    add_emptiness(page, result.reason, result.mends, input.physical);
+    add_emptiness(page, result.reason, result.mends, result.joint_mend, input.physical);
     return page.text();
   }
   const design::Finding& finding = *result.finding;
@@ -59,7 +59,7 @@ std::string region_text(const RegionInput& input, const RegionAnswer& answer,
   add_problem(page, input.problem, input.limits, input.physical);
   add_region(page, answer.region, input.physical);
   if (!answer.region.feasible) {
-    add_emptiness(page, answer.reason, answer.mends, input.physical);
+    add_emptiness(page, answer.reason, answer.mends, answer.joint_mend, input.physical);
   }
   if (input.f) {
     page.section(format("At f = {:.6g}", *input.f));

@@ -82,30 +82,46 @@ void add_region(Page& page, const design::Region& region,
            format("delta <= delta2 = {:.6g}{}", region.delta2, in_metres(physical, region.delta2)));
   page.row("least beta", format("{:.6g}{}", region.beta_min, in_metres(physical, region.beta_min)));
   if (region.feasible) {
-    page.row("left for f", format("{:.6g} .. {:.6g}", *region.f_lower, *region.f_upper));
+    page.row("feasible f", format("{:.6g} .. {:.6g}", *region.f_lower, *region.f_upper));
   }
 }
 
+namespace {
+
+/// "at most 0.34", of a physical input in its unit as well.
+void add_mend(Page& page, const design::Mend& mend, const std::optional<PhysicalInput>& physical) {
+  std::string physical_value;
+  if (physical) {
+    const PhysicalMend now = physical_mend(*physical, mend);
+    if (!now.unit.empty()) {
+      physical_value = format("   ({} at {} {} {})", now.name, now.upwards ? "least" : "most",
+                              limit_figure(now.value, now.upwards), now.unit);
+    }
+  }
+  page.row(mend.field, format("at {} {}{}", mend.upwards ? "least" : "most",
+                              limit_figure(mend.value, mend.upwards), physical_value));
+}
+
+}  // namespace
+
 void add_emptiness(Page& page, const std::string& reason, const std::vector<design::Mend>& mends,
+                   const std::optional<design::JointMend>& joint,
                    const std::optional<PhysicalInput>& physical) {
   page.section("No admissible design");
   page.line(reason, Tone::bad);
-  if (mends.empty()) {
-    page.line("No change of a single input mends it.");
-    return;
+  if (joint) {
+    page.line(
+        format("No single change makes it feasible: whatever the other inputs are, the "
+               "largest tolerance that any damper has is {}. The smallest changes of two "
+               "inputs that do:",
+               limit_figure(joint->largest_tolerance, false)));
+  } else if (mends.empty()) {
+    page.line("No change of a single input makes it feasible.");
+  } else {
+    page.line("Changing any one of these makes it feasible; each value is the nearest that does:");
   }
-  page.line("Any one of these mends it; each is the least change of its input:");
-  for (const design::Mend& mend : mends) {
-    std::string physical_value;
-    if (physical) {
-      const PhysicalMend now = physical_mend(physical->scales, mend);
-      if (!now.unit.empty()) {
-        physical_value = format("   ({} at {} {} {})", now.name, now.upwards ? "least" : "most",
-                                limit_figure(now.value, now.upwards), now.unit);
-      }
-    }
-    page.row(mend.field, format("at {} {}{}", mend.upwards ? "least" : "most",
-                                limit_figure(mend.value, mend.upwards), physical_value));
+  for (const design::Mend& mend : joint ? joint->mends : mends) {
+    add_mend(page, mend, physical);
   }
 }
 
@@ -114,8 +130,7 @@ void add_constraints(Page& page, std::span<const design::Constraint> constraints
   std::vector<std::vector<std::string>> rows{{"", "", "value", "", "limit", "slack", ""}};
   std::vector<Tone> tones{Tone::plain};
   for (const design::Constraint& now : constraints) {
-    const bool is_delta = now.name == "start" || now.name == "stop";
-    rows.push_back({std::string(now.name), is_delta ? "delta" : "f", figure(now.value),
+    rows.push_back({std::string(now.name), std::string(now.variable), figure(now.value),
                     std::string(now.relation), figure(now.limit), figure(now.slack),
                     now.satisfied ? "ok" : "violated"});
     tones.push_back(now.satisfied ? Tone::good : Tone::bad);

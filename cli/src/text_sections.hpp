@@ -32,6 +32,7 @@ void add_region(Page& page, const design::Region& region,
                 const std::optional<PhysicalInput>& physical);
 /// Why there is no admissible design and what would mend it.
 void add_emptiness(Page& page, const std::string& reason, const std::vector<design::Mend>& mends,
+                   const std::optional<design::JointMend>& joint,
                    const std::optional<PhysicalInput>& physical);
 void add_constraints(Page& page, std::span<const design::Constraint> constraints);
 /// Force and energy, where there is a mass.

@@ -6,12 +6,12 @@
 
 namespace stillpoint::design {
 
-Finding finding_of(const Problem& problem, const SearchResult& found) {
+Finding finding_of(const Problem& problem, const Limits& limits, const SearchResult& found) {
   const auto& [point, record] = found;
   Finding finding;
   finding.point = point;
   finding.search = record;
-  finding.constraints = constraints(problem, point.f, point.delta);
+  finding.constraints = constraints(problem, limits, point.f, point.delta);
   finding.response = free_response({problem.p, point.f, point.delta}, {0, problem.v0});
   finding.cross_check = cross_check(predict(problem, point.f), problem, point.f, point.delta);
   return finding;
@@ -30,9 +30,10 @@ DesignResult design(const DesignRequest& request) {
     }
     result.reason = reason(result.region, problem, limits);
     result.mends = mends(problem, limits);
+    result.joint_mend = joint_mend(problem, limits);
     return result;
   }
-  result.finding = finding_of(problem, *found);
+  result.finding = finding_of(problem, limits, *found);
   return result;
 }
 

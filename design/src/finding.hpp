@@ -6,6 +6,7 @@
 namespace stillpoint::design {
 
 /// A point that was found, simulated and checked.
-[[nodiscard]] Finding finding_of(const Problem& problem, const SearchResult& found);
+[[nodiscard]] Finding finding_of(const Problem& problem, const Limits& limits,
+                                 const SearchResult& found);
 
 }  // namespace stillpoint::design

@@ -8,41 +8,100 @@
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 namespace stillpoint::design {
 
-/// The mend of one input, `change(case, value)` sets it, on the way from what it is towards `to`.
-template <class Case, class Fits, class Change>
-void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits, std::string_view field,
-              double from, double to, const Change& change) {
-  const auto fits_with = [&](double value) {
-    Case changed = base;
-    change(changed, value);
-    return fits(changed);
-  };
-  if (const auto value = nearest_fit(from, to, fits_with)) {
-    list.push_back({field, *value, *value > from});
+/// An input that helps the more, the nearer it is to `to`.
+template <class Case>
+struct Input {
+  std::string_view field;
+  double from{0};
+  double to{0};
+  void (*set)(Case&, double){nullptr};
+
+  [[nodiscard]] Case in(Case changed, double value) const {
+    set(changed, value);
+    return changed;
+  }
+  [[nodiscard]] double moved(double factor) const {
+    return to > from ? std::min(from * factor, to) : std::max(from / factor, to);
+  }
+  [[nodiscard]] Mend mend(double value) const { return {field, value, value > from}; }
+};
+
+/// The limits that are set.
+template <class Case>
+std::vector<Input<Case>> limit_inputs(const Limits& limits) {
+  std::vector<Input<Case>> list;
+  if (limits.f_max) {
+    list.push_back({"f_max", *limits.f_max, largest_square,
+                    [](Case& now, double value) { now.limits.f_max = value; }});
+  }
+  if (limits.delta_max) {
+    list.push_back({"delta_max", *limits.delta_max, largest_square,
+                    [](Case& now, double value) { now.limits.delta_max = value; }});
+  }
+  if (limits.tolerance > 0) {
+    list.push_back({"tolerance", limits.tolerance, 0.0,
+                    [](Case& now, double value) { now.limits.tolerance = value; }});
+  }
+  return list;
+}
+
+/// The mend of one input, where it can mend alone.
+template <class Case, class Fits>
+void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits,
+              const Input<Case>& input) {
+  if (const auto nearest = nearest_fit(input.from, input.to,
+                                       [&](double value) { return fits(input.in(base, value)); })) {
+    list.push_back(input.mend(*nearest));
   }
 }
 
-/// Those of the limits that are set.
+/// The JointMend of a case without a single one. `inputs` are those that bring the peak below beta,
+/// the likeliest to be changed first; the tolerance is the last of the limits.
 template <class Case, class Fits>
-void add_limit_mends(std::vector<Mend>& list, const Case& base, const Fits& fits) {
-  const Limits& limits = base.limits;
-  if (limits.f_max) {
-    add_mend(list, base, fits, "f_max", *limits.f_max, largest_square,
-             [](Case& now, double value) { now.limits.f_max = value; });
+std::optional<JointMend> joint_mend_of(const Case& base, const Fits& fits,
+                                       const std::vector<Input<Case>>& inputs) {
+  constexpr double far = 1e99;     // to the end of every input
+  constexpr double nearer = 1e-9;  // is the same
+  const auto limits = limit_inputs<Case>(base.limits);
+  if (!(base.limits.tolerance > 0)) {
+    return std::nullopt;
   }
-  if (limits.delta_max) {
-    add_mend(list, base, fits, "delta_max", *limits.delta_max, largest_square,
-             [](Case& now, double value) { now.limits.delta_max = value; });
+  const Input<Case>& tolerance = limits.back();
+  Case wide = inputs.front().in(base, inputs.front().to);
+  wide.limits = {};
+  const auto largest = nearest_fit(tolerance.from, tolerance.to,
+                                   [&](double value) { return fits(tolerance.in(wide, value)); });
+  std::vector<Input<Case>> others = inputs;
+  others.insert(others.end(), limits.begin(), limits.end() - 1);
+  std::optional<double> least;
+  JointMend joint{largest.value_or(0), {}};
+  for (const Input<Case>& other : others) {
+    const auto with = [&](double value, double its_tolerance) {
+      return fits(tolerance.in(other.in(base, value), its_tolerance));
+    };
+    const auto factor = nearest_fit(
+        1.0, far, [&](double by) { return with(other.moved(by), tolerance.moved(by)); });
+    if (!factor || (least && *factor >= *least * (1 - nearer))) {
+      continue;
+    }
+    least = factor;
+    // One of them may have gone farther than it need. At the largest tolerance of all rounding
+    // decides, so the other is sought a little inside of it.
+    const double most = tolerance.moved(*factor) * (1 - nearer);
+    const double value =
+        *nearest_fit(other.from, other.moved(*factor), [&](double now) { return with(now, most); });
+    const double its_tolerance =
+        *nearest_fit(tolerance.from, most, [&](double now) { return with(value, now); });
+    joint.mends = {tolerance.mend(its_tolerance), other.mend(value)};
   }
-  if (limits.tolerance > 0) {
-    add_mend(list, base, fits, "tolerance", limits.tolerance, 0.0,
-             [](Case& now, double value) { now.limits.tolerance = value; });
-  }
+  return least ? std::optional(joint) : std::nullopt;
 }
 
 }  // namespace stillpoint::design

@@ -30,6 +30,29 @@ bool feasible(const Case& now) {
   return amplitude_fits(now) && strip_fits(now);
 }
 
+// How far an input is changed: as long as it stays valid (problem.hpp), but for one decade.
+constexpr double ratio = 1e99;
+
+Input<Case> v0_of(const Problem& problem) {
+  return {"v0", problem.v0, std::max(smallest_speed, problem.p * problem.beta / ratio),
+          [](Case& now, double value) { now.problem.v0 = value; }};
+}
+
+Input<Case> beta_of(const Problem& problem) {
+  return {"beta", problem.beta,
+          std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * ratio}),
+          [](Case& now, double value) { now.problem.beta = value; }};
+}
+
+double least_p(const Problem& problem) {
+  return std::max(
+      {smallest_speed, smallest_speed / problem.beta, problem.v0 / problem.beta / ratio});
+}
+
+double most_p(const Problem& problem) {
+  return std::min({largest_speed, largest_speed / problem.beta, problem.v0 / problem.beta * ratio});
+}
+
 /// More p helps the amplitude and can only harm the stop, so both are asked one after the other.
 std::optional<double> mended_p(const Case& base, double least, double most) {
   const auto with = [&](double p) {
@@ -55,24 +78,28 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   if (feasible(base)) {
     return list;
   }
-  // As far as the changed input stays valid (problem.hpp), but for one decade.
-  constexpr double ratio = 1e99;
-  const double speed = problem.p * problem.beta;
-  const double least_v0 = std::max(smallest_speed, speed / ratio);
-  add_mend(list, base, feasible, "v0", problem.v0, least_v0,
-           [](Case& now, double value) { now.problem.v0 = value; });
-  const double p_unit = problem.v0 / problem.beta;
-  const double least_p = std::max({smallest_speed, smallest_speed / problem.beta, p_unit / ratio});
-  const double most_p = std::min({largest_speed, largest_speed / problem.beta, p_unit * ratio});
-  if (const auto p = mended_p(base, least_p, most_p)) {
+  add_mend(list, base, feasible, v0_of(problem));
+  if (const auto p = mended_p(base, least_p(problem), most_p(problem))) {
     list.push_back({"p", *p, *p > problem.p});
   }
-  const double most_beta =
-      std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * ratio});
-  add_mend(list, base, feasible, "beta", problem.beta, most_beta,
-           [](Case& now, double value) { now.problem.beta = value; });
-  add_limit_mends(list, base, feasible);
+  add_mend(list, base, feasible, beta_of(problem));
+  for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
+    add_mend(list, base, feasible, limit);
+  }
   return list;
+}
+
+std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits) {
+  const Case base{problem, limits};
+  if (feasible(base) || !mends(problem, limits).empty()) {
+    return std::nullopt;
+  }
+  std::vector<Input<Case>> inputs{beta_of(problem), v0_of(problem)};
+  if (!limits.f_max) {  // which a larger p would bring nearer
+    inputs.push_back(
+        {"p", problem.p, most_p(problem), [](Case& now, double value) { now.problem.p = value; }});
+  }
+  return joint_mend_of(base, feasible, inputs);
 }
 
 }  // namespace stillpoint::design

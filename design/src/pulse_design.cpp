@@ -166,6 +166,7 @@ DesignResult without_design(const PulseTask& task, const SearchOptions& options)
   result.region.f3 = std::min(result.region.f3, *free.limits.f_max);
   result.reason = reason(result.region, free.problem, free.limits);
   result.mends = mends(task.problem, limits);
+  result.joint_mend = joint_mend(task.problem, limits);
   return result;
 }
 
@@ -192,7 +193,7 @@ DesignResult design(const PulseRequest& request) {
   const SearchResult found = search({task, options});
   const Problem reduced = problem_at(problem, found.point.f);
   DesignResult result{{reduced, limits, options}, region_at(task, reduced), {}, {}, {}};
-  result.finding = finding_of(reduced, found);
+  result.finding = finding_of(reduced, limits, found);
   result.finding->pulse = check_under_pulse(problem, *result.finding);
   return result;
 }

@@ -35,6 +35,22 @@ bool fits(const Case& now) {
   return feasible(PulseTask(now.problem, now.limits));
 }
 
+Input<Case> k_of(const PulseProblem& problem) {
+  const double k = peak_load(problem.pulse);
+  return {"k", k, k / far, [](Case& now, double value) { now.set_k(value); }};
+}
+
+Input<Case> lambda_of(const PulseProblem& problem) {
+  const double lambda = angular_frequency(problem.pulse);
+  return {"lambda", lambda, std::min(lambda * far, problem.p * longest_ratio),
+          [](Case& now, double value) { now.set_lambda(value); }};
+}
+
+Input<Case> beta_of(const PulseProblem& problem) {
+  return {"beta", problem.beta, problem.beta * far,
+          [](Case& now, double value) { now.problem.beta = value; }};
+}
+
 /// More p helps the amplitude and can only harm the stop, so both are asked one after the other:
 /// without a limit of Delta, then without one of the amplitude.
 void add_p(std::vector<Mend>& list, const Case& base) {
@@ -73,17 +89,22 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
   if (fits(base)) {
     return list;
   }
-  const double k = peak_load(problem.pulse);
-  const double lambda = angular_frequency(problem.pulse);
-  const double most_lambda = std::min(lambda * far, problem.p * longest_ratio);
-  add_mend(list, base, fits, "k", k, k / far, [](Case& now, double value) { now.set_k(value); });
-  add_mend(list, base, fits, "lambda", lambda, most_lambda,
-           [](Case& now, double value) { now.set_lambda(value); });
+  add_mend(list, base, fits, k_of(problem));
+  add_mend(list, base, fits, lambda_of(problem));
   add_p(list, base);
-  add_mend(list, base, fits, "beta", problem.beta, problem.beta * far,
-           [](Case& now, double value) { now.problem.beta = value; });
-  add_limit_mends(list, base, fits);
+  add_mend(list, base, fits, beta_of(problem));
+  for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
+    add_mend(list, base, fits, limit);
+  }
   return list;
+}
+
+std::optional<JointMend> joint_mend(const PulseProblem& problem, const Limits& limits) {
+  const Case base{problem, limits};
+  if (fits(base) || !mends(problem, limits).empty()) {
+    return std::nullopt;
+  }
+  return joint_mend_of(base, fits, {beta_of(problem), k_of(problem), lambda_of(problem)});
 }
 
 }  // namespace stillpoint::design

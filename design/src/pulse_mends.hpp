@@ -4,11 +4,14 @@
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace stillpoint::design {
 
 /// As mends() of region.hpp, with k and lambda in place of v0.
 [[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
+[[nodiscard]] std::optional<JointMend> joint_mend(const PulseProblem& problem,
+                                                  const Limits& limits);
 
 }  // namespace stillpoint::design

@@ -77,7 +77,10 @@ double least_beta(Problem problem) {
 
 /// The infimum of f for which Delta1 of the box's low corner leaves room below the cap.
 double lower_end_from_stop(const Problem& problem, const Edges& edges, double tolerance) {
-  const double highest = edges.delta_cap / problem.v0 / problem.v0;
+  // Delta2 is v0^2/2: dividing the rounded square by v0 twice may miss 1/2, and f = 0 with it.
+  const double delta2 = problem.v0 * problem.v0 / 2;
+  const double highest =
+      edges.delta_cap == delta2 ? 0.5 : edges.delta_cap / problem.v0 / problem.v0;
   const double d = highest * (1 - tolerance) / (1 + tolerance);
   const double a = unit::delta1_inverse(problem.criterion, d);
   return a * problem.v0 * problem.p / (1 - tolerance);
@@ -178,22 +181,24 @@ std::array<Constraint, 5> constraints(const Problem& problem, double f, double d
   require_within("delta", delta, 0, largest_square);
   const double lowest = delta1(problem, f);
   return {{
-      {"dead_zone", "<", f, region.f1, region.f1 - f, f < region.f1},
-      {"start", "<=", delta, region.delta2, region.delta2 - delta, delta <= region.delta2},
-      {"amplitude", ">=", f, region.f2, f - region.f2, f >= region.f2},
-      {"return", "<=", f, region.f3, region.f3 - f, f <= region.f3},
-      {"stop", ">", delta, lowest, delta - lowest, delta > lowest},
+      {"dead_zone", "f", "<", f, region.f1, region.f1 - f, f < region.f1},
+      {"start", "delta", "<=", delta, region.delta2, region.delta2 - delta, delta <= region.delta2},
+      {"amplitude", "f", ">=", f, region.f2, f - region.f2, f >= region.f2},
+      {"return", "f", "<=", f, region.f3, region.f3 - f, f <= region.f3},
+      {"stop", "delta", ">", delta, lowest, delta - lowest, delta > lowest},
   }};
 }
 
-std::vector<Constraint> limit_constraints(const Limits& limits, double f, double delta) {
-  std::vector<Constraint> list;
+std::vector<Constraint> constraints(const Problem& problem, const Limits& limits, double f,
+                                    double delta) {
+  const auto conditions = constraints(problem, f, delta);
+  std::vector<Constraint> list(conditions.begin(), conditions.end());
   if (limits.f_max) {
-    list.push_back({"f_max", "<=", f, *limits.f_max, *limits.f_max - f, f <= *limits.f_max});
+    list.push_back({"f_max", "f", "<=", f, *limits.f_max, *limits.f_max - f, f <= *limits.f_max});
   }
   if (limits.delta_max) {
     const double cap = *limits.delta_max;
-    list.push_back({"delta_max", "<=", delta, cap, cap - delta, delta <= cap});
+    list.push_back({"delta_max", "delta", "<=", delta, cap, cap - delta, delta <= cap});
   }
   return list;
 }

@@ -21,6 +21,12 @@ double rounded_down(long double value) {
   return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
 }
 
+/// V0 = beta p, so that f2 = 0: each of the three is a decimal rounded by 2^-53 of itself at most,
+/// |V0 - beta p| <= 3 2^-53 V0, and their difference would be that rounding alone.
+bool is_same(long double v0, long double speed) {
+  return std::abs(v0 - speed) <= 0x3p-53L * v0;
+}
+
 bool fits(double floor, double cap, double tolerance) {
   return lowest_centre(floor, tolerance) <= highest_centre(cap, tolerance);
 }
@@ -33,7 +39,7 @@ Edges edges(const Problem& problem, const Limits& limits) {
   const long double beta = problem.beta;
   const long double speed = beta * p;
   Edges result{};
-  result.f2 = rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
+  result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
   result.f3 = rounded_down(v0 * p / (2 * std::numbers::sqrt2_v<long double>));
   result.f_cap = result.f3;
   if (limits.f_max) {

@@ -106,6 +106,18 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
   BOOST_TEST(report["search"]["algorithm"] == "LN_COBYLA");
 }
 
+/// The rows are those that `region` lists for the same point.
+BOOST_AUTO_TEST_CASE(limits_that_are_given_have_their_rows) {
+  const Arguments limits{"--f-max", "0.3", "--delta-max", "0.45"};
+  const json report = report_of(*this, design(0.9, limits));
+  const json again = report_of(
+      *this, joined({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f",
+                     in_full(report["design"]["f"]), "--delta", in_full(report["design"]["delta"])},
+                    limits));
+  BOOST_TEST(report["constraints"].size() == 7U);
+  BOOST_TEST(report["constraints"] == again["constraints"]);
+}
+
 BOOST_AUTO_TEST_CASE(region_is_the_paper_s) {
   const json report = report_of(*this, design(0.9));
   BOOST_TEST(near(number(report, "region", "f1"), 0.9, 1e-15));
@@ -330,6 +342,29 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
                            "0.8485281374", "1.178511302", "0.7071067812"}) {
     BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
   }
+}
+
+/// Nobody is left alone with a tolerance that no damper has: the theory's largest is 36.3 %.
+BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_enough) {
+  const Arguments impossible = design(0.6, {"--tolerance", "0.5"});
+  const ProgramRun text = run(impossible);
+  BOOST_TEST(text.exit_code == 3);
+  for (const char* part : {"largest tolerance that", "0.3633", "two inputs",
+                           "  tolerance         at most ", "at least "}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, text.out);
+  }
+  const json joint = run(joined(impossible, {"--json"})).json()["region"]["joint_mend"];
+  BOOST_TEST(near(joint["largest_tolerance"], 0.36336, 1e-4));
+  BOOST_TEST_REQUIRE(joint["mends"].size() == 2U);
+  json problem{{"v0", 1}, {"p", 1}, {"beta", 0.6}, {"tolerance", 0.5}};
+  for (const json& mend : joint["mends"]) {
+    problem[mend["input"].get<std::string>()] = mend["value"];
+  }
+  BOOST_TEST(run({"design", "-"}, {.input = problem.dump()}).exit_code == 0);
+  const Arguments pulse{"design",   "--pulse",     "half-sine", "--k",   "0.5",
+                        "--lambda", "20",          "--p",       "1",     "--beta",
+                        "0.02",     "--tolerance", "0.5",       "--json"};
+  BOOST_TEST(run(pulse).json()["region"]["joint_mend"]["mends"].size() == 2U);
 }
 
 BOOST_AUTO_TEST_CASE(each_mend_is_the_least_one) {

@@ -5,9 +5,13 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
+#include <sstream>
+#include <string>
 
 namespace {
 
@@ -143,6 +147,53 @@ BOOST_AUTO_TEST_CASE(limits_count_for_a_point) {
   BOOST_TEST(report_of(*this, region(joined(point, {"--tolerance", "0.1"})))["admissible"] == true);
 }
 
+/// Each bound names the variable that it bounds, in the report for people as in JSON.
+BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
+  const Arguments arguments =
+      region({"--f", "0.3", "--delta", "0.4", "--f-max", "0.31", "--delta-max", "0.41"});
+  std::map<std::string, std::string> variable;
+  const json report = report_of(*this, arguments);
+  for (const json& now : report["constraints"]) {
+    variable[now.at("name")] = now.value("variable", "none");
+  }
+  const std::map<std::string, std::string> expected{
+      {"dead_zone", "f"}, {"start", "delta"}, {"amplitude", "f"},    {"return", "f"},
+      {"stop", "delta"},  {"f_max", "f"},     {"delta_max", "delta"}};
+  BOOST_TEST((variable == expected));
+  std::istringstream text(run(arguments).out);
+  std::string line;
+  std::size_t found = 0;
+  while (std::getline(text, line)) {
+    std::istringstream words(line);
+    std::string name;
+    std::string of;
+    std::string value;
+    words >> name >> of >> value;
+    if (expected.contains(name) && (value == "0.3" || value == "0.4")) {
+      BOOST_TEST(of == expected.at(name), line);
+      ++found;
+    }
+  }
+  BOOST_TEST(found == expected.size());
+}
+
+/// Where amplitude does not bind, f may come as near to 0 as it likes: its edge is 0, not what is
+/// left of v0^2 divided by v0 twice.
+BOOST_AUTO_TEST_CASE(edge_at_zero_is_zero) {
+  for (const int tenths : {1, 3, 7, 11, 13, 29, 31, 97}) {
+    const json report =
+        report_of(*this, {"region", "--v0", in_full(tenths / 10.0), "--p", "1", "--beta", "100"});
+    BOOST_TEST(report["region"]["f_lower"].get<double>() == 0, "v0 = " << tenths / 10.0);
+  }
+  // V0 = beta p in decimals, which as doubles differ in their last bits.
+  for (const auto& [v0, p, beta] : {std::array{"1.1", "0.1", "11"}, std::array{"0.3", "0.1", "3"},
+                                    std::array{"0.6", "0.2", "3"}, std::array{"0.7", "0.1", "7"}}) {
+    const json report = report_of(*this, {"region", "--v0", v0, "--p", p, "--beta", beta});
+    BOOST_TEST(report["region"]["f2"].get<double>() == 0, "v0 = " << v0);
+    BOOST_TEST(report["region"]["f_lower"].get<double>() == 0, "v0 = " << v0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(friction_beyond_measure_is_refused_or_reported_in_finite_numbers) {
   for (const char* f : {"1e150", "1e300"}) {
     const Arguments arguments = region({"--f", f, "--delta", "1"});
@@ -198,6 +249,31 @@ BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
                         "--beta",
                         in_full(report["input"]["beta"])};
   BOOST_TEST(report_of(*this, again)["region"] == report["region"]);
+}
+
+/// A mend speaks of what was given: whoever gave a stiffness is told a stiffness.
+BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
+  const auto isolator = [](const std::string& stiffness) {
+    return Arguments{"region", "--velocity", "0.4", "--stiffness", stiffness, "--max-displacement",
+                     "0.1",    "--mass",     "1e5"};
+  };
+  const ProgramRun text = run(isolator("6e5"));
+  BOOST_TEST(text.exit_code == 3);
+  BOOST_TEST(text.out.find("(stiffness at least ") != std::string::npos, text.out);
+  BOOST_TEST(text.out.find("(period ") == std::string::npos, text.out);
+  // beta p / V0 = X omega / v = 1/sqrt 2, (10), so that k = m v^2 / (2 X^2).
+  const json quantities = run(joined(isolator("6e5"), {"--json"})).json()["physical"];
+  const double mended = quantities["stiffness_mend_n_per_m"];
+  constexpr double digits = 1e-13;  // to the safe side
+  BOOST_TEST(near(mended, 1e5 * 0.16 / 0.02, digits));
+  BOOST_TEST(run(isolator(in_full(mended))).exit_code == 0);
+  BOOST_TEST(run(isolator(in_full(mended * (1 - 1e-12)))).exit_code == 3);
+
+  const Arguments by_period{"region", "--velocity",         "0.4", "--period",
+                            "2.5651", "--max-displacement", "0.1"};
+  const json without_mass = run(joined(by_period, {"--json"})).json()["physical"];
+  check_fields(without_mass, {"period_mend_s:number", "stiffness_mend_n_per_m:null"});
+  BOOST_TEST(run(by_period).out.find("(period at most ") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {

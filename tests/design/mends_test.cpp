@@ -25,6 +25,8 @@ using namespace stillpoint::design_test;
 constexpr double value_tolerance = 8e-16;
 /// How much smaller a change must not do, relative to the change.
 constexpr double smaller = 1e-9;
+/// The same of two inputs, the other of which is sought 1e-9 inside the tolerance.
+constexpr double joint_smaller = 1e-7;
 
 struct Case {
   Problem problem;
@@ -138,6 +140,56 @@ BOOST_AUTO_TEST_CASE(the_tolerance_is_mended_to_the_largest_there_is) {
               known_digits);
   check_value({{1, 1, 0.9, Criterion::exact}, {std::nullopt, std::nullopt, 0.5}}, "tolerance",
               0.37608589, known_digits);
+}
+
+/// A tolerance that no damper has and a beta that is too small: two inputs must change. Both do by
+/// one factor, and no smaller one is enough.
+BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
+  RandomSource random(1109);
+  int seen = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Case now = random_case(random);
+    const auto joint = joint_mend(now.problem, now.limits);
+    const bool none = mends(now.problem, now.limits).empty();
+    BOOST_TEST(joint.has_value() == (none && !now.feasible()));
+    if (!joint) {
+      continue;
+    }
+    ++seen;
+    BOOST_TEST_REQUIRE(joint->mends.size() == 2U);
+    BOOST_TEST(joint->mends[0].field == "tolerance");
+    Case mended = now;
+    for (const Mend& mend : joint->mends) {
+      mended = mended.with(mend.field, mend.value);
+    }
+    BOOST_TEST(mended.feasible());
+    double factor = 1;
+    for (const Mend& mend : joint->mends) {
+      Case less = mended;
+      Case before = now;
+      const double given = before.field(mend.field);
+      factor = std::max(factor, mend.upwards ? mend.value / given : given / mend.value);
+      less.field(mend.field) = mend.value + joint_smaller * (given - mend.value);
+      BOOST_TEST(!less.feasible(), mend.field << " could be nearer");
+    }
+    // A smaller factor is not enough for any pair. (More p brings f_max nearer.)
+    const double less = factor / (1 + 3 * smaller);
+    for (const std::string& field : fields_of(now)) {
+      if (field == "tolerance" || (field == "p" && now.limits.f_max)) {
+        continue;
+      }
+      Case moved = now.with("tolerance", now.limits.tolerance / less);
+      moved.field(field) *= field == "v0" ? 1 / less : less;
+      BOOST_TEST(!moved.feasible(), field << " and the tolerance mend by less");
+    }
+    // Whatever beta, no damper has more than that.
+    BOOST_TEST(mended.limits.tolerance <= joint->largest_tolerance * (1 + smaller));
+    Case wide{now.problem, {std::nullopt, std::nullopt, joint->largest_tolerance}};
+    wide.problem.beta = 1e9 * wide.problem.v0 / wide.problem.p;
+    BOOST_TEST(wide.with("tolerance", joint->largest_tolerance * (1 - smaller)).feasible());
+    BOOST_TEST(!wide.with("tolerance", joint->largest_tolerance * (1 + smaller)).feasible());
+  }
+  BOOST_TEST(seen > 50);
 }
 
 BOOST_AUTO_TEST_CASE(a_region_that_is_not_empty_needs_no_mend) {

@@ -8,7 +8,6 @@
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +23,7 @@ struct DesignRequest {
 /// What was found for an admissible region.
 struct Finding {
   DesignPoint point;
-  std::array<Constraint, 5> constraints;
+  std::vector<Constraint> constraints;
   Response response;  ///< by the half-cycle map
   SearchRecord search;
   CrossCheck cross_check;
@@ -32,13 +31,14 @@ struct Finding {
 };
 
 /// The whole answer to a request. Without a finding the region is empty: `reason` says why and
-/// `mends` what would help.
+/// `mends`, or else `joint_mend`, what would help.
 struct DesignResult {
   DesignRequest request;
   Region region;
   std::string reason;
   std::vector<Mend> mends;
   std::optional<Finding> finding;
+  std::optional<JointMend> joint_mend{};
 };
 
 /// Region, search, simulation, cross-check. Throws InputError for wrong input; an empty region and

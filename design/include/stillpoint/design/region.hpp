@@ -67,6 +67,7 @@ struct Region {
 /// slack is the distance from value to limit, positive inside; the strict ones need slack > 0.
 struct Constraint {
   std::string_view name;
+  std::string_view variable;  ///< f or delta, of which `value` is
   std::string_view relation;
   double value{0};
   double limit{0};
@@ -78,9 +79,9 @@ struct Constraint {
 /// 1e300].
 [[nodiscard]] std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta);
 
-/// One more row for each limit that is given: f_max and delta_max.
-[[nodiscard]] std::vector<Constraint> limit_constraints(const Limits& limits, double f,
-                                                        double delta);
+/// With one more row for each limit that is given: f_max and delta_max.
+[[nodiscard]] std::vector<Constraint> constraints(const Problem& problem, const Limits& limits,
+                                                  double f, double delta);
 
 /// All five constraints and the limits, over the box of relative half-width `limits.tolerance`
 /// around (f, delta): its worst corner is (f (1 - tolerance), delta (1 - tolerance)) for the stop,
@@ -101,5 +102,17 @@ struct Mend {
 
 /// One entry for each input that can mend it alone; none where the region is not empty.
 [[nodiscard]] std::vector<Mend> mends(const Problem& problem, const Limits& limits);
+
+/// What helps where no single input mends it, because no damper at all has the tolerance.
+struct JointMend {
+  double largest_tolerance{0};  ///< that any damper has, whatever beta and the limits
+  /// The tolerance and another input: the two that mend it when both are changed by the same factor
+  /// and that factor is the least there is. Neither can be nearer to what it was without the other
+  /// farther from it.
+  std::vector<Mend> mends;
+};
+
+/// Empty where the region is not, and where one input can mend it.
+[[nodiscard]] std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits);
 
 }  // namespace stillpoint::design
