@@ -114,7 +114,7 @@ RecordUnits parse_record_units(const std::string& wanted_name) {
       return units;
     }
   }
-  throw InputError("record-units", quoted(wanted_name), "must be g, m/s2 or cm/s2");
+  throw InputError("record-units", cli::quoted(wanted_name), "must be g, m/s2 or cm/s2");
 }
 
 bool names_quantity(string_view line) {

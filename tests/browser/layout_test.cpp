@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE browser
 #include "figure_facts.hpp"
 
 #include <boost/test/unit_test.hpp>

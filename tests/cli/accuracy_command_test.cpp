@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE accuracy_command
 #include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
@@ -12,6 +11,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(accuracy_command_test)
 
 namespace {
 
@@ -162,3 +163,5 @@ const std::vector<Wrong> wrong_scenes{
 BOOST_DATA_TEST_CASE_F(Sandbox, wrong_scene, data::make(wrong_scenes), wrong) {
   check_refused(*this, wrong);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE design_command
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -16,6 +15,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(design_command_test)
 
 namespace {
 
@@ -554,5 +555,7 @@ BOOST_AUTO_TEST_CASE(text_has_units) {
     BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

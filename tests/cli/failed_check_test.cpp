@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE failed_check
 #include "commands.hpp"
 #include "json_report.hpp"
 #include "report_fields.hpp"
@@ -10,6 +9,8 @@
 #include <stillpoint/design/prediction.hpp>
 
 #include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(failed_check_test)
 
 namespace {
 
@@ -83,3 +84,5 @@ BOOST_AUTO_TEST_CASE(no_design_is_exit_code_3) {
   input.request.problem.beta = 0.6;
   BOOST_TEST(cli::exit_code(design::design(input.request)) == 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

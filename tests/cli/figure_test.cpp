@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE figure
 #include "figure.hpp"
 #include "figure_map.hpp"
 
@@ -9,6 +8,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(figure_test)
 
 namespace {
 
@@ -135,5 +136,7 @@ BOOST_AUTO_TEST_CASE(map_is_a_png) {
   // base64 of the signature and of the header's length and name.
   BOOST_TEST(map_base64(one_of_everything().map).starts_with("iVBORw0KGgoAAAANSUhEUg"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_command
 #include "forced_arguments.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
@@ -16,6 +15,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(forced_command_test)
 
 // simulate with an excitation, from the flags to the files.
 
@@ -621,5 +622,7 @@ BOOST_AUTO_TEST_CASE(trajectory_of_physical_input_has_metres_and_seconds) {
   BOOST_TEST(near(peak, quantities["peak_m"], 1e-14));
   BOOST_TEST(near(rows.back()[3], quantities["stop_time_s"], 1e-11));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE generated_docs
 #include "generated_docs.hpp"
 #include "command_line.hpp"
 #include "options.hpp"
@@ -13,6 +12,8 @@
 #include <memory>
 #include <set>
 #include <sstream>
+
+BOOST_AUTO_TEST_SUITE(generated_docs_test)
 
 namespace {
 
@@ -104,5 +105,7 @@ BOOST_AUTO_TEST_CASE(name_every_option) {
     BOOST_TEST(fish.find(" -l " + name + " ") != std::string::npos, name);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

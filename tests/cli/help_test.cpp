@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE help
 #include "options.hpp"
 #include "run_program.hpp"
 #include "version.hpp"
@@ -12,6 +11,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(help_test)
 
 namespace {
 
@@ -147,5 +148,7 @@ BOOST_AUTO_TEST_CASE(version_says_with_what_it_was_built_and_runs) {
            << ")\n";
   BOOST_TEST(run({"--version"}).out == expected.str());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

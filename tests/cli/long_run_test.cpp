@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE long_run
 #include "forced_arguments.hpp"
 #include "refusal.hpp"
 #include "run_program.hpp"
@@ -8,6 +7,8 @@
 
 #include <algorithm>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(long_run_test)
 
 using namespace stillpoint::cli_test;
 
@@ -66,5 +67,7 @@ BOOST_AUTO_TEST_CASE(short_run_shows_none) {
   BOOST_TEST(brief.exit_code == 0);
   BOOST_TEST(brief.err.empty(), brief.err);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE output
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -9,6 +8,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+
+BOOST_AUTO_TEST_SUITE(output_test)
 
 namespace {
 
@@ -212,5 +213,7 @@ BOOST_AUTO_TEST_CASE(not_in_the_file_beside_a_coloured_report) {
   BOOST_TEST(has_escapes(run(design({"--output", "report.json"}), on_terminal()).out));
   BOOST_TEST(!has_escapes(read("report.json")));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

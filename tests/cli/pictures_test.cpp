@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE pictures
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -13,6 +12,8 @@
 #include <regex>
 #include <sstream>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(pictures_test)
 
 namespace {
 
@@ -294,5 +295,7 @@ BOOST_AUTO_TEST_CASE(need_a_directory_that_can_be_made) {
   BOOST_TEST(answer.exit_code == 2);
   BOOST_TEST(contents().size() == 1U);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE pulse_command
 #include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
@@ -12,6 +11,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(pulse_command_test)
 
 // design --pulse, from the flags to the report.
 
@@ -201,3 +202,5 @@ const std::vector<Wrong> wrong_pulses{
 BOOST_DATA_TEST_CASE_F(Sandbox, wrong_pulse, data::make(wrong_pulses), wrong) {
   check_refused(*this, wrong);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE record_file
 #include "record_file.hpp"
 #include "run_program.hpp"
 #include "settings.hpp"
@@ -21,6 +20,8 @@
 #include <numbers>
 #include <ostream>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(record_file_test)
 
 namespace {
 
@@ -724,3 +725,5 @@ BOOST_AUTO_TEST_CASE(strong_motion_is_as_its_script_says) {
   BOOST_TEST(peak == 0.35);
   BOOST_TEST(record.description.starts_with("SYNTHETIC RECORD, NO EARTHQUAKE"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

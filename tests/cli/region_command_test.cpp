@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE region_command
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -12,6 +11,8 @@
 #include <set>
 #include <sstream>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(region_command_test)
 
 namespace {
 
@@ -284,5 +285,7 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
     BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE scene
 #include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
@@ -8,6 +7,8 @@
 
 #include <filesystem>
 #include <fstream>
+
+BOOST_AUTO_TEST_SUITE(scene_test)
 
 namespace {
 
@@ -208,5 +209,7 @@ BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
   }
   BOOST_TEST(scenes >= 6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE schema
 #include "generated_docs.hpp"
 #include "json_schema.hpp"
 #include "options.hpp"
@@ -12,6 +11,8 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+
+BOOST_AUTO_TEST_SUITE(schema_test)
 
 namespace {
 
@@ -197,5 +198,7 @@ BOOST_AUTO_TEST_CASE(find_each_kind_of_fault) {
     BOOST_TEST(!report_faults(wrong).empty(), place);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

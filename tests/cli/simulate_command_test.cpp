@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE simulate_command
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -8,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(simulate_command_test)
 
 namespace {
 
@@ -250,5 +251,7 @@ BOOST_AUTO_TEST_CASE(text_lists_the_first_half_cycles) {
     BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE sweep_command
 #include "run_program.hpp"
 #include "sweep_table.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(sweep_command_test)
 
 namespace {
 
@@ -188,5 +189,7 @@ BOOST_AUTO_TEST_CASE(writes_the_columns_that_are_asked_for) {
   BOOST_TEST(table.at(1, "stop_time") == all.at(1, "stop_time"));
   BOOST_TEST(table.at(1, "v0") == "1");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

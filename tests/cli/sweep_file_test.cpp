@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE sweep_file
 #include "report_fields.hpp"
 #include "run_program.hpp"
 #include "sweep_table.hpp"
@@ -9,6 +8,8 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(sweep_file_test)
 
 namespace {
 
@@ -154,5 +155,7 @@ BOOST_AUTO_TEST_CASE(has_a_report) {
   BOOST_TEST(designs["feasible"] == 1);
   BOOST_TEST(designs["outcomes"].is_null());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE sweep_list
 #include "run_program.hpp"
 #include "sweep_table.hpp"
 
@@ -10,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+
+BOOST_AUTO_TEST_SUITE(sweep_list_test)
 
 namespace {
 
@@ -242,3 +243,5 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_list, data::make(wrong_lists), wrong) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

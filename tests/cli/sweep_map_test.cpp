@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE sweep_map
 #include "sweep_map.hpp"
 
 #include "commands.hpp"
@@ -11,6 +10,8 @@
 
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(sweep_map_test)
 
 namespace {
 
@@ -117,5 +118,7 @@ BOOST_AUTO_TEST_CASE(is_drawn_with_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.y.position(0.1) == 0.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(figure.y.position(0.01) == 1 / 6.0, boost::test_tools::tolerance(1e-12));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

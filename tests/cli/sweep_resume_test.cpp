@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE sweep_resume
 #include "run_program.hpp"
 #include "sweep_table.hpp"
 
@@ -12,6 +11,8 @@
 #include <csignal>
 #include <filesystem>
 #include <system_error>
+
+BOOST_AUTO_TEST_SUITE(sweep_resume_test)
 
 namespace {
 
@@ -39,6 +40,8 @@ Surroundings signalled(int signal, const fs::path& path, std::uintmax_t above) {
   surroundings.signal_when = [path, above] { return size_of(path) > above; };
   return surroundings;
 }
+
+}  // namespace
 
 /// A sandbox with rows of an interrupted sweep into rows.csv, and the text they are to become.
 struct Interrupted : Sandbox {
@@ -74,8 +77,6 @@ struct Interrupted : Sandbox {
   inline static json report;  ///< on the whole
   ProgramRun stopped;
 };
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(interrupt, Interrupted)
 
@@ -348,5 +349,7 @@ BOOST_AUTO_TEST_CASE(progress_is_shown_on_a_terminal) {
     BOOST_TEST(stopped.err.find(part) != std::string::npos, stopped.err);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

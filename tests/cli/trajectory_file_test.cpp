@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE trajectory_file
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -12,6 +11,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(trajectory_file_test)
 
 namespace {
 
@@ -189,5 +190,7 @@ BOOST_AUTO_TEST_CASE(and_report_cannot_be_the_same_file) {
     BOOST_TEST(contents().empty());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE written_files
 #include "refusal.hpp"
 #include "run_program.hpp"
 
@@ -7,6 +6,8 @@
 
 #include <filesystem>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(written_files_test)
 
 // No command overwrites what it reads, nor writes one file twice.
 
@@ -114,5 +115,7 @@ BOOST_AUTO_TEST_CASE(are_written_where_nothing_is_lost) {
   }
   BOOST_TEST(read("r.txt") == "0 0\n0.1 0.2\n0.2 0\n");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

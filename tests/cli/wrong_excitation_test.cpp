@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE wrong_excitation
 #include "forced_arguments.hpp"
 #include "refusal.hpp"
 #include "run_program.hpp"
@@ -10,6 +9,8 @@
 
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(wrong_excitation_test)
 
 namespace {
 
@@ -187,3 +188,5 @@ BOOST_FIXTURE_TEST_CASE(wrong_excitation_leaves_the_trajectory_alone, Sandbox) {
   check_refused(*this, {"", pulse("harmonic", {"--trajectory", "motion.csv"}), {"t-end"}});
   BOOST_TEST(read("motion.csv") == "old\n");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

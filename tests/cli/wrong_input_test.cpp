@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE wrong_input
 #include "options.hpp"
 #include "refusal.hpp"
 #include "run_program.hpp"
@@ -16,6 +15,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(wrong_input_test)
 
 namespace {
 
@@ -652,5 +653,7 @@ BOOST_AUTO_TEST_CASE(one_of_two_files_that_cannot_be_written) {
       *this,
       {"", simulate({"--trajectory", "no/where.csv", "--output", "old.json"}), {"no/where.csv"}});
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE backward_error
 #include "support/backward_error.hpp"
 #include "support/near_tie.hpp"
 #include "support/random_scene.hpp"
@@ -17,6 +16,8 @@
 // error seen over the error allowed: 1 would be the bound itself.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(backward_error_test)
 
 namespace {
 
@@ -161,5 +162,7 @@ BOOST_AUTO_TEST_CASE(near_ties_of_one_friction_alone_keep_the_promise) {
     return near_tie(scene, dice);
   });
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

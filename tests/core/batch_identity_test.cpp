@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE batch_identity
 #include "support/near_tie.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene.hpp"
@@ -18,6 +17,8 @@
 // of threads.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(batch_identity_test)
 
 namespace {
 
@@ -229,5 +230,7 @@ BOOST_AUTO_TEST_CASE(results_go_where_the_caller_keeps_them) {
     is_that_of(response(batch.scene(i)), result, i, batch.scene(i));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE batch
 #include "support/checks.hpp"
 
 #include <stillpoint/core/batch.hpp>
@@ -12,6 +11,8 @@
 #include <string>
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(batch_test)
 
 BOOST_AUTO_TEST_CASE(outcomes_can_be_counted_and_absent_values_are_as_documented) {
   // v0 = p = 1. f = delta = 0 never stops; delta = 1 catches it; f = 0, delta = 0.4 stops at x = 0
@@ -101,5 +102,7 @@ BOOST_AUTO_TEST_CASE(what_is_asked_for_is_checked) {
   BOOST_TEST(message(two, two, two, {.half_cycle_limit = 0}) ==
              "half_cycle_limit = 0: must be a number from 1 to 1000000000000000");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

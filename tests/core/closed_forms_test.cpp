@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE closed_forms
 #include "support/checks.hpp"
 #include "support/near_tie.hpp"
 #include "support/random_scene.hpp"
@@ -19,6 +18,8 @@
 // return otherwise.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(closed_forms_test)
 
 namespace {
 
@@ -169,5 +170,7 @@ BOOST_AUTO_TEST_CASE(counts_beyond_1e300_are_refused) {
 BOOST_AUTO_TEST_CASE(a_closed_form_needs_no_half_cycle_limit) {
   ends(response({0, 1, 1, 0, 0.125}, {.half_cycle_limit = 1}), {at_zero, 4, 4, 3});
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

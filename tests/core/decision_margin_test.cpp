@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE decision_margin
 #include "support/backward_error.hpp"
 #include "support/checks.hpp"
 #include "support/near_tie.hpp"
@@ -12,6 +11,8 @@
 #include <optional>
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(decision_margin_test)
 
 namespace {
 
@@ -123,5 +124,7 @@ BOOST_AUTO_TEST_CASE(friction_of_a_kind_that_is_absent_decides_nothing) {
   near("decision_margin", response({0, 2, 1, 0, 0.45}).decision_margin.value(), 0.4 / (8 + 4 * 0.9),
        1e-14);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

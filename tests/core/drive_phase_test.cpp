@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE drive_phase
 #include "support/exact_run.hpp"
 #include "support/random_scene.hpp"
 
@@ -16,6 +15,8 @@
 // The parts of the forced kernel on which its accuracy and its proofs rest, against 50 digits.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(drive_phase_test)
 
 namespace {
 
@@ -136,5 +137,7 @@ BOOST_AUTO_TEST_CASE(what_is_proved_positive_is_positive) {
   }
   BOOST_TEST(proved > 500);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

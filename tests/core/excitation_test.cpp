@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE excitation
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -14,6 +13,8 @@
 // What is refused, and that the message names field, value and bound.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(excitation_test)
 
 namespace {
 
@@ -93,5 +94,7 @@ BOOST_AUTO_TEST_CASE(the_duration_is_when_w_becomes_zero) {
   BOOST_TEST(duration(Record<>{{1, 2, 3}, 0.5, {}}) == 1);
   BOOST_TEST(duration(Record<>{{1, 2}, 0, {0.25, 7}}) == 7);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_batch
 #include "support/checks.hpp"
 #include "support/forced_scene.hpp"
 #include "support/random_scene.hpp"
@@ -15,6 +14,8 @@
 // Scenes under one excitation, together and one by one.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_batch_test)
 
 namespace {
 
@@ -145,5 +146,7 @@ BOOST_AUTO_TEST_CASE(go_on_is_asked_in_every_scene) {
     BOOST_TEST(response.cancelled);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_half_cycles
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_half_cycles.hpp>
@@ -16,6 +15,8 @@
 #include <vector>
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_half_cycles_test)
 
 namespace {
 
@@ -209,5 +210,7 @@ BOOST_AUTO_TEST_CASE(of_wrong_input_are_refused) {
   BOOST_CHECK_THROW(of({1, 0, 0}, NoExcitation{}, std::numeric_limits<double>::infinity()),
                     InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

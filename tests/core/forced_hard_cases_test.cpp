@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_hard_cases
 #include "support/forced_scene.hpp"
 #include "support/scene_s5.hpp"
 
@@ -17,6 +16,8 @@
 // motion in 50 digits, with the same sequence of events.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_hard_cases_test)
 
 namespace {
 
@@ -295,5 +296,7 @@ BOOST_AUTO_TEST_CASE(the_mirrored_scene_gives_the_mirrored_motion) {
     BOOST_TEST(std::abs(run.state.u + mirrored.state.u) <= 1e-12 * size(run.state));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

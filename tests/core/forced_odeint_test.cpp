@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_odeint
 #include "support/forced_scene.hpp"
 #include "support/integrated_motion.hpp"
 #include "support/scene_count.hpp"
@@ -13,6 +12,8 @@
 // kernel but the rules.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_odeint_test)
 
 namespace {
 
@@ -57,5 +58,7 @@ BOOST_AUTO_TEST_CASE(an_independent_integrator_sees_the_same_motion) {
   BOOST_TEST_MESSAGE(count << " scenes, " << undecided << " undecided, worst difference " << worst);
   BOOST_TEST(undecided <= count / 10);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

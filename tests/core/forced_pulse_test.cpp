@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_pulse
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/pulse_speed.hpp>
 
@@ -13,6 +12,8 @@
 // Short pulses, p = 1: eps = 1 / lambda. Expected values in closed form.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_pulse_test)
 
 namespace {
 
@@ -151,5 +152,7 @@ BOOST_AUTO_TEST_CASE(the_equivalent_velocity_of_a_half_sine_has_its_closed_form)
   BOOST_TEST(equivalent_start(HalfSine<>{0.5, 20}, 0.5).speed == 0);
   BOOST_TEST(equivalent_start(Rectangle<>{0.5, 20}, 0.6).speed == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

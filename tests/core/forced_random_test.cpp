@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_random
 #include "support/forced_scene.hpp"
 #include "support/scene_count.hpp"
 
@@ -17,6 +16,8 @@
 // environment asks for another number of scenes than a thousand.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_random_test)
 
 namespace {
 
@@ -178,5 +179,7 @@ BOOST_AUTO_TEST_CASE(no_piece_hides_a_turn) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_reference
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -17,6 +16,8 @@
 // speed comparison; the file is written by data/reference/make_forced_reference.py.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_reference_test)
 
 namespace {
 
@@ -116,5 +117,7 @@ BOOST_AUTO_TEST_CASE(every_motion_of_the_reference_file_is_reproduced) {
     check(row);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

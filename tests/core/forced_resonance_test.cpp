@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_resonance
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>
 
@@ -13,6 +12,8 @@
 // docs/resonance.md states the results, each with its test.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_resonance_test)
 
 namespace {
 
@@ -163,5 +164,7 @@ BOOST_AUTO_TEST_CASE(the_period_tends_to_that_of_the_forcing_but_does_not_begin_
   const double last = passages.back() - passages[passages.size() - 2];
   BOOST_TEST(last / half_circle == 1, boost::test_tools::tolerance(1e-5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

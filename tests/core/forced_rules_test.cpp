@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_rules
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 
@@ -12,6 +11,8 @@
 // each outcome once.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_rules_test)
 
 namespace {
 
@@ -181,5 +182,7 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_watched_and_ended) {
   BOOST_TEST(*response.end_time == reached);
   BOOST_TEST(reached < 150);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_start
 #include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
@@ -7,6 +6,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(forced_start_test)
 
 // Rests at the start of a run, and what the excitation's end makes of them.
 
@@ -67,3 +68,5 @@ BOOST_AUTO_TEST_CASE(before_a_record_of_one_sample_the_motion_is_free) {
   BOOST_TEST(before.end_time.value() == 0.1);
   BOOST_TEST(before.final_position.value() == free.final_position.value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

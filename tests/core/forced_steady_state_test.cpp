@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_steady_state
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>
 
@@ -14,6 +13,8 @@
 // with two stops at resonance, growth at resonance.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_steady_state_test)
 
 namespace {
 
@@ -160,5 +161,7 @@ BOOST_AUTO_TEST_CASE(point_friction_alone_restrains_resonance_below_an_amplitude
   BOOST_TEST((caught.outcome == Outcome::stopped_at_zero));
   BOOST_TEST(std::abs(*caught.stop_time - 83.25) <= 5e-3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

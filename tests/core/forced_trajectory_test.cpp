@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE forced_trajectory
 #include "support/forced_scene.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -14,6 +13,8 @@
 // The state at any instant: it obeys the equation between events, and agrees with the metrics.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_trajectory_test)
 
 namespace {
 
@@ -113,5 +114,7 @@ BOOST_AUTO_TEST_CASE(outside_the_horizon_and_beyond_the_limit_it_refuses) {
   BOOST_CHECK_THROW(ForcedTrajectory({1, 0.05, 0}, {0, 0.5}, Harmonic<>{0.2, 1}, {1e6, 100}),
                     InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

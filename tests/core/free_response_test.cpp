@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE free_response
 #include "support/checks.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene.hpp"
@@ -11,6 +10,8 @@
 // What free_response computes when asked, and free_peak.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(free_response_test)
 
 namespace {
 
@@ -85,5 +86,7 @@ BOOST_AUTO_TEST_CASE(outcomes_have_the_names_of_their_enumerators) {
   BOOST_TEST(name(Outcome::never_stops) == "never_stops");
   BOOST_TEST(name(Outcome::caught_at_start) == "caught_at_start");
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE free_rules
 #include "support/checks.hpp"
 #include "support/scene.hpp"
 
@@ -12,6 +11,8 @@
 // simple. With p = 1: S^2 = V0^2 + f^2, B = S - f (the first peak), v-^2 = B (B - 2f) on return.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(free_rules_test)
 
 namespace {
 
@@ -236,5 +237,7 @@ BOOST_AUTO_TEST_CASE(a_start_at_rest_two_dead_zones_out_arrives_at_zero_without_
     BOOST_TEST(r.arrival_speed.value() == 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

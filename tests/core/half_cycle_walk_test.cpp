@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE half_cycle_walk
 #include "support/checks.hpp"
 #include "support/near_tie.hpp"
 #include "support/random_scene.hpp"
@@ -17,6 +16,8 @@
 #include <vector>
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(half_cycle_walk_test)
 
 namespace {
 
@@ -203,5 +204,7 @@ BOOST_AUTO_TEST_CASE(from_rest_two_dead_zones_out_the_times_are_numbers) {
   BOOST_REQUIRE(list.size() == 1U);
   near("end_time", list[0].end_time, pi, time_tolerance);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE input_error
 #include "support/checks.hpp"
 #include "support/scene.hpp"
 
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(input_error_test)
 
 namespace {
 
@@ -157,5 +158,7 @@ BOOST_AUTO_TEST_CASE(a_trajectory_of_more_half_cycles_than_allowed_is_refused) {
   const TrajectoryLimits enough{.horizon = 31, .half_cycles = 10};  // 10 pi = 31.4
   BOOST_CHECK_NO_THROW(Trajectory(scene.oscillator(), scene.start(), enough));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE inward_start
 #include "support/checks.hpp"
 #include "support/scene.hpp"
 
@@ -11,6 +10,8 @@
 // Starts towards x = 0: the arc about x = f of radius R, R^2 = v0^2 + (x0 - f)^2 (p = 1).
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(inward_start_test)
 
 namespace {
 
@@ -107,5 +108,7 @@ BOOST_AUTO_TEST_CASE(with_point_friction_alone_it_arrives_with_all_its_energy) {
   near("arrival_speed", *r.arrival_speed, 3, speed_tolerance);
   peaks(r, 3, 3);
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

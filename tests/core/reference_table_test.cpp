@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE reference_table
 #include "support/backward_error.hpp"
 #include "support/exact_run.hpp"
 #include "support/scene.hpp"
@@ -22,6 +21,8 @@
 // cannot.
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(reference_table_test)
 
 namespace {
 
@@ -187,5 +188,7 @@ BOOST_AUTO_TEST_CASE(rows_beyond_the_range_of_the_kernel_are_refused) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE trajectory
 #include "support/checks.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene.hpp"
@@ -16,6 +15,8 @@
 #include <vector>
 
 namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(trajectory_test)
 
 namespace {
 
@@ -263,5 +264,7 @@ BOOST_AUTO_TEST_CASE(an_array_of_instants_gives_a_row_each) {
     BOOST_TEST((rows(i, 0) == tau[i] && rows(i, 1) == state.x && rows(i, 2) == state.v));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

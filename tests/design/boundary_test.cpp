@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE boundary
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
@@ -9,6 +8,8 @@
 
 #include <array>
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(boundary_test)
 
 // The region's edges to the last bit, in the formulas and in the simulation.
 
@@ -215,3 +216,5 @@ BOOST_AUTO_TEST_CASE(limits_bind_to_the_last_bit) {
   BOOST_TEST(!admissible(problem, limits, above(0.2), 0.3));
   BOOST_TEST(!admissible(problem, limits, 0.2, above(0.3)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

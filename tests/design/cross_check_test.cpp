@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE cross_check
 #include "random_source.hpp"
 
 #include <stillpoint/design/cross_check.hpp>
@@ -12,6 +11,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(cross_check_test)
 
 namespace {
 
@@ -191,3 +192,5 @@ BOOST_AUTO_TEST_CASE(a_delta_of_exactly_delta2_is_no_caught_start_for_the_integr
     BOOST_TEST(motion.peak_amplitude > 0);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE design
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
@@ -9,6 +8,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <optional>
+
+BOOST_AUTO_TEST_SUITE(design_test)
 
 namespace {
 
@@ -92,3 +93,5 @@ BOOST_AUTO_TEST_CASE(wrong_input_of_a_design_is_an_input_error) {
   request.search.algorithm = "BEST";
   BOOST_CHECK_THROW((void)design::design(request), InputError);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE mends
 #include "random_source.hpp"
 
 #include <stillpoint/design/region.hpp>
@@ -15,6 +14,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(mends_test)
 
 namespace {
 
@@ -265,3 +266,5 @@ BOOST_AUTO_TEST_CASE(p_is_mended_between_its_two_sides) {
   BOOST_TEST(lowered > 20);
   BOOST_TEST(raised > 20);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

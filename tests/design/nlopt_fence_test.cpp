@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE nlopt_fence
 #include "nlopt_fence.hpp"
 
 #include "random_source.hpp"
@@ -14,6 +13,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(nlopt_fence_test)
 
 namespace {
 
@@ -228,3 +229,5 @@ BOOST_AUTO_TEST_CASE(the_penalty_is_above_every_value_inside) {
     BOOST_TEST(problem.objective(Eigen::Vector2d(0.9, 0), none) > 10);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

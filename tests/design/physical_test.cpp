@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE physical
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
@@ -12,6 +11,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+
+BOOST_AUTO_TEST_SUITE(physical_test)
 
 namespace {
 
@@ -182,3 +183,5 @@ BOOST_AUTO_TEST_CASE(wrong_physical_input_is_refused_with_the_name_of_its_field)
   massless.stiffness_n_per_m = 1;
   check_refused("mass", massless, 0.4);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE prediction
 #include "random_source.hpp"
 #include "reference.hpp"
 
@@ -14,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(prediction_test)
 
 namespace {
 
@@ -136,3 +137,5 @@ BOOST_AUTO_TEST_CASE(the_slope_of_the_stop_phase_is_cut_at_f3) {
   BOOST_TEST(std::isfinite(unit::stop_phase_slope(unit::a3)));
   BOOST_TEST(unit::stop_phase_slope(unit::a3) > 1e7);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

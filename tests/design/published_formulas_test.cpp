@@ -3,7 +3,6 @@
 // Where the paper's printed formulas part from its own model: docs/theory.md section 9, line by
 // line.
 
-#define BOOST_TEST_MODULE published_formulas
 #include <boost/test/unit_test.hpp>
 
 #include <stillpoint/core/free_motion.hpp>
@@ -12,6 +11,8 @@
 
 #include <cmath>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(published_formulas_test)
 
 namespace {
 
@@ -107,3 +108,5 @@ BOOST_AUTO_TEST_CASE(
   BOOST_TEST(free_response({p, 0, larger}, {0, p}).stop_time.value() >
              free_response({p, larger, 0}, {0, p}).stop_time.value() - first_peak);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

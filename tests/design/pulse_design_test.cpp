@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE pulse_design
 #include "random_source.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -17,6 +16,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(pulse_design_test)
 
 // Designs for a pulse, held against the conditions (32) of docs/theory.md written out with V(f), a
 // scan of the (f, Delta) plane, and the forced motion.
@@ -424,3 +425,5 @@ BOOST_AUTO_TEST_CASE(wrong_pulses_are_refused_by_field) {
   BOOST_TEST(field_of(0.5, 20, 1, 0) == "beta");
   BOOST_TEST(field_of(0.5, 20, 1, HUGE_VAL) == "beta");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE region_empty
 #include "random_source.hpp"
 #include "reference.hpp"
 
@@ -13,6 +12,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(region_empty_test)
 
 namespace {
 
@@ -220,3 +221,5 @@ BOOST_AUTO_TEST_CASE(no_constraint_is_ever_not_a_number) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

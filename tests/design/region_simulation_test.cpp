@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE region_simulation
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
@@ -12,6 +11,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+
+BOOST_AUTO_TEST_SUITE(region_simulation_test)
 
 // The region as the simulation sees it: points of (V0, p, beta, f, Delta) over nine decades, most
 // of them close to an edge, each asked of the formulas and of the half-cycle map.
@@ -250,3 +251,5 @@ BOOST_AUTO_TEST_CASE(the_simulation_shows_the_region_on_a_million_points) {
     BOOST_TEST(tally.outside + tally.between > points / sowings / 20);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

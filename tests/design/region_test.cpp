@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE region
 #include "random_source.hpp"
 #include "reference.hpp"
 
@@ -11,6 +10,8 @@
 #include <cmath>
 #include <string_view>
 #include <utility>
+
+BOOST_AUTO_TEST_SUITE(region_test)
 
 namespace {
 
@@ -215,3 +216,5 @@ BOOST_AUTO_TEST_CASE(amplitude_does_not_bind_where_beta_p_reaches_v0) {
     BOOST_TEST(*region.f_lower <= 1e-15 * region.f3);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

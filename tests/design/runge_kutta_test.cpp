@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE runge_kutta
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
@@ -13,6 +12,8 @@
 #include <numbers>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(runge_kutta_test)
 
 namespace {
 
@@ -178,3 +179,5 @@ BOOST_AUTO_TEST_CASE(wrong_input_of_the_integrator_is_refused) {
   }
   check_refused("f, delta", {1, 0, 0}, 1, tight);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

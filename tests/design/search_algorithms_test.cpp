@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE search_algorithms
 #include "random_source.hpp"
 #include "scan.hpp"
 
@@ -12,6 +11,8 @@
 #include <cmath>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(search_algorithms_test)
 
 namespace {
 
@@ -142,3 +143,5 @@ BOOST_AUTO_TEST_CASE(objectives_have_the_names_of_the_reports) {
   BOOST_TEST(name(Criterion::published) == "published");
   BOOST_TEST(name(Criterion::exact) == "exact");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

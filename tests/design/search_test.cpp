@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE search
 #include "random_source.hpp"
 #include "reference.hpp"
 #include "scan.hpp"
@@ -13,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+
+BOOST_AUTO_TEST_SUITE(search_test)
 
 namespace {
 
@@ -222,3 +223,5 @@ BOOST_AUTO_TEST_CASE(a_tolerance_that_the_region_only_just_allows_is_kept_to_the
   BOOST_TEST(not_withstood == 0);
   BOOST_TEST(reported_as_less == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

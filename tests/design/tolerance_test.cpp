@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE tolerance
 #include "random_source.hpp"
 #include "reference.hpp"
 
@@ -9,6 +8,8 @@
 
 #include <cmath>
 #include <optional>
+
+BOOST_AUTO_TEST_SUITE(tolerance_test)
 
 namespace {
 
@@ -161,3 +162,5 @@ BOOST_AUTO_TEST_CASE(the_most_tolerant_point_is_universal_where_amplitude_does_n
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

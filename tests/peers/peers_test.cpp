@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_TEST_MODULE peers
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -24,6 +23,8 @@
 // reference motions where its setting is fine, and be shown as it is where it is coarse.
 
 namespace stillpoint::peers {
+
+BOOST_AUTO_TEST_SUITE(peers_test)
 
 namespace {
 
@@ -300,5 +301,7 @@ BOOST_AUTO_TEST_CASE(fifty_digits_and_the_tables_agree) {
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::peers
