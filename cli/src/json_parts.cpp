@@ -127,12 +127,12 @@ ordered_json forced_json(const ForcedResponse& forced) {
   return json;
 }
 
-ordered_json physical_json(const std::vector<Quantity>& quantities) {
+ordered_json physical_json(const std::vector<PhysicalValue>& quantities) {
   if (quantities.empty()) {
     return nullptr;
   }
   ordered_json object = ordered_json::object();
-  for (const Quantity& quantity : quantities) {
+  for (const PhysicalValue& quantity : quantities) {
     object[std::string(quantity.field)] = number(quantity.value);
   }
   return object;

@@ -35,6 +35,6 @@ namespace stillpoint::cli {
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
 [[nodiscard]] nlohmann::ordered_json forced_json(const ForcedResponse& forced);
 /// Null where there are none.
-[[nodiscard]] nlohmann::ordered_json physical_json(const std::vector<Quantity>& quantities);
+[[nodiscard]] nlohmann::ordered_json physical_json(const std::vector<PhysicalValue>& quantities);
 
 }  // namespace stillpoint::cli

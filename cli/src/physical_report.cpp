@@ -9,7 +9,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-using Quantities = std::vector<Quantity>;
+using Quantities = std::vector<PhysicalValue>;
 
 /// Without what is beyond a double.
 std::optional<double> finite(const std::optional<double>& value) {

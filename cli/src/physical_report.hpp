@@ -11,18 +11,18 @@
 namespace stillpoint::cli {
 
 /// One figure in metres, seconds, kilograms, newtons or joules.
-struct Quantity {
+struct PhysicalValue {
   std::string_view field;       ///< in the JSON report; ends in its unit
   std::optional<double> value;  ///< empty: needs a mass, or the motion has none
 };
 
 /// The `physical` part of a report; no entries where the input was dimensionless.
-[[nodiscard]] std::vector<Quantity> design_quantities(const DesignInput& input,
-                                                      const design::DesignResult& result);
-[[nodiscard]] std::vector<Quantity> region_quantities(const RegionInput& input,
-                                                      const RegionAnswer& answer);
-[[nodiscard]] std::vector<Quantity> simulate_quantities(const SimulateInput& input,
-                                                        const SimulateAnswer& answer);
+[[nodiscard]] std::vector<PhysicalValue> design_quantities(const DesignInput& input,
+                                                           const design::DesignResult& result);
+[[nodiscard]] std::vector<PhysicalValue> region_quantities(const RegionInput& input,
+                                                           const RegionAnswer& answer);
+[[nodiscard]] std::vector<PhysicalValue> simulate_quantities(const SimulateInput& input,
+                                                             const SimulateAnswer& answer);
 
 /// The physical value of a mended input, by the name under which it was given, with its unit; H, a
 /// mere unit of length, stays.

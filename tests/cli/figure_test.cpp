@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure.hpp"
 #include "figure_map.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -60,7 +61,7 @@ BOOST_AUTO_TEST_CASE(is_drawn_as_the_golden_file_says) {
   figure.map = {};  // its bytes are zlib's
   const std::string drawn = svg(figure, Frame::alone);
   std::ofstream("figure.svg") << drawn;
-  BOOST_TEST((drawn == golden("figure.svg")),
+  BOOST_TEST(drawn == golden("figure.svg"),
              "look at the figure.svg that this test has written; if it is right, it is golden");
 }
 

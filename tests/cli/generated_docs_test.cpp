@@ -3,6 +3,7 @@
 #include "command_line.hpp"
 #include "options.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -68,8 +69,7 @@ BOOST_AUTO_TEST_CASE(offers_the_options_of_each_command_and_no_other) {
   write_script(*this);
   for (const cli::CommandHelp& help : cli::all_commands()) {
     const std::string command(cli::name(help.command));
-    BOOST_TEST((offered(*this, "stillpoint " + command + " --") == flags_of(help.command)),
-               command);
+    BOOST_TEST(offered(*this, "stillpoint " + command + " --") == flags_of(help.command), command);
     BOOST_TEST(offered(*this, "stillpoint " + command.substr(0, 2)).contains(command));
   }
 }
@@ -78,9 +78,9 @@ BOOST_AUTO_TEST_CASE(offers_files_where_one_is_meant_and_nothing_for_a_number) {
   write_script(*this);
   write("scene.json", "{}");
   const std::set<std::string> scene{"scene.json"};
-  BOOST_TEST((offered(*this, "stillpoint design sce") == scene));
-  BOOST_TEST((offered(*this, "stillpoint design --output sce") == scene));
-  BOOST_TEST((offered(*this, "stillpoint design --output = sce") == scene));
+  BOOST_TEST(offered(*this, "stillpoint design sce") == scene);
+  BOOST_TEST(offered(*this, "stillpoint design --output sce") == scene);
+  BOOST_TEST(offered(*this, "stillpoint design --output = sce") == scene);
   BOOST_TEST(offered(*this, "stillpoint design --v0 sce").empty());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(is_refused_where_links_lead_in_a_circle) {
   const ProgramRun answer = run(design({"--output", "a.json"}));
   BOOST_TEST(answer.exit_code == 2);
   BOOST_TEST(answer.err.find("output a.json: cannot be written") != std::string::npos, answer.err);
-  BOOST_TEST((contents() == before));
+  BOOST_TEST(contents() == before);
 }
 
 BOOST_AUTO_TEST_CASE(has_the_permissions_of_any_new_file) {

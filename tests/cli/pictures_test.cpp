@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
     std::ifstream file(std::filesystem::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
     std::stringstream committed;
     committed << file.rdbuf();
-    BOOST_TEST((committed.str() == read("figures/" + std::string(name))),
+    BOOST_TEST(committed.str() == read("figures/" + std::string(name)),
                name << ": ./dev run design data/scenes/isolator.json --svg docs/pictures");
   }
 }

@@ -2,6 +2,7 @@
 #include "record_file.hpp"
 #include "run_program.hpp"
 #include "settings.hpp"
+#include "support/printing.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 
@@ -626,7 +627,7 @@ BOOST_FIXTURE_TEST_CASE(what_is_written_is_read_to_the_last_bit, Sandbox) {
   BOOST_TEST((record_of(*this, "a.AT2", at2, {}).values == values));
   BOOST_TEST((record_of(*this, "b.txt", two, {}).values == values));
   BOOST_TEST((record_of(*this, "b.txt", two, {}).times == times));
-  BOOST_TEST((record_of(*this, "c.txt", one, with_step(0.01)).values == values));
+  BOOST_TEST(record_of(*this, "c.txt", one, with_step(0.01)).values == values);
 }
 
 // ---- files and options
@@ -674,7 +675,7 @@ BOOST_FIXTURE_TEST_CASE(options_out_of_bounds, Sandbox) {
 
 BOOST_AUTO_TEST_CASE(units_have_names) {
   for (const RecordUnits unit : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
-    BOOST_TEST((cli::parse_record_units(std::string(cli::name(unit))) == unit));
+    BOOST_TEST(cli::parse_record_units(std::string(cli::name(unit))) == unit);
   }
   for (const char* wrong : {"", "G", "cm/s", "gal"}) {
     BOOST_CHECK_EXCEPTION(static_cast<void>(cli::parse_record_units(wrong)), InputError,

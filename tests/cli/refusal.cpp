@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "refusal.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -29,14 +30,14 @@ void check_refused(const Sandbox& sandbox, const Wrong& wrong, const Surrounding
   Surroundings now = surroundings;
   now.input = wrong.input;
   check_refusal(sandbox.run(wrong.arguments, now), wrong.says);
-  BOOST_TEST((sandbox.contents() == before));
+  BOOST_TEST(sandbox.contents() == before);
   if (!wrong.arguments.empty() &&
       std::ranges::find(wrong.arguments, "--output") == wrong.arguments.end()) {
     Arguments with_output = wrong.arguments;
     const Arguments output{"--output", "old.json"};
     with_output.insert(with_output.begin() + 1, output.begin(), output.end());
     check_refusal(sandbox.run(with_output, now), wrong.says);
-    BOOST_TEST((sandbox.contents() == before));
+    BOOST_TEST(sandbox.contents() == before);
   }
 }
 

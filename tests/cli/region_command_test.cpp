@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -160,7 +161,7 @@ BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
   const std::map<std::string, std::string> expected{
       {"dead_zone", "f"}, {"start", "delta"}, {"amplitude", "f"},    {"return", "f"},
       {"stop", "delta"},  {"f_max", "f"},     {"delta_max", "delta"}};
-  BOOST_TEST((variable == expected));
+  BOOST_TEST(variable == expected);
   std::istringstream text(run(arguments).out);
   std::string line;
   std::size_t found = 0;

@@ -3,6 +3,7 @@
 #include "json_schema.hpp"
 #include "options.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -61,7 +62,7 @@ BOOST_AUTO_TEST_CASE(is_the_one_that_the_options_make) {
   std::ifstream file(data_dir / "schemas/scene.schema.json");
   std::ostringstream text;
   text << file.rdbuf();
-  BOOST_TEST((text.str() == cli::scene_schema()),
+  BOOST_TEST(text.str() == cli::scene_schema(),
              "the options have changed: build stillpoint_docs and write what `stillpoint_docs "
              "scene-schema` prints into data/schemas/scene.schema.json");
 }
@@ -123,7 +124,7 @@ BOOST_AUTO_TEST_CASE(name_the_same_part_alike) {
   for (const fs::path& path : files_in(data_dir / "schemas")) {
     const json shared = read_json(path).value("$defs", json::object());
     for (const auto& [name, part] : shared.items()) {
-      BOOST_TEST((parts.emplace(name, part).first->second == part), path << ": " << name);
+      BOOST_TEST(parts.emplace(name, part).first->second == part, path << ": " << name);
     }
   }
 }
@@ -161,7 +162,7 @@ BOOST_AUTO_TEST_CASE(allow_the_reports_that_the_docs_show) {
       };
       BOOST_TEST(fields(shown) == fields(printed), boost::test_tools::per_element());
       if (name != "design") {  // which has NLopt's last digits and times of the clock
-        BOOST_TEST((shown == printed));
+        BOOST_TEST(shown == printed);
       }
     }
   }

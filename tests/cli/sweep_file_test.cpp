@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 #include "sweep_table.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(of_a_list_gets_its_length_at_the_end) {
 BOOST_AUTO_TEST_CASE(of_a_grid_may_go_through_a_pipe) {
   const ProgramRun piped = run(sweep(joined(grid, {"--format", "npy"})));
   BOOST_TEST(run(sweep(joined(grid, {"--output", "rows.npy"}))).exit_code == 0);
-  BOOST_TEST((piped.out == read("rows.npy")));
+  BOOST_TEST(piped.out == read("rows.npy"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_map.hpp"
+#include "support/printing.hpp"
 
 #include "commands.hpp"
 #include "figures_sweep.hpp"
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(leaves_out_values_of_a_long_axis) {
 BOOST_AUTO_TEST_CASE(is_the_same_after_a_resumed_sweep) {
   const SweepMap whole = map_of(task_of("0.001:0.5:40", "0:0.6:50"));
   for (const std::int64_t skipped : {1, 49, 50, 777, 1999, 2000}) {
-    BOOST_TEST((map_of(task_of("0.001:0.5:40", "0:0.6:50"), skipped).cells() == whole.cells()),
+    BOOST_TEST(map_of(task_of("0.001:0.5:40", "0:0.6:50"), skipped).cells() == whole.cells(),
                skipped);
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "run_program.hpp"
+#include "support/printing.hpp"
 #include "sweep_table.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -70,7 +71,7 @@ struct Interrupted : Sandbox {
     for (const std::string& part : says) {
       BOOST_TEST(answer.err.find(part) != std::string::npos, "no " << part << " in " << answer.err);
     }
-    BOOST_TEST((contents() == before));
+    BOOST_TEST(contents() == before);
   }
 
   inline static std::string whole;
@@ -98,7 +99,7 @@ BOOST_AUTO_TEST_CASE(can_be_resumed_into_the_same_bytes) {
   BOOST_TEST(answer.json()["resumed_at"] > 0);
   BOOST_TEST(answer.json()["rows"] == 3000);
   BOOST_TEST(answer.json()["outcomes"] == report["outcomes"]);
-  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(read("rows.csv") == whole);
   BOOST_TEST(contents().size() == 1U);
 }
 
@@ -109,13 +110,13 @@ BOOST_AUTO_TEST_CASE(is_not_passed_over) {
   for (const char* part : {"rows.csv.part", "--resume", "remove"}) {
     BOOST_TEST(answer.err.find(part) != std::string::npos, answer.err);
   }
-  BOOST_TEST((contents() == before));
+  BOOST_TEST(contents() == before);
 }
 
 BOOST_AUTO_TEST_CASE(is_forgotten_with_its_part) {
   fs::remove(path("rows.csv.part"));
   BOOST_TEST(run(sweep({"--output", "rows.csv"})).exit_code == 0);
-  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(read("rows.csv") == whole);
   BOOST_TEST(contents().size() == 1U);
 }
 
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {
 BOOST_AUTO_TEST_CASE(cuts_off_what_came_after_its_checkpoint) {
   write("rows.csv.part", read("rows.csv.part") + "0.0010");
   BOOST_TEST(resume().exit_code == 0);
-  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(read("rows.csv") == whole);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none) {
@@ -165,7 +166,7 @@ BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   BOOST_TEST(anew.err.find("rows.csv.part: another sweep is writing it") != std::string::npos,
              anew.err);
   BOOST_TEST(anew.err.find("remove") == std::string::npos, anew.err);
-  BOOST_TEST((contents() == before));
+  BOOST_TEST(contents() == before);
   ::close(other);
   BOOST_TEST(resume().exit_code == 0);
 }
@@ -175,7 +176,7 @@ BOOST_AUTO_TEST_CASE(follows_no_link_from_its_own_files) {
   write("victim", "not ours");
   fs::create_symlink("victim", path("rows.csv.part.json.new"));
   BOOST_TEST(resume().exit_code == 0);
-  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(read("rows.csv") == whole);
   BOOST_TEST(read("victim") == "not ours");
 
   fs::create_symlink("victim", path("rows.csv.part"));
@@ -193,11 +194,11 @@ BOOST_AUTO_TEST_CASE(between_the_last_two_steps_is_tidied_up) {
   write("rows.csv.part", whole);
   write("rows.csv.part.json", last.dump());
   BOOST_TEST(resume().exit_code == 0);  // only the name was missing
-  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(read("rows.csv") == whole);
   BOOST_TEST(contents().size() == 1U);
   write("rows.csv.part.json", last.dump());
   BOOST_TEST(resume().exit_code == 0);  // only the checkpoint was left
-  BOOST_TEST((read("rows.csv") == whole));
+  BOOST_TEST(read("rows.csv") == whole);
   BOOST_TEST(contents().size() == 1U);
 }
 
@@ -221,7 +222,7 @@ BOOST_AUTO_TEST_CASE(at_any_moment_leaves_what_can_be_resumed) {
     const ProgramRun answer = run(sweep({"--output", name, "--resume", "--json"}));
     BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
     BOOST_TEST(answer.json()["resumed_at"] == resumed_at);
-    BOOST_TEST((read(name) == whole));
+    BOOST_TEST(read(name) == whole);
     BOOST_TEST(!fs::exists(path(name + ".part")));
     BOOST_TEST(!fs::exists(path(name + ".part.json")));
   }
@@ -272,13 +273,13 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
     const ProgramRun changed = resume(*this, wrong);
     BOOST_TEST(changed.exit_code == 2);
     BOOST_TEST(changed.err.find("are not those") != std::string::npos, changed.err);
-    BOOST_TEST((contents() == before));
+    BOOST_TEST(contents() == before);
   }
 
   const ProgramRun mended = resume(*this, right, {"--json"});
   BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
   BOOST_TEST(mended.json()["resumed_at"] > 0);
-  BOOST_TEST((read("rows.npy") == whole));
+  BOOST_TEST(read("rows.npy") == whole);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -302,7 +303,7 @@ BOOST_AUTO_TEST_CASE(keeps_every_row_before_it) {
       const ProgramRun mended = resume(*this, whole_list, {"--json"});
       BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
       BOOST_TEST(mended.json()["resumed_at"] == at - 1);
-      BOOST_TEST((read("rows.npy") == whole));
+      BOOST_TEST(read("rows.npy") == whole);
     }
   }
 }

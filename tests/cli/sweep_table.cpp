@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_table.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -98,7 +99,7 @@ NpyFile read_npy(const std::string& file) {
   // https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html, version 1.0
   constexpr std::size_t prefix = 10;
   BOOST_TEST_REQUIRE(file.size() > prefix);
-  BOOST_TEST((file.substr(0, 8) == std::string("\x93NUMPY\x01\x00", 8)));
+  BOOST_TEST(file.substr(0, 8) == std::string("\x93NUMPY\x01\x00", 8));
   const auto low = static_cast<unsigned char>(file[8]);
   const auto high = static_cast<unsigned char>(file[9]);
   NpyFile npy;

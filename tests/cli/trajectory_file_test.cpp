@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -75,9 +76,9 @@ BOOST_AUTO_TEST_CASE(has_every_sample_and_every_event_in_order) {
   BOOST_TEST_REQUIRE(!table.rows.empty());
   BOOST_TEST(std::ranges::is_sorted(table.rows, {}, [](const Row& row) { return row[0]; }));
   BOOST_TEST((table.rows.front() == Row{0, 0, 1}));
-  BOOST_TEST((table.rows.back()[0] == stop));
-  BOOST_TEST((table.rows.back()[1] == 0));
-  BOOST_TEST((table.rows.back()[2] == 0));
+  BOOST_TEST(table.rows.back()[0] == stop);
+  BOOST_TEST(table.rows.back()[1] == 0);
+  BOOST_TEST(table.rows.back()[2] == 0);
 
   for (int i = 0; i < 50; ++i) {
     const double tau = stop * i / 49;
@@ -88,13 +89,13 @@ BOOST_AUTO_TEST_CASE(has_every_sample_and_every_event_in_order) {
   for (const json& now : report["half_cycles"]) {
     const auto peak = rows_at(table, now["peak_time"]);
     BOOST_TEST_REQUIRE(peak.size() == 1U);
-    BOOST_TEST((peak[0][1] == now["side"].get<double>() * now["peak"].get<double>()));
-    BOOST_TEST((peak[0][2] == 0));
+    BOOST_TEST(peak[0][1] == now["side"].get<double>() * now["peak"].get<double>());
+    BOOST_TEST(peak[0][2] == 0);
     const bool last = now["index"] == 11;
     const auto passage = rows_at(table, now["end_time"]);
     BOOST_TEST_REQUIRE(passage.size() == 2U);
-    BOOST_TEST((passage[0][1] == 0));
-    BOOST_TEST((passage[1][1] == 0));
+    BOOST_TEST(passage[0][1] == 0);
+    BOOST_TEST(passage[1][1] == 0);
     const double side = now["side"];
     BOOST_TEST(near(passage[0][2], -side * now["arrival_speed"].get<double>(), 1e-15));
     const std::size_t next = now["index"].get<std::size_t>();

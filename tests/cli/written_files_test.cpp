@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "refusal.hpp"
 #include "run_program.hpp"
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_CASE(never_are_what_is_read) {
   for (const auto& [arguments, says] : wrong) {
     BOOST_TEST_CONTEXT(says.front()) {
       check_refusal(run(arguments), says);
-      BOOST_TEST((contents() == before));
+      BOOST_TEST(contents() == before);
     }
   }
 }
@@ -96,7 +97,7 @@ BOOST_AUTO_TEST_CASE(are_all_different) {
   for (const auto& [arguments, says] : wrong) {
     BOOST_TEST_CONTEXT(says.front()) {
       check_refusal(run(arguments), says);
-      BOOST_TEST((contents() == before));
+      BOOST_TEST(contents() == before);
     }
   }
 }

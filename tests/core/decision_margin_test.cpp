@@ -2,6 +2,7 @@
 #include "support/backward_error.hpp"
 #include "support/checks.hpp"
 #include "support/near_tie.hpp"
+#include "support/printing.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene.hpp"
 
@@ -73,7 +74,7 @@ BOOST_AUTO_TEST_CASE(slightly_more_than_the_margin_in_the_worst_direction_change
     return Scene<>{0, 1 - size, 1, 0, scene.delta * (1 + size)};
   };
   BOOST_TEST(end_of(moved(0.999 * margin)) == end_of(scene));
-  BOOST_TEST((end_of(moved(1.001 * margin)).outcome == Outcome::caught_at_start));
+  BOOST_TEST(end_of(moved(1.001 * margin)).outcome == Outcome::caught_at_start);
 }
 
 BOOST_AUTO_TEST_CASE(the_worst_direction_may_need_all_inputs) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/checks.hpp"
 #include "support/forced_scene.hpp"
+#include "support/printing.hpp"
 #include "support/random_scene.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
@@ -24,16 +25,16 @@ void same(const ForcedResponse& a, const ForcedResponse& b) {
   BOOST_TEST(a.stops_at_zero == b.stops_at_zero);
   BOOST_TEST(a.peak_amplitude == b.peak_amplitude);
   BOOST_TEST(a.peak_acceleration == b.peak_acceleration);
-  BOOST_TEST((a.half_cycles == b.half_cycles));
-  BOOST_TEST((a.turning_points == b.turning_points));
-  BOOST_TEST((a.zero_passages == b.zero_passages));
-  BOOST_TEST((a.stop_time == b.stop_time));
-  BOOST_TEST((a.stop_position == b.stop_position));
-  BOOST_TEST((a.arrival_speed == b.arrival_speed));
-  BOOST_TEST((a.decision_margin == b.decision_margin));
-  BOOST_TEST((a.end_time == b.end_time));
-  BOOST_TEST((a.final_position == b.final_position));
-  BOOST_TEST((a.final_velocity == b.final_velocity));
+  BOOST_TEST(a.half_cycles == b.half_cycles);
+  BOOST_TEST(a.turning_points == b.turning_points);
+  BOOST_TEST(a.zero_passages == b.zero_passages);
+  BOOST_TEST(a.stop_time == b.stop_time);
+  BOOST_TEST(a.stop_position == b.stop_position);
+  BOOST_TEST(a.arrival_speed == b.arrival_speed);
+  BOOST_TEST(a.decision_margin == b.decision_margin);
+  BOOST_TEST(a.end_time == b.end_time);
+  BOOST_TEST(a.final_position == b.final_position);
+  BOOST_TEST(a.final_velocity == b.final_velocity);
   BOOST_TEST(a.sticks == b.sticks);
   BOOST_TEST(a.stick_time == b.stick_time);
   BOOST_TEST(a.left_notch_from_rest == b.left_notch_from_rest);

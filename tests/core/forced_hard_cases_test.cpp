@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/forced_scene.hpp"
+#include "support/printing.hpp"
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -34,7 +35,7 @@ ForcedRecord<double> agreeing(const ForcedScene<>& scene, double allowed = toler
   ForcedRecord<double> got = run_forced(scene);
   const ForcedRecord<Exact> right = run_forced(widened<Exact>(scene));
   BOOST_TEST_CONTEXT(scene) {
-    BOOST_TEST((got.seen.kinds == right.seen.kinds));
+    BOOST_TEST(got.seen.kinds == right.seen.kinds);
     const double limit = allowed * size(got.state);
     BOOST_TEST(std::abs(static_cast<double>(got.state.u - right.state.u)) <= limit);
     BOOST_TEST(std::abs(static_cast<double>(got.state.v - right.state.v)) <= limit);
@@ -92,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_release_with_vanishing_rate_keeps_its_digits) {
   const ForcedScene<> scene{{0, 0, 1, 0.2, 0}, Harmonic<>{0.2 * (1 + 1e-12), 1}, 4};
   const auto got = run_forced(scene);
   const auto right = run_forced(widened<Exact>(scene));
-  BOOST_TEST((got.seen.kinds == right.seen.kinds));
+  BOOST_TEST(got.seen.kinds == right.seen.kinds);
   BOOST_TEST(got.state.u == static_cast<double>(right.state.u), boost::test_tools::tolerance(1e-9));
   BOOST_TEST(got.seen.times.back() - got.seen.times[2] ==
                  static_cast<double>(right.seen.times.back() - right.seen.times[2]),
@@ -198,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_record_of_zeros_is_free_motion) {
   const Record<> zeros{std::vector<double>(5000, 0), 0.01, {}};
   const auto run = until(49.99, {1, 0.02, 0.02}, {0, 1}, zeros);
   const Response free = free_response({1, 0.02, 0.02}, {0, 1});
-  BOOST_TEST((run.outcome == free.outcome));
+  BOOST_TEST(run.outcome == free.outcome);
   BOOST_TEST(*run.half_cycles == *free.half_cycles);
   BOOST_TEST(std::abs(*run.stop_time - *free.stop_time) <= 1e-12);
   BOOST_TEST(std::abs(run.peak_amplitude - free.peak_amplitude) <= 1e-14);
@@ -292,7 +293,7 @@ BOOST_AUTO_TEST_CASE(the_mirrored_scene_gives_the_mirrored_motion) {
     }
     wave->k = -wave->k;
     const auto mirrored = run_forced(scene);
-    BOOST_TEST((run.seen.kinds == mirrored.seen.kinds));
+    BOOST_TEST(run.seen.kinds == mirrored.seen.kinds);
     BOOST_TEST(std::abs(run.state.u + mirrored.state.u) <= 1e-12 * size(run.state));
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/forced_scene.hpp"
+#include "support/printing.hpp"
 #include "support/scene_count.hpp"
 
 #include <boost/math/tools/minima.hpp>
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
       continue;
     }
     const ForcedRecord<Exact> right = run_forced(widened<Exact>(scene));
-    BOOST_TEST((got.seen.kinds == right.seen.kinds), "events differ: " << scene);
+    BOOST_TEST(got.seen.kinds == right.seen.kinds, "events differ: " << scene);
     const double off = error(scene, got.state, right.state);
     BOOST_TEST(off <= metric_tolerance, off << " off: " << scene);
     worst = std::max(worst, off);

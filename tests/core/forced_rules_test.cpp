@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -42,7 +43,7 @@ Record<> constant(double k) {
 BOOST_AUTO_TEST_CASE(a_start_too_slow_for_the_notch_is_caught_whatever_w_does) {
   // v0^2 = 1 < 2 delta
   const auto response = run({1, 0, 0.51}, {0, 1}, Harmonic<>{100, 1}, 10);
-  BOOST_TEST((response.outcome == Outcome::caught_at_start));
+  BOOST_TEST(response.outcome == Outcome::caught_at_start);
   BOOST_TEST(*response.half_cycles == 0);
   BOOST_TEST(*response.stop_time == 0);
 }
@@ -50,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_start_too_slow_for_the_notch_is_caught_whatever_w_does) {
 BOOST_AUTO_TEST_CASE(a_start_just_fast_enough_for_the_notch_sets_off_and_pays_nothing) {
   // v0^2 = 1 = 2 delta: up to x = 1, back with v^2 = 1 <= 2 delta.
   const auto response = run({1, 0, 0.5}, {0, 1}, NoExcitation{}, 10);
-  BOOST_TEST((response.outcome == Outcome::stopped_at_zero));
+  BOOST_TEST(response.outcome == Outcome::stopped_at_zero);
   close(response.peak_amplitude, 1);
   close(*response.stop_time, pi);
 }
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_CASE(an_arrival_with_v2_above_two_delta_goes_on_with_the_rest) {
 BOOST_AUTO_TEST_CASE(a_rest_in_the_notch_is_final_whatever_w_does) {
   // W = 1 pushes from x = 0.25, v = 0 back: about -1 with amplitude 1.25, at x = 0 v^2 = 0.5625.
   const auto response = run({1, 0, 0.3}, {0.25, 0}, constant(1), 1e3);
-  BOOST_TEST((response.outcome == Outcome::stopped_at_zero));
+  BOOST_TEST(response.outcome == Outcome::stopped_at_zero);
   close(*response.stop_time, std::acos(0.8));
   BOOST_TEST(*response.end_time == *response.stop_time);
   close(*response.arrival_speed, 0.75);
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_turn_inside_the_dead_zone_of_the_load_sticks) {
   BOOST_TEST(*goes_on.turning_points == 2);
   const auto sticks = run({1, 2, 0}, {0, 1}, constant(1), 100);
   BOOST_TEST(*sticks.turning_points == 1);
-  BOOST_TEST((sticks.outcome == Outcome::running));  // the record might still release it
+  BOOST_TEST(sticks.outcome == Outcome::running);  // the record might still release it
   BOOST_TEST(sticks.sticks == 1);
   close(sticks.stick_time, 100 - std::atan2(1, 3));
   close(*sticks.final_position, std::sqrt(10.0) - 3);
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(from_rest_in_the_notch_w_sets_the_mass_free_until_its_retur
 
 BOOST_AUTO_TEST_CASE(a_load_that_never_exceeds_f_leaves_the_mass_at_rest_for_ever) {
   const auto response = run({1, 0.2, 0}, {0.1, 0}, Harmonic<>{0.1, 3}, 50);
-  BOOST_TEST((response.outcome == Outcome::stopped_in_dead_zone));
+  BOOST_TEST(response.outcome == Outcome::stopped_in_dead_zone);
   BOOST_TEST(*response.stop_time == 0);
   BOOST_TEST(*response.stop_position == 0.1);
 }
@@ -128,7 +129,7 @@ BOOST_AUTO_TEST_CASE(after_a_pulse_the_motion_is_free) {
   // W = 1 for pi, f = 0: x = -(1 - cos tau) comes to -2 with v = 0 as the pulse ends, and swings
   // on.
   const auto response = run({1, 0, 0}, {0, 0}, Rectangle<>{1, 1}, std::nullopt);
-  BOOST_TEST((response.outcome == Outcome::never_stops));
+  BOOST_TEST(response.outcome == Outcome::never_stops);
   close(response.peak_amplitude, 2);
   BOOST_TEST(!response.end_time);
   // With f = 1/8 and W = 1.125 the pulse ends at -2 again; then the peaks fall by 0.25 each.
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(with_and_without_t_end_a_pulse_gives_the_same_motion) {
   const Oscillator<> oscillator{1, 0.02, 0.003};
   const auto open = run(oscillator, {0, 0}, HalfSine<>{0.5, 5}, std::nullopt);
   const auto until = run(oscillator, {0, 0}, HalfSine<>{0.5, 5}, 200);
-  BOOST_TEST((open.outcome == until.outcome));
+  BOOST_TEST(open.outcome == until.outcome);
   BOOST_TEST(*open.half_cycles == *until.half_cycles);
   BOOST_TEST(*open.turning_points == *until.turning_points);
   close(open.peak_amplitude, until.peak_amplitude);
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(without_excitation_the_run_is_the_free_motion) {
     for (const Start<>& start : {Start<>{0, 1}, Start<>{-0.7, 0.4}, Start<>{0.9, 0}}) {
       const Response free = free_response(oscillator, start);
       const auto forced = run(oscillator, start, NoExcitation{}, 1e4);
-      BOOST_TEST((forced.outcome == free.outcome));
+      BOOST_TEST(forced.outcome == free.outcome);
       BOOST_TEST(*forced.half_cycles == *free.half_cycles);
       BOOST_TEST(*forced.turning_points == *free.turning_points);
       close(forced.peak_amplitude, free.peak_amplitude);
@@ -178,7 +179,7 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_watched_and_ended) {
   };
   const auto response = forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic<>{0.2, 1}, ask);
   BOOST_TEST(response.cancelled);
-  BOOST_TEST((response.outcome == Outcome::running));
+  BOOST_TEST(response.outcome == Outcome::running);
   BOOST_TEST(*response.end_time == reached);
   BOOST_TEST(reached < 150);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>
+#include "support/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -155,10 +156,10 @@ BOOST_AUTO_TEST_CASE(point_friction_alone_restrains_resonance_below_an_amplitude
   ForcedAsk ask;
   ask.t_end = 1000;
   const auto grows = forced_response({1, 0, 0.09}, {0, 1}, Harmonic<>{0.1, 1}, ask);
-  BOOST_TEST((grows.outcome == Outcome::running));
+  BOOST_TEST(grows.outcome == Outcome::running);
   BOOST_TEST(grows.peak_amplitude > 40);
   const auto caught = forced_response({1, 0, 0.1}, {0, 1}, Harmonic<>{0.1, 1}, ask);
-  BOOST_TEST((caught.outcome == Outcome::stopped_at_zero));
+  BOOST_TEST(caught.outcome == Outcome::stopped_at_zero);
   BOOST_TEST(std::abs(*caught.stop_time - 83.25) <= 5e-3);
 }
 

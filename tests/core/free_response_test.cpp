@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/checks.hpp"
+#include "support/printing.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene.hpp"
 
@@ -17,15 +18,15 @@ namespace {
 
 /// Bit for bit, but for what was not asked for.
 void equal_but_for_times_and_margin(const Response& a, const Response& b) {
-  BOOST_TEST((a.outcome == b.outcome));
+  BOOST_TEST(a.outcome == b.outcome);
   BOOST_TEST(a.stops_at_zero == b.stops_at_zero);
   BOOST_TEST(a.peak_amplitude == b.peak_amplitude);
   BOOST_TEST(a.peak_acceleration == b.peak_acceleration);
-  BOOST_TEST((a.half_cycles == b.half_cycles));
-  BOOST_TEST((a.turning_points == b.turning_points));
-  BOOST_TEST((a.zero_passages == b.zero_passages));
-  BOOST_TEST((a.stop_position == b.stop_position));
-  BOOST_TEST((a.arrival_speed == b.arrival_speed));
+  BOOST_TEST(a.half_cycles == b.half_cycles);
+  BOOST_TEST(a.turning_points == b.turning_points);
+  BOOST_TEST(a.zero_passages == b.zero_passages);
+  BOOST_TEST(a.stop_position == b.stop_position);
+  BOOST_TEST(a.arrival_speed == b.arrival_speed);
 }
 
 Scene<> any_scene(Dice& dice) {
@@ -55,8 +56,8 @@ BOOST_AUTO_TEST_CASE(only_what_is_asked_for_is_there_and_the_rest_is_the_same) {
       }
       BOOST_TEST((!no_times.stop_time && !bare.stop_time));
       BOOST_TEST((!no_margin.decision_margin && !bare.decision_margin));
-      BOOST_TEST((no_times.decision_margin == all.decision_margin));
-      BOOST_TEST((no_margin.stop_time == all.stop_time));
+      BOOST_TEST(no_times.decision_margin == all.decision_margin);
+      BOOST_TEST(no_margin.stop_time == all.stop_time);
     }
   }
 }

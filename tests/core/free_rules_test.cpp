@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/checks.hpp"
+#include "support/printing.hpp"
 #include "support/scene.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -153,7 +154,7 @@ BOOST_AUTO_TEST_CASE(no_friction_never_stops) {
                                                        {Scene<>{3, 4, 1, 0, 0}, 5.0, 5.0},
                                                        {Scene<>{-5, 0, 1, 0, 0}, 5.0, 5.0}}) {
     const Response r = response(scene);
-    BOOST_TEST((r.outcome == Outcome::never_stops));
+    BOOST_TEST(r.outcome == Outcome::never_stops);
     peaks(r, amplitude, acceleration);
     BOOST_TEST(!r.stops_at_zero);
     BOOST_TEST((!r.half_cycles && !r.turning_points && !r.zero_passages && !r.stop_time &&

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/checks.hpp"
+#include "support/printing.hpp"
 #include "support/random_scene.hpp"
 #include "support/scene.hpp"
 
@@ -212,7 +213,7 @@ BOOST_AUTO_TEST_CASE(without_a_horizon_it_ends_with_the_motion) {
   const Scene<> scene{-1.1, 3, 1.3, 0.2, 0.4};
   const Trajectory path(scene.oscillator(), scene.start(), {});
   near("horizon", path.horizon(), *response(scene).stop_time, 1e-14);
-  BOOST_TEST((path.events().back().kind == EventKind::rest));
+  BOOST_TEST(path.events().back().kind == EventKind::rest);
   BOOST_TEST(path.events().back().state.tau == path.horizon());
   BOOST_TEST(path.sampled(10).back().v == 0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
+#include "support/printing.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/design/region.hpp>
@@ -117,7 +118,7 @@ BOOST_AUTO_TEST_CASE(the_start_tips_at_the_same_bit_in_formula_and_simulation) {
       BOOST_TEST(stops_at_first_return(simulate(problem, f, delta)));
     }
     BOOST_TEST(!admissible(problem, {}, f, above(region.delta2)));
-    BOOST_TEST((simulate(problem, f, above(region.delta2)).outcome == Outcome::caught_at_start));
+    BOOST_TEST(simulate(problem, f, above(region.delta2)).outcome == Outcome::caught_at_start);
   }
 }
 
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(the_return_tips_at_f3_in_formula_and_simulation) {
         BOOST_TEST(stops_at_first_return(in));
       }
       if (*out.decision_margin > simulation_margin) {
-        BOOST_TEST((out.outcome == Outcome::stopped_in_dead_zone));
+        BOOST_TEST(out.outcome == Outcome::stopped_in_dead_zone);
       }
     }
   }

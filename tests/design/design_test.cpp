@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
+#include "support/printing.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -37,7 +38,7 @@ BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
     }
     // The requirements themselves, as the simulation of the response shows them.
     const Response& response = finding.response;
-    BOOST_TEST((response.outcome == Outcome::stopped_at_zero));
+    BOOST_TEST(response.outcome == Outcome::stopped_at_zero);
     BOOST_TEST(*response.half_cycles == 1);
     BOOST_TEST(response.peak_amplitude <= request.problem.beta);
     BOOST_TEST(*response.decision_margin > 0);
@@ -74,7 +75,7 @@ BOOST_AUTO_TEST_CASE(the_box_of_a_design_is_safe_in_simulation) {
         const double f = point.f * (1 + r * j);
         const double delta = point.delta * (1 + r * k);
         const Response response = free_response({p, f, delta}, {0, v0}, {.times = false});
-        BOOST_TEST((response.outcome == Outcome::stopped_at_zero));
+        BOOST_TEST(response.outcome == Outcome::stopped_at_zero);
         BOOST_TEST(*response.half_cycles == 1);
         BOOST_TEST(response.peak_amplitude <= beta * (1 + rounding));
       }

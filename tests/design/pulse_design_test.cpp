@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
+#include "support/printing.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -374,7 +375,7 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_mends_it) {
   const DesignResult result = stillpoint::design::design(request);
   BOOST_TEST(!result.finding.has_value());
   BOOST_TEST(!result.region.feasible);
-  BOOST_TEST((result.region.conflict == Conflict::amplitude_against_return));
+  BOOST_TEST(result.region.conflict == Conflict::amplitude_against_return);
   BOOST_TEST(result.reason.find("coming back to x = 0 needs") != std::string::npos);
   std::vector<std::string> fields;
   for (const Mend& mend : result.mends) {

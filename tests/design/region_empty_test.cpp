@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 #include "reference.hpp"
+#include "support/printing.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/region.hpp>
@@ -41,7 +42,7 @@ void check_explained(const Problem& problem, const Limits& limits, Conflict conf
                      const std::vector<std::string>& words) {
   const Region region = admissible_region(problem, limits);
   BOOST_TEST(!region.feasible);
-  BOOST_TEST((region.conflict == conflict));
+  BOOST_TEST(region.conflict == conflict);
   BOOST_TEST((!region.f_lower && !region.f_upper));
   const std::string text = reason(region, problem, limits);
   for (const std::string& word : words) {
@@ -73,7 +74,7 @@ BOOST_AUTO_TEST_CASE(the_region_is_not_empty_exactly_from_beta_min_on) {
     BOOST_TEST(feasible_at(least));
     BOOST_TEST(feasible_at(std::nextafter(least, HUGE_VAL)));
     BOOST_TEST(!feasible_at(std::nextafter(least, 0.0)));
-    BOOST_TEST((admissible_region(problem).conflict == Conflict::amplitude_against_return));
+    BOOST_TEST(admissible_region(problem).conflict == Conflict::amplitude_against_return);
     // beta_min is the first double that leaves a double between f2 and f3.
     for (const double beta : {std::nextafter(least, 0.0), least}) {
       problem.beta = beta;
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(at_beta_min_a_single_f_is_left) {
 BOOST_AUTO_TEST_CASE(a_region_that_is_not_empty_has_no_reason) {
   const Region region = admissible_region({1, 1, 0.8});
   BOOST_TEST(region.feasible);
-  BOOST_TEST((region.conflict == Conflict::none));
+  BOOST_TEST(region.conflict == Conflict::none);
   BOOST_TEST(reason(region, {1, 1, 0.8}) == "");
 }
 
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(an_amplitude_missed_by_an_ulp_is_explained_in_all_digits) {
   const Region region = admissible_region(problem);
   BOOST_TEST(!region.feasible);
   // Nothing to see in six digits, so more are shown.
-  BOOST_TEST((reason(region, problem).find("0.353553 ") == std::string::npos));
+  BOOST_TEST(reason(region, problem).find("0.353553 ") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(amplitude_against_f_max_is_explained) {

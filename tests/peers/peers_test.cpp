@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/printing.hpp"
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -45,7 +46,7 @@ void counts_are_right(const ReferenceScene& scene, const Result& result) {
   BOOST_TEST(result.passages == scene.truth.passages);
   BOOST_TEST(result.turns == scene.truth.turns);
   BOOST_TEST(result.sticks == scene.truth.sticks);
-  BOOST_TEST((result.outcome == scene.truth.outcome));
+  BOOST_TEST(result.outcome == scene.truth.outcome);
 }
 
 /// Counts, and every other metric within `tolerance`.
@@ -112,7 +113,7 @@ BOOST_AUTO_TEST_CASE(coarse_settings_are_shown_as_they_are) {
   // Its gain of energy outweighs the friction: still moving at four times the true stop time, and
   // farther than it ever started.
   const Result endless = dopri5(scene("S2").scene, 1e-3);
-  BOOST_TEST((endless.outcome == Outcome::running));
+  BOOST_TEST(endless.outcome == Outcome::running);
   BOOST_TEST(endless.end_time == scene("S2").scene.t_end);
   BOOST_TEST(endless.peak > 1.5);
 }
@@ -138,7 +139,7 @@ BOOST_AUTO_TEST_CASE(peers_give_up_when_told) {
                                regularised(long_one, 1e-2, {}, most)}) {
     BOOST_TEST(!result.finished);
     BOOST_TEST(result.steps <= most);
-    BOOST_TEST((result.outcome == Outcome::running));
+    BOOST_TEST(result.outcome == Outcome::running);
     BOOST_TEST(result.end_time > 0);
     BOOST_TEST(result.end_time < long_one.t_end);
   }
@@ -184,9 +185,9 @@ namespace {
 
 void every_peer_is(Run run, const Comparison& comparison) {
   for (std::size_t i = 1; i < comparison.rows.size(); ++i) {
-    BOOST_TEST((comparison.rows[i].run == run), comparison.rows[i].name);
+    BOOST_TEST(comparison.rows[i].run == run, comparison.rows[i].name);
   }
-  BOOST_TEST((comparison.rows.front().run == Run::done));
+  BOOST_TEST(comparison.rows.front().run == Run::done);
   BOOST_TEST(comparison.rows.front().counts_right);
 }
 
@@ -218,7 +219,7 @@ BOOST_AUTO_TEST_CASE(what_hardly_moves_is_given_up) {
       compare(with(FullSine<>{1, 0.5}, {1, 0.999999999999, 0.125}, {0, 0}, 30));
   BOOST_TEST(found.rows.front().result.turns == 1);
   BOOST_TEST(found.rows.front().peak_error < 1e-8);
-  BOOST_TEST((found.rows.back().run == Run::too_long));
+  BOOST_TEST(found.rows.back().run == Run::too_long);
   BOOST_TEST(found.rows.back().name == "regularised");
 }
 
@@ -261,7 +262,7 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
     const ForcedResponse exact = forced_response(s.oscillator, s.start, s.excitation, ask);
     BOOST_TEST_CONTEXT("excitation " << s.excitation.index()) {
       for (const Result& result : {dopri5(s, 1e-13), runge_kutta4(s, 1e-3)}) {
-        BOOST_TEST((result.outcome == exact.outcome));
+        BOOST_TEST(result.outcome == exact.outcome);
         BOOST_TEST(std::abs(result.peak - exact.peak_amplitude) < tolerance);
         BOOST_TEST(std::abs(result.x - *exact.final_position) < tolerance);
         BOOST_TEST(std::abs(result.v - *exact.final_velocity) < tolerance);
