@@ -56,9 +56,8 @@ class HarmonicCrest {
   /// 0 where it does not, or where (F24) leaves a doubt.
   [[nodiscard]] Real near_crest(const Point& point, const Real& h) const {
     const HarmonicTaylor<Real> taylor(point, flow_.r());
-    const Real reach = eighth_root_of_epsilon<Real>();
-    const Real longest = std::min(h, Real(reach * flow_.time_scale()));
-    const Real d = polynomial_root(taylor.v, longest, reach);
+    const Real longest = std::min(h, Real(eighth_root_of_epsilon<Real>() * flow_.time_scale()));
+    const Real d = polynomial_root(taylor.v, longest, Real(1));  // half of the digits are enough
     if (!(d > 0 && d <= longest && h <= 2)) {
       return Real(0);
     }

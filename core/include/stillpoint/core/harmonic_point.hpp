@@ -177,11 +177,11 @@ HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const HarmonicTaylo
 
 /// (F11): the zero of c[0] + c[1] d + ... + c[7] d^7 next to d = 0, to all digits where it is no
 /// farther than `short_step`, else to some. Infinite where it does not settle. A zero of the
-/// polynomial is not yet one of the motion: the caller looks. The series is enough where its terms
-/// are below `reach`.
+/// polynomial is not yet one of the motion: the caller looks. The series alone is enough where the
+/// zero of the tangent is within `share` of short_step and its terms as small.
 template <class Real>
 Real polynomial_root(const std::array<Real, 8>& c, const Real& short_step,
-                     const Real& reach = eighth_root_of_epsilon<Real>() / 32) {
+                     const Real& share = Real(1) / 32) {
   using std::abs;
   using std::max;
   const Real inverse_slope = 1 / c[1];
@@ -197,10 +197,9 @@ Real polynomial_root(const std::array<Real, 8>& c, const Real& short_step,
   const Real third = t2 - (2 * t22 - t3);
   const Real fourth = t2 * (5 * (t3 - t22)) - t4;
   const Real fifth = (14 * t22 - 21 * t3) * t22 + 3 * t3 * t3 + (6 * t2 * t4 - t5);
-  const Real closeness = max(max(Real(abs(zero)), Real(abs(t2))),
-                             max(Real(abs(t3)), max(Real(abs(t4)), Real(abs(t5)))));
+  const Real closeness = max(max(Real(abs(t2)), Real(abs(t3))), max(Real(abs(t4)), Real(abs(t5))));
   Real d = closeness < Real(1) / 8 ? Real(zero - zero * (third - (fourth + fifth))) : zero;
-  if (closeness <= reach) {
+  if (closeness <= share * eighth_root_of_epsilon<Real>() && abs(zero) <= share * short_step) {
     return d;
   }
   for (int turn = 0; turn < 4; ++turn) {

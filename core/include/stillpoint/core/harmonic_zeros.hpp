@@ -55,7 +55,8 @@ class HarmonicZeros {
     Point at = flow_.at(h);
     for (int tries = 0; tries < 12; ++tries) {
       const HarmonicTaylor<Real> taylor(at, flow_.r());
-      const Real d = polynomial_root(series(taylor), small_step(h));
+      const Real last = small_step(h);
+      const Real d = polynomial_root(series(taylor), last);
       const Real size = magnitude(d);
       if (!(size < 2) || !(h + d > 0) || h + d > horizon) {
         return false;
@@ -65,7 +66,7 @@ class HarmonicZeros {
         at = flow_.at(h);
         continue;
       }
-      if (size <= small_step(h)) {
+      if (size <= last) {
         end.h = h;
         end.at = nudged(at, taylor, flow_.r(), d);
         return true;
@@ -84,11 +85,12 @@ class HarmonicZeros {
     while (true) {
       (value(at) < 0 ? low : high) = h;
       const HarmonicTaylor<Real> taylor(at, flow_.r());
-      const Real d = polynomial_root(series(taylor), small_step(h));
+      const Real last = small_step(h);
+      const Real d = polynomial_root(series(taylor), last);
       const Real size = magnitude(d);
       Real next = h + d;
       if (next >= low && next <= high && size <= std::min(Real(flow_.time_scale() / 8), next)) {
-        if (size <= small_step(next)) {
+        if (size <= last) {
           return {next, nudged(at, taylor, flow_.r(), d)};
         }
         at = shifted(at, flow_.r(), d);
