@@ -26,6 +26,9 @@ constexpr double epsilon = 0x1p-52;
 // In units of epsilon times the size of what is 0: docs/forced.md section 4. The worst of 10^5
 // scenes is 9.5.
 constexpr double residual_units = 16;
+// Of the load at a release, in units of epsilon times what it still grows by up to the crest; the
+// worst of 10^5 scenes is 2.6.
+constexpr double release_units = 8;
 
 /// A piece and how long after its start an event was found.
 template <class Real>
@@ -35,13 +38,22 @@ struct Found {
   Real h;
 };
 
+/// A release: when, in p tau, and where.
+template <class Real>
+struct Released {
+  ExactSum<Real> now;
+  Real u;
+};
+
 template <class Real>
 class Finder {
  public:
   static constexpr bool watches = true;
 
-  void event(ForcedEventKind kind, const ExactSum<Real>& now, const Real& /*u*/,
-             const Real& /*v*/) {
+  void event(ForcedEventKind kind, const ExactSum<Real>& now, const Real& u, const Real& /*v*/) {
+    if (kind == ForcedEventKind::release) {
+      released.push_back({now, u});
+    }
     if (flow_ && (kind == ForcedEventKind::turn || kind == ForcedEventKind::arrival)) {
       found.push_back({kind, *flow_, now.minus(begin_)});
     }
@@ -56,6 +68,7 @@ class Finder {
   }
 
   std::vector<Found<Real>> found;
+  std::vector<Released<Real>> released;
 
  private:
   std::optional<HarmonicFlow<Real>> flow_;
@@ -173,6 +186,39 @@ BOOST_AUTO_TEST_CASE(the_first_turn_is_that_of_50_digits_wherever_the_run_ends) 
     const auto off = static_cast<double>(abs(Exact(got.h - right.h)));
     BOOST_TEST(off <= 8 * epsilon * got.h, off << " off with t_end = " << t_end);
   }
+}
+
+// |w + u| = phi, against what is left up to the crest: the slip that follows is as that squared.
+BOOST_AUTO_TEST_CASE(a_release_is_found_to_the_digits_of_its_distance_from_the_crest) {
+  Dice dice(20273);
+  double worst = 0;
+  std::size_t releases = 0;
+  for (int i = 0; i < forced_scene_count(); ++i) {
+    ForcedScene<> scene = any_frequency(dice);
+    const auto& load = std::get<Harmonic<>>(scene.excitation);
+    const double p = scene.motion.p;
+    if (dice.once_in(2)) {
+      scene.motion.f = std::abs(load.k) * (1 - dice.power_of_ten(-9, -1));
+      scene.motion.v0 = scene.motion.x0 = 0;
+    }
+    const Exact r = Exact(load.lambda) / p;
+    const Exact k(std::abs(load.k / p));
+    const Exact phi(scene.motion.f / p);
+    // Nothing, unless f < k/2 or f > 2 k.
+    const Exact rounded = abs(Exact(static_cast<double>(k) - static_cast<double>(phi) - (k - phi)));
+    for (const auto& [now, u] : finds_of(scene).released) {
+      const Exact psi = r * (Exact(now.high()) + now.low()) + load.phase;
+      const Exact push = (load.k < 0 ? -k : k) * sin(psi) + u;
+      const Exact to_crest = k + (push < 0 ? -u : u) - phi;
+      const Exact off = abs(Exact(abs(push) - phi)) - rounded;
+      const auto units = static_cast<double>(off / (to_crest * epsilon));
+      BOOST_TEST(units <= release_units, units << " ulp off: " << scene);
+      worst = std::max(worst, units);
+      ++releases;
+    }
+  }
+  BOOST_TEST_MESSAGE(releases << " releases, worst " << worst << " ulp");
+  BOOST_TEST(releases > 100U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

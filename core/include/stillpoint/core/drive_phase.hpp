@@ -34,6 +34,19 @@ class DrivePhase {
     reduce();
   }
 
+  void advance(const ExactSum<Real>& h) {
+    advance(h.high());
+    psi_.add(ratio_ * h.low());
+  }
+
+  /// What psi lacks to pi/2 - `before`; with all its digits where it is small.
+  [[nodiscard]] Real short_of_crest(const Real& before) const {
+    ExactSum<Real> angle(pi<Real>() / 2);
+    angle.add(-psi_.high(), two_pi_rest() / 4 - psi_.low());
+    angle.add(-before);
+    return angle.value();
+  }
+
   /// sin psi and cos psi change their signs.
   void turn_by_half() {
     psi_.add(pi<Real>(), two_pi_rest() / 2);

@@ -5,6 +5,7 @@
 // and the release from rest. In units where p = 1: w = W / p, h = p times a time.
 
 #include <stillpoint/core/drive_phase.hpp>
+#include <stillpoint/core/exact_sum.hpp>
 #include <stillpoint/core/harmonic_piece.hpp>
 #include <stillpoint/core/linear_piece.hpp>
 #include <stillpoint/core/piece_end.hpp>
@@ -33,6 +34,7 @@ class LinearDrive {
   [[nodiscard]] Real load() const { return w_; }
 
   void advance(const Real& h) { w_ += rate_ * h; }
+  void advance(const ExactSum<Real>& h) { advance(h.value()); }
 
   /// Along a piece of this drive.
   void advance_to(const typename LinearPiece<Real>::End& end, int /*direction*/) { advance(end.h); }
@@ -42,12 +44,12 @@ class LinearDrive {
   }
 
   /// When |w + u| first exceeds phi, from where it does not; none where it never does.
-  [[nodiscard]] std::optional<Real> release(const Real& u, const Real& phi) const {
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const Real& u, const Real& phi) const {
     if (rate_ == 0) {
       return std::nullopt;
     }
     const Real room = rate_ > 0 ? Real(phi - (w_ + u)) : Real(phi + (w_ + u));
-    return room / (rate_ > 0 ? rate_ : Real(-rate_));
+    return ExactSum<Real>(room / (rate_ > 0 ? rate_ : Real(-rate_)));
   }
 
   /// Which way the mass goes after the release.
@@ -98,13 +100,33 @@ class HarmonicDrive {
     return {HarmonicFlow<Real>(phase_, start, k), k_, guesses_, margin_};
   }
 
-  /// When |w + u| first exceeds phi, from where it does not: (F18).
-  [[nodiscard]] std::optional<Real> release(const Real& u, const Real& phi) {
-    const std::optional<Real> up = first_above(Real(phi - u), phase_.psi(), now_.cosine > 0);
-    const std::optional<Real> down =
-        first_above(Real(phi + u), Real(phase_.psi() + pi<Real>()), now_.cosine < 0);
-    direction_ = up && (!down || *up < *down) ? -1 : 1;
-    return direction_ < 0 ? up : down;
+  void advance(const ExactSum<Real>& h) {
+    phase_.advance(h);
+    now_ = phase_.sin_cos();
+  }
+
+  /// When |w + u| first exceeds phi, from where it does not: (F18). As a sum of two, so that the
+  /// phase there is as near to the crest as (F18) says, to all its digits.
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const Real& u, const Real& phi) {
+    const Real spare = k_ - phi;
+    const std::optional<Ahead> up = first_above(Real(spare + u), phase_.psi(), now_.cosine > 0);
+    const std::optional<Ahead> down =
+        first_above(Real(spare - u), Real(phase_.psi() + pi<Real>()), now_.cosine < 0);
+    if (!up && !down) {
+      return std::nullopt;
+    }
+    direction_ = up && (!down || up->wait < down->wait) ? -1 : 1;
+    const Ahead& first = direction_ < 0 ? *up : *down;
+    ExactSum<Real> wait(first.wait);
+    if (first.wait > 0) {
+      DrivePhase<Real> there = phase_;
+      there.advance(first.wait);
+      if (direction_ > 0) {
+        there.turn_by_half();
+      }
+      wait.add(there.short_of_crest(first.to_crest) / phase_.ratio());
+    }
+    return wait.value() > 0 ? wait : ExactSum<Real>();
   }
 
   [[nodiscard]] int release_direction() const { return direction_; }
@@ -115,17 +137,23 @@ class HarmonicDrive {
   }
 
  private:
-  /// When K sin psi first exceeds `level` on its way up. `grows`: it is on its way up now.
-  [[nodiscard]] std::optional<Real> first_above(const Real& level, const Real& psi,
-                                                bool grows) const {
+  struct Ahead {
+    Real wait;
+    Real to_crest;  ///< from there, in psi
+  };
+
+  /// When K sin psi, on its way up, first lies below K by `excess` only. `grows`: it is on its way
+  /// up now.
+  [[nodiscard]] std::optional<Ahead> first_above(const Real& excess, const Real& psi,
+                                                 bool grows) const {
     using std::asin;
     using std::sqrt;
-    if (!(level < k_)) {
+    if (!(excess > 0)) {
       return std::nullopt;
     }
     const Real turn = 2 * pi<Real>();
     // From the crossing up to the crest, with all digits where the crest hardly exceeds the level.
-    const Real below = (k_ - level) / (2 * k_);
+    const Real below = excess / (2 * k_);
     const Real to_crest = below < 1 ? Real(2 * asin(sqrt(below))) : pi<Real>();
     Real ahead = pi<Real>() / 2 - to_crest - psi;
     while (ahead < 0) {  // by one turn or two
@@ -136,9 +164,9 @@ class HarmonicDrive {
     }
     // The crossing lies behind, but the crest ahead: |w + u| = phi to the last bit, and growing.
     if (grows && turn - ahead < to_crest) {
-      return Real(0);
+      return Ahead{Real(0), to_crest};
     }
-    return ahead / phase_.ratio();
+    return Ahead{Real(ahead / phase_.ratio()), to_crest};
   }
 
   DrivePhase<Real> phase_;

@@ -218,8 +218,8 @@ class ForcedRun {
         return;
       }
     }
-    const std::optional<Real> wait = drive.release(s_.u, map_.phi);
-    if (!wait || !(*wait < left.value())) {
+    const std::optional<ExactSum<Real>> wait = drive.release(s_.u, map_.phi);
+    if (!wait || !(wait->value() < left.value())) {
       s_.now.add(left.high());
       s_.now.add(left.low());
       drive.advance(left.value());
@@ -248,9 +248,9 @@ class ForcedRun {
   }
 
   template <class Drive>
-  void pass_time(Drive& drive, ExactSum<Real>& left, const Real& h) {
-    left.add(-h);
-    s_.now.add(h);
+  void pass_time(Drive& drive, ExactSum<Real>& left, const ExactSum<Real>& h) {
+    left.add(-h.high(), -h.low());
+    s_.now.add(h.high(), h.low());
     drive.advance(h);
   }
 
