@@ -43,7 +43,7 @@ design::DesignResult answer(const DesignInput& input) {
 
 SimulateAnswer free_answer(const SimulateInput& input) {
   Ask ask;
-  ask.half_cycle_limit = input.half_cycle_limit;
+  ask.half_cycle_limit = input.half_cycle_limit.value_or(ask.half_cycle_limit);
   SimulateAnswer answer;
   answer.response = free_response(input.oscillator, input.start, ask);
   answer.half_cycles = first_half_cycles(input.oscillator, input.start, input.max_half_cycles);
@@ -67,15 +67,19 @@ void require_followable(const SimulateInput& input, double horizon) {
 
 SimulateAnswer forced_answer(const SimulateInput& input) {
   const Excitation& excitation = input.excitation->excitation;
-  Progress progress(progress_in_tau(input.t_end.value_or(0)));
+  Progress progress(progress_in_tau(input.t_end.value_or(0)), input.t_end.value_or(0));
   ForcedAsk ask;
   ask.t_end = input.t_end;
   ask.half_cycle_limit = input.half_cycle_limit;
-  ask.go_on = [&progress](double tau) { return progress.goes_on(tau); };
+  const auto goes_on = [&progress](double tau) { return progress.goes_on(tau); };
+  ask.go_on = [&](double tau) {
+    progress.announce_minutes(tau);
+    return goes_on(tau);
+  };
   SimulateAnswer answer;
   const auto trace = [&](double horizon) {
     if (input.trajectory && !answer.trajectory) {
-      answer.trajectory = forced_trajectory_csv(input, horizon, ask.go_on);
+      answer.trajectory = forced_trajectory_csv(input, horizon, goes_on);
     }
     if (Progress::interrupted()) {
       throw Interrupted("interrupted while tracing the motion, nothing is written");
@@ -95,7 +99,7 @@ SimulateAnswer forced_answer(const SimulateInput& input) {
   require_followable(input, horizon);
   trace(horizon);
   answer.half_cycles = forced_half_cycles(input.oscillator, input.start, excitation, horizon,
-                                          input.max_half_cycles, ask.go_on);
+                                          input.max_half_cycles, goes_on);
   if (Progress::interrupted()) {
     throw Interrupted("interrupted while listing half-cycles, nothing is written");
   }

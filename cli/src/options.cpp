@@ -111,7 +111,8 @@ constexpr std::array table{
 
     Option{"max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate},
     Option{"half-cycle-limit", number, "N", output,
-           "a motion that may take more half-cycles is not computed (default 1e8)",
+           "do not compute a motion that may take more half-cycles (default 1e8; under an "
+           "excitation none)",
            simulate | sweep},
     Option{"trajectory", text, "FILE", output, "write tau,x,v to a CSV file", simulate},
     Option{"samples", integer, "N", output,

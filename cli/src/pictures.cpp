@@ -118,6 +118,9 @@ DrawnMotion drawn(const SimulateInput& input, const SimulateAnswer& answer) {
     last = std::min(last, seen_at_rest * *stop_time);
   }
   DrawnMotion motion = drawn_forced_motion(input.oscillator, input.start, excitation, last);
+  if (rests && last >= *stop_time && !motion.rest) {  // known to be the final one only later
+    motion.rest = State{*stop_time, *answer.forced->stop_position, 0};
+  }
   motion.whole = last >= horizon || (rests && last >= *stop_time);
   return motion;
 }

@@ -29,8 +29,9 @@ auto handle_interrupts() {
 
 }  // namespace
 
-Progress::Progress(Line line)
+Progress::Progress(Line line, double end)
     : line_(std::move(line)),
+      end_(end),
       shown_(::isatty(STDERR_FILENO) == 1),
       started_s_(seconds_now()),
       previous_(handle_interrupts()) {
@@ -57,6 +58,21 @@ bool Progress::goes_on(double done) {
     std::fflush(stderr);
   }
   return !interrupted();
+}
+
+void Progress::announce_minutes(double done) {
+  constexpr double known_after_s = 1;
+  constexpr double long_s = 120;
+  const double seconds = seconds_now() - started_s_;
+  if (shown_ || announced_ || seconds < known_after_s) {
+    return;
+  }
+  announced_ = true;
+  const double left_s = done > 0 ? seconds * (end_ - done) / done : 0;
+  if (left_s > long_s) {
+    fmt::print(stderr, "stillpoint: {}: some {:.0f} minutes to go\n", line_(done, seconds),
+               left_s / 60);
+  }
 }
 
 bool Progress::interrupted() {

@@ -20,7 +20,8 @@ class Progress {
   /// The line for what is done, after so many seconds.
   using Line = std::function<std::string(double done, double seconds)>;
 
-  explicit Progress(Line line);
+  /// `end`: what is done when all is, where that is known.
+  explicit Progress(Line line, double end = 0);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   Progress(Progress&&) = delete;
@@ -29,11 +30,15 @@ class Progress {
 
   /// To be asked now and then, with what is done: false after an interrupt.
   [[nodiscard]] bool goes_on(double done);
+  /// Where no terminal shows the line, says once that the run will take minutes, if it will.
+  void announce_minutes(double done);
   [[nodiscard]] static bool interrupted();
 
  private:
   Line line_;
+  double end_;
   bool shown_;
+  bool announced_{false};
   bool line_open_{false};
   double last_shown_s_{0};
   double started_s_;

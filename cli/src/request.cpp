@@ -210,6 +210,14 @@ design::Objective objective(const Settings& settings) {
   throw InputError("objective", wanted, "must be robust, amplitude, time or acceleration");
 }
 
+std::optional<double> half_cycle_limit(const Settings& settings) {
+  const std::optional<double> limit = settings.number("half-cycle-limit");
+  if (limit) {
+    require_within("half-cycle-limit", *limit, 1, 1e15);
+  }
+  return limit;
+}
+
 DesignInput design_input(const Settings& settings) {
   DesignInput input;
   require_one_of(settings, {"v0", "velocity", "pulse"});
@@ -256,8 +264,7 @@ SimulateInput simulate_input(const Settings& settings) {
     throw InputError::missing("delta", "give --delta, the point friction (0 for none)");
   }
   input.oscillator.delta = *delta;
-  input.half_cycle_limit = settings.number("half-cycle-limit").value_or(input.half_cycle_limit);
-  require_within("half-cycle-limit", input.half_cycle_limit, 1, 1e15);
+  input.half_cycle_limit = half_cycle_limit(settings);
   input.max_half_cycles = count(settings, "max-half-cycles", input.max_half_cycles, 0, 100'000);
   input.trajectory = settings.text("trajectory");
   input.samples = count(settings, "samples", input.samples, 2, 1'000'000);

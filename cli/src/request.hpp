@@ -50,7 +50,7 @@ struct RegionInput {
 struct SimulateInput {
   Oscillator<double> oscillator;
   Start<double> start;
-  double half_cycle_limit{1e8};
+  std::optional<double> half_cycle_limit;
   std::int64_t max_half_cycles{1000};
   std::optional<ExcitationInput> excitation;  ///< empty: free motion
   std::optional<std::string> trajectory;
@@ -58,6 +58,9 @@ struct SimulateInput {
   std::optional<double> t_end;
   std::optional<PhysicalInput> physical;
 };
+
+/// Empty where not given. Throws InputError outside of 1 to 1e15.
+[[nodiscard]] std::optional<double> half_cycle_limit(const Settings& settings);
 
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
 [[nodiscard]] DesignInput design_input(const Settings& settings);

@@ -98,8 +98,9 @@ void SweepRun::run_free(SweepBlock& block) {
   if (!task_.from_zero) {
     return run_free_one_by_one(block);
   }
-  const BatchAsk ask{
-      .times = task_.times, .half_cycle_limit = task_.half_cycle_limit, .threads = task_.threads};
+  const BatchAsk ask{.times = task_.times,
+                     .half_cycle_limit = task_.half_cycle_limit.value_or(Ask().half_cycle_limit),
+                     .threads = task_.threads};
   try {
     if (task_.one_v0_and_p) {
       free_batch(block[v0][0], block[p][0], block[f], block[delta], ask, batch_);
@@ -126,7 +127,9 @@ void SweepRun::run_free(SweepBlock& block) {
 
 void SweepRun::run_free_one_by_one(SweepBlock& block) const {
   make_room_for_response(block);
-  const Ask ask{.times = task_.times, .margin = false, .half_cycle_limit = task_.half_cycle_limit};
+  const Ask ask{.times = task_.times,
+                .margin = false,
+                .half_cycle_limit = task_.half_cycle_limit.value_or(Ask().half_cycle_limit)};
   for_each_entry(block.size, task_.threads, [&](Index i) {
     try {
       set_response(block, i, free_response(oscillator(block, i), start(block, i), ask));

@@ -165,8 +165,7 @@ void refuse_for_other_kinds(const Settings& settings, SweepKind kind) {
 }
 
 void add_motion(SweepTask& task, const Settings& settings) {
-  task.half_cycle_limit = settings.number("half-cycle-limit").value_or(task.half_cycle_limit);
-  require_within("half-cycle-limit", task.half_cycle_limit, 1, 1e15);
+  task.half_cycle_limit = half_cycle_limit(settings);
   const auto input = excitation_input(settings, {.unit = "tau"}, design::Scales().gravity_m_per_s2);
   if (!input) {
     return;

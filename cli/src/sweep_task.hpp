@@ -39,7 +39,7 @@ struct SweepTask {
   bool listed{false};        ///< the entries are those of a list
   bool one_v0_and_p{false};  ///< the same in all entries
   bool from_zero{true};      ///< x0 = 0 in all entries
-  double half_cycle_limit{1e8};
+  std::optional<double> half_cycle_limit;
 
   Excitation excitation;
   std::optional<double> t_end;

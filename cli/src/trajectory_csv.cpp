@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <numbers>
 #include <optional>
@@ -24,6 +25,10 @@ double ten_periods(const SimulateInput& input) {
 /// Empty: to the end of the motion.
 std::optional<double> free_horizon(const SimulateInput& input, const Response& response) {
   return input.t_end || response.stop_time ? input.t_end : ten_periods(input);
+}
+
+bool comes_to_rest(const ForcedResponse& response) {
+  return response.stop_time && *response.stop_time > 0;
 }
 
 std::string csv(const SimulateInput& input, const std::vector<State>& states) {
@@ -45,14 +50,14 @@ std::string csv(const SimulateInput& input, const std::vector<State>& states) {
 
 double forced_horizon(const SimulateInput& input, const ForcedResponse& response) {
   // The end of the motion comes from the free kernel, which may round it an ulp earlier than the
-  // forced one that lists what led to it.
+  // forced one that lists what led to it. A rest under a load is the final one once that is over.
   constexpr double behind_the_end = 1 + 1e-12;
-  const std::optional<double>& stop_time = response.stop_time;
+  const double lasts = duration(input.excitation->excitation);
   if (input.t_end) {
     return *input.t_end;
   }
-  return stop_time && *stop_time > 0 ? *stop_time * behind_the_end
-                                     : duration(input.excitation->excitation) + ten_periods(input);
+  return comes_to_rest(response) ? std::max(*response.stop_time, lasts) * behind_the_end
+                                 : lasts + ten_periods(input);
 }
 
 std::string free_trajectory_csv(const SimulateInput& input, const Response& response) {
@@ -64,6 +69,7 @@ std::string forced_trajectory_csv(const SimulateInput& input, double horizon,
                                   const std::function<bool(double)>& go_on) {
   ForcedTrajectoryLimits limits;
   limits.horizon = horizon;
+  limits.to_rest = !input.t_end;
   limits.go_on = go_on;
   const ForcedTrajectory path(input.oscillator, input.start, input.excitation->excitation, limits);
   return csv(input, path.sampled(input.samples));

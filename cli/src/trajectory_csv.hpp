@@ -9,8 +9,8 @@
 
 namespace stillpoint::cli {
 
-/// Up to when a forced motion is listed and sampled: t_end, else its rest; where it never stops
-/// after its excitation, ten periods more.
+/// Up to when a forced motion must be followed: t_end, else until its rest is known to be the final
+/// one; where it never stops after its excitation, ten periods more.
 [[nodiscard]] double forced_horizon(const SimulateInput& input, const ForcedResponse& response);
 
 /// tau,x,v, and with physical input t_s,x_m,v_m_per_s, at evenly spaced instants and every event. A
@@ -18,7 +18,7 @@ namespace stillpoint::cli {
 /// neither exists, after ten periods.
 [[nodiscard]] std::string free_trajectory_csv(const SimulateInput& input, const Response& response);
 
-/// The same up to `horizon`; `go_on` as in ForcedAsk.
+/// The same up to `horizon`, or without t_end to the final rest; `go_on` as in ForcedAsk.
 [[nodiscard]] std::string forced_trajectory_csv(const SimulateInput& input, double horizon,
                                                 const std::function<bool(double)>& go_on);
 

@@ -109,6 +109,9 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator<double>
 ForcedResponse forced_response(const Oscillator<double>& oscillator, const Start<double>& start,
                                const Excitation& excitation, const ForcedAsk& ask) {
   require_valid(oscillator, start, excitation, ask.t_end);
+  if (ask.half_cycle_limit) {
+    require_within("half_cycle_limit", *ask.half_cycle_limit, 1, 1e15);
+  }
   return forced_response_of_valid(oscillator, start, excitation, ask);
 }
 
@@ -117,6 +120,9 @@ ForcedResponse forced_response_of_valid(const Oscillator<double>& oscillator,
                                         const ForcedAsk& ask) {
   NoWatcher nobody;
   Run run(oscillator, start, nobody, Patience{ask.go_on, ask.ask_every});
+  if (ask.half_cycle_limit) {
+    run.allow_half_cycles(*ask.half_cycle_limit);
+  }
   std::visit(
       [&](const auto& kind) {
         if (ask.t_end) {
@@ -134,7 +140,7 @@ ForcedResponse forced_response_of_valid(const Oscillator<double>& oscillator,
   } else if (ask.t_end || run.cancelled()) {
     end_running(response, run);
   } else {
-    end_free(response, run, oscillator, ask.half_cycle_limit);
+    end_free(response, run, oscillator, ask.half_cycle_limit.value_or(Ask().half_cycle_limit));
   }
   return response;
 }

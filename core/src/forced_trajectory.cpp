@@ -21,8 +21,13 @@ class ForcedTrajectory::Watcher {
   Watcher(ForcedTrajectory& path, std::int64_t most) : path_(path), most_(most) {}
 
   void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
-    path_.events_.push_back(
-        {kind, {std::min(now.value() / path_.p_, path_.horizon_), u / path_.p_, v}});
+    const ForcedEvent event{kind,
+                            {std::min(now.value() / path_.p_, path_.horizon_), u / path_.p_, v}};
+    // That a rest is the final one may be known only after the end of the excitation.
+    const auto later = std::upper_bound(
+        path_.events_.begin(), path_.events_.end(), event,
+        [](const ForcedEvent& a, const ForcedEvent& b) { return a.state.tau < b.state.tau; });
+    path_.events_.insert(later, event);
     const bool rests = kind == ForcedEventKind::stick || kind == ForcedEventKind::rest;
     if (rests || kind == ForcedEventKind::start) {
       keep({now, 1, Rest{u}});
@@ -61,6 +66,10 @@ ForcedTrajectory::ForcedTrajectory(const Oscillator<double>& oscillator, const S
   constexpr int ask_every = 1024;
   ForcedRun<double, Watcher> run(oscillator, start, watcher, Patience{limits.go_on, ask_every});
   std::visit([&](const auto& kind) { run_until(run, kind, limits.horizon); }, excitation);
+  if (limits.to_rest && run.state().outcome && run.state().rest_begin.value() > 0) {
+    horizon_ = run.state().rest_begin.value() / p_;
+    std::erase_if(events_, [this](const ForcedEvent& event) { return event.state.tau > horizon_; });
+  }
   if (!run.state().outcome) {
     events_.push_back({ForcedEventKind::end, {horizon_, run.state().u / p_, run.state().v}});
   }

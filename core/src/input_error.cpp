@@ -57,6 +57,13 @@ TooManyHalfCycles TooManyHalfCycles::in_trajectory(double limit) {
       "the trajectory has more than {:.6g} half-cycles: give it an earlier end (t_end)", limit));
 }
 
+TooManyHalfCycles TooManyHalfCycles::under_excitation(double limit, double tau) {
+  return TooManyHalfCycles(
+      fmt::format("the motion has more half-cycles than are allowed (half-cycle-limit): {:.15g} by "
+                  "tau = {:.6g}",
+                  limit, tau));
+}
+
 TooManyHalfCycles TooManyHalfCycles::in_entry(std::ptrdiff_t index) const {
   return TooManyHalfCycles(fmt::format("entry {}: {}", index, what()));
 }

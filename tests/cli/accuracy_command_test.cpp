@@ -106,6 +106,22 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
+  const Arguments held{"--v0", "0",    "--p",          "1",         "--f", "1",   "--delta",  "0",
+                       "--x0", "-0.5", "--excitation", "half-sine", "--k", "0.5", "--lambda", "1"};
+  const Arguments stops{"--v0",     "1",  "--p",          "1",         "--f", "0.8",
+                        "--delta",  "0",  "--excitation", "rectangle", "--k", "0.5",
+                        "--lambda", "0.1"};
+  for (const Arguments& scene : {held, stops}) {
+    const json report = report_of(*this, joined({"accuracy"}, scene));
+    const json simulated = report_of(*this, joined({"simulate"}, scene))["response"];
+    BOOST_TEST(report["reference"]["outcome"] == "stopped_in_dead_zone");
+    BOOST_TEST(simulated["outcome"] == "stopped_in_dead_zone");
+    BOOST_TEST(near(report["reference"]["end_time"], simulated["stop_time"], 1e-15));
+    BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
   const json report =
       report_of(*this, {"accuracy", "--v0", "1", "--p", "1", "--f", "1e-4", "--delta", "1e-4"});

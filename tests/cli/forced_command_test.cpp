@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "forced_arguments.hpp"
+#include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
@@ -575,6 +576,32 @@ BOOST_AUTO_TEST_CASE(trajectory_has_every_event_and_ends_with_the_response) {
           "no sample at " << tau);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(rest_under_a_load_ends_its_half_cycle_and_its_trajectory_when_it_begins) {
+  const Arguments scene{"simulate", "--v0",     "1",   "--p",          "1",         "--f",
+                        "0.8",      "--delta",  "0",   "--excitation", "rectangle", "--k",
+                        "0.5",      "--lambda", "0.1", "--trajectory", "motion.csv"};
+  constexpr double stop = 3.797288279831329;
+  for (const Arguments& more : {Arguments{}, Arguments{"--t-end", "50"}}) {
+    const json report = report_of(*this, joined(scene, more));
+    BOOST_TEST(near(report["response"]["stop_time"], stop, 1e-15));
+    BOOST_TEST(report["half_cycles"].back()["end_time"] == report["response"]["stop_time"]);
+    const auto rows = trajectory_of(*this, "tau,x,v");
+    BOOST_TEST(rows.back()[0] ==
+               (more.empty() ? report["response"]["stop_time"].get<double>() : 50));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(limit_of_half_cycles_refuses_a_longer_motion) {
+  const Arguments scene =
+      at_rest({"--excitation", "harmonic", "--k", "0.2", "--lambda", "1", "--t-end", "200"});
+  check_refused(*this, {"",
+                        joined(scene, {"--half-cycle-limit", "5"}),
+                        {"half-cycle-limit", "more half-cycles than are allowed", "5 by tau"}});
+  BOOST_TEST(
+      report_of(*this, joined(scene, {"--half-cycle-limit", "100"}))["response"]["half_cycles"]
+          .get<double>() > 5);
 }
 
 BOOST_AUTO_TEST_CASE(trajectory_of_a_pulse_ends_with_the_motion) {

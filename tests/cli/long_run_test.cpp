@@ -17,9 +17,9 @@ BOOST_FIXTURE_TEST_SUITE(long_run, Sandbox)
 namespace {
 
 /// Some minutes.
-Arguments endless(const Arguments& more = {}) {
+Arguments endless(const Arguments& more = {}, const std::string& t_end = "1e9") {
   return joined({"simulate", "--v0", "0.5", "--p", "1", "--f", "0.05", "--delta", "0.01",
-                 "--excitation", "harmonic", "--k", "0.2", "--lambda", "1", "--t-end", "1e9"},
+                 "--excitation", "harmonic", "--k", "0.2", "--lambda", "1", "--t-end", t_end},
                 more);
 }
 
@@ -58,6 +58,19 @@ BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end) 
   // The line is cleared before the message takes its place.
   BOOST_TEST(stopped.err.find("\r\x1b[Kstillpoint: interrupted") != std::string::npos, stopped.err);
   BOOST_TEST(std::ranges::count(stopped.err, '\n') == 1);
+}
+
+BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_where_nobody_watches) {
+  Surroundings heard;
+  heard.interrupt_once_heard = true;
+  const ProgramRun stopped = run(endless({}, "1e12"), heard);  // days
+  BOOST_TEST(stopped.exit_code == 130);
+  const auto lines = stopped.err_lines();
+  BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
+  BOOST_TEST(lines[0].starts_with("stillpoint: tau "), lines[0]);
+  BOOST_TEST(lines[0].find(" of 1e+12, 0 %: some ") != std::string::npos, lines[0]);
+  BOOST_TEST(lines[0].ends_with(" minutes to go"), lines[0]);
+  BOOST_TEST(lines[1].starts_with("stillpoint: interrupted "), lines[1]);
 }
 
 BOOST_AUTO_TEST_CASE(short_run_shows_none) {

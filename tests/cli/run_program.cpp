@@ -207,7 +207,8 @@ void interrupt(pid_t child, int err, const Surroundings& surroundings, Clock::ti
   pollfd watched{err, POLLIN, 0};
   while (Clock::now() < deadline) {
     const bool spoke = ::poll(&watched, 1, 10) > 0;
-    if (spoke || (!surroundings.error_is_terminal && handles_interrupt(child))) {
+    const bool waits_for_word = surroundings.error_is_terminal || surroundings.interrupt_once_heard;
+    if (spoke || (!waits_for_word && handles_interrupt(child))) {
       break;
     }
   }
@@ -322,7 +323,7 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   out.writer->close();
   err.writer->close();
   const auto deadline = Clock::now() + surroundings.patience;
-  if (surroundings.interrupt) {
+  if (surroundings.interrupt || surroundings.interrupt_once_heard) {
     interrupt(child, err.reader->get(), surroundings, deadline);
   }
   std::jthread sender([&surroundings, child](const std::stop_token& ended) {

@@ -41,6 +41,7 @@ struct Surroundings {
   /// Sends SIGINT as soon as the program handles it; with error_is_terminal once it has said
   /// something there.
   bool interrupt{false};
+  bool interrupt_once_heard{false};  ///< the same where standard error is no terminal
   /// Sends `signal` once this holds; it is asked every millisecond.
   std::function<bool()> signal_when{};
   int signal{SIGINT};

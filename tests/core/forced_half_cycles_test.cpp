@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/forced_scene.hpp"
 #include "support/scene_s5.hpp"
 
 #include <stillpoint/core/forced_half_cycles.hpp>
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <variant>
 #include <vector>
 
 namespace stillpoint::test {
@@ -22,7 +25,7 @@ namespace {
 
 constexpr std::int64_t all = 1'000'000;
 
-struct Run {
+struct Case {
   const char* name;
   Oscillator<> oscillator;
   Start<> start;
@@ -31,7 +34,7 @@ struct Run {
 };
 
 /// Growing, sticking, shaken by a record, by a pulse and out of rest; with a notch and without.
-std::vector<Run> runs() {
+std::vector<Case> runs() {
   return {{"resonance", {1, 0.05, 0.01}, {0, 0.5}, Harmonic<>{0.2, 1}, 200},
           {"sticks", {1, 0.18, 0}, {0, 0.5}, Harmonic<>{0.2, 0.35}, 200},
           {"record", {1, 0.05, 0}, {0, 0}, record_s5(), 59.98},
@@ -41,7 +44,7 @@ std::vector<Run> runs() {
           {"from aside", {1, 0, 0.03}, {-0.7, 0}, FullSine<>{0.5, 2}, 100}};
 }
 
-std::vector<HalfCycle> list_of(const Run& run, std::int64_t most = all) {
+std::vector<HalfCycle> list_of(const Case& run, std::int64_t most = all) {
   return forced_half_cycles(run.oscillator, run.start, run.excitation, run.t_end, most);
 }
 
@@ -59,7 +62,7 @@ bool equal(const HalfCycle& a, const HalfCycle& b) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(follow_one_another_and_lose_what_the_notch_takes) {
-  for (const Run& run : runs()) {
+  for (const Case& run : runs()) {
     BOOST_TEST_CONTEXT(run.name) {
       const auto list = list_of(run);
       BOOST_TEST_REQUIRE(list.size() > 1U);
@@ -85,7 +88,7 @@ BOOST_AUTO_TEST_CASE(follow_one_another_and_lose_what_the_notch_takes) {
 }
 
 BOOST_AUTO_TEST_CASE(are_those_that_the_metrics_count) {
-  for (const Run& run : runs()) {
+  for (const Case& run : runs()) {
     BOOST_TEST_CONTEXT(run.name) {
       ForcedAsk ask;
       ask.t_end = run.t_end;
@@ -100,8 +103,41 @@ BOOST_AUTO_TEST_CASE(are_those_that_the_metrics_count) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(end_with_the_final_rest_not_with_the_load_that_proves_it_final) {
+  Dice dice(1);
+  int under_load = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const ForcedScene<> scene = random_forced_scene(dice);
+    const auto excitation =
+        std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
+    ForcedAsk ask;
+    ask.t_end = scene.t_end;
+    const auto response =
+        forced_response(scene.motion.oscillator(), scene.motion.start(), excitation, ask);
+    const auto list = forced_half_cycles(scene.motion.oscillator(), scene.motion.start(),
+                                         excitation, scene.t_end, all);
+    if (!list.empty() && response.stop_time) {
+      under_load += *response.stop_time < duration(excitation) ? 1 : 0;
+      BOOST_TEST(list.back().end_time == *response.stop_time, scene);
+      BOOST_TEST(list.back().end_position == *response.stop_position, scene);
+    }
+  }
+  BOOST_TEST(under_load > 10);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_rest_under_a_rectangle_end_at_its_own_instant) {
+  // Out against k + f = 1.3 with the speed 1, to x = sqrt(1 + 1.3^2) - 1.3 = 0.3401 at atan(1/1.3);
+  // c = 0.84 > f drives it back, about -(k - f) = 0.3: pi later it turns at x = 0.6 - ... held.
+  const Oscillator<> oscillator{1, 0.8, 0};
+  const Rectangle<> pulse{0.5, 0.1};
+  const auto list = forced_half_cycles(oscillator, {0, 1}, pulse, 50, all);
+  const auto response = forced_response(oscillator, {0, 1}, pulse);
+  BOOST_TEST(std::abs(list.back().end_time - 3.797288279831329) <= 1e-14);
+  BOOST_TEST(*response.stop_time == list.back().end_time);
+}
+
 BOOST_AUTO_TEST_CASE(lie_on_the_trajectory) {
-  for (const Run& run : runs()) {
+  for (const Case& run : runs()) {
     BOOST_TEST_CONTEXT(run.name) {
       const ForcedTrajectory path(run.oscillator, run.start, run.excitation, {run.t_end});
       for (const HalfCycle& now : list_of(run)) {
@@ -148,7 +184,7 @@ BOOST_AUTO_TEST_CASE(of_a_free_motion_are_those_of_the_walk) {
 }
 
 BOOST_AUTO_TEST_CASE(so_many_as_asked_are_the_first_of_all) {
-  for (const Run& run : runs()) {
+  for (const Case& run : runs()) {
     BOOST_TEST_CONTEXT(run.name) {
       const auto whole = list_of(run);
       for (const std::size_t most :
@@ -198,6 +234,20 @@ BOOST_AUTO_TEST_CASE(out_of_rest_begins_without_a_speed_once_friction_gives_way)
   BOOST_TEST(list.front().side == -1);
   BOOST_TEST(list.front().departure_speed == 0);
   BOOST_TEST(list.front().peak_time > std::numbers::pi / 6);
+}
+
+BOOST_AUTO_TEST_CASE(more_than_are_allowed_refuse_the_motion) {
+  const auto run = [](std::optional<double> limit) {
+    ForcedAsk ask;
+    ask.t_end = 200;
+    ask.half_cycle_limit = limit;
+    return *forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic<>{0.2, 1}, ask).half_cycles;
+  };
+  const double half_cycles = run({});
+  BOOST_TEST(half_cycles > 50);
+  BOOST_TEST(run(half_cycles) == half_cycles);
+  BOOST_CHECK_THROW(run(half_cycles - 1), TooManyHalfCycles);
+  BOOST_CHECK_THROW(run(0), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(of_wrong_input_are_refused) {

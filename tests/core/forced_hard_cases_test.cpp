@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -211,6 +212,74 @@ BOOST_AUTO_TEST_CASE(a_load_of_exactly_f_for_a_whole_record_moves_nothing) {
   const auto run = until(100, {1, 0.05, 0.01}, {0, 0}, limit);
   BOOST_TEST(*run.half_cycles == 0);
   BOOST_TEST(run.stops_at_zero);
+}
+
+BOOST_AUTO_TEST_CASE(
+    a_load_that_never_exceeds_f_moves_nothing_whatever_p_is_and_one_ulp_more_does) {
+  // W/p and f/p, rounded each for itself, may differ where W = f, and be equal where it is not.
+  const auto moved = [](double p, double f, const AnyExcitation<double>& load) {
+    return run_forced(ForcedScene<>{{0, 0, p, f, 0}, load, 10 / p}).state.moved;
+  };
+  Dice dice(404);
+  for (int i = 0; i < 200; ++i) {
+    const double p = dice.power_of_ten(-1, 1);
+    const double f = dice.power_of_ten(-1, 1);
+    for (const double k : {f, -f, std::nextafter(f, 100.0), std::nextafter(-f, -100.0)}) {
+      const bool more = std::abs(k) > f;
+      const double step = dice.uniform(0.1, 1) / p;
+      BOOST_TEST(moved(p, f, Record<>{{0, k, k, 0}, step, {}}) == more, p << ' ' << f);
+      BOOST_TEST(moved(p, f, Record<>{{0, k, 0, -k / 2, k, k / 2}, step, {}}) == more);
+      BOOST_TEST(moved(p, f, Record<>{{k, k}, step, {}}) == more);
+      BOOST_TEST(moved(p, f, Rectangle<>{k, p}) == more);
+      BOOST_TEST(moved(p, f, HalfSine<>{k, p}) == more);
+      BOOST_TEST(moved(p, f, FullSine<>{k, p}) == more);
+      BOOST_TEST(moved(p, f, Harmonic<>{k, p}) == more);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_start_at_the_edge_of_the_dead_zone_under_load_is_held) {
+  // p x0, p^2 x0 and f - p^2 x0 are doubles, so that W + p^2 x0 = f exactly.
+  const double edge = 1.74 - 1.125;
+  for (const double k : {edge, std::nextafter(edge, 1.0)}) {
+    const auto run = run_forced(ForcedScene<>{{0.5, 0, 1.5, 1.74, 0}, Rectangle<>{k, 1}, 9});
+    BOOST_TEST(run.state.moved == (k > edge));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(records_that_stand_at_f_have_the_events_of_50_digits) {
+  Dice dice(405);
+  for (int i = 0; i < 100; ++i) {
+    const double f = dice.power_of_ten(-1, 1);
+    const std::array levels{0.0, f, -f, f / 2, 3 * f, -2.5 * f};
+    Record<> record;
+    record.step = dice.uniform(0.05, 1);
+    for (unsigned sample = 0; sample < 60; ++sample) {
+      const bool repeat = sample > 0 && dice.once_in(3);
+      const unsigned most = sample < 20 ? 4 : 6;  // first a while at rest
+      record.values.push_back(repeat ? record.values.back() : levels.at(dice.below(most)));
+    }
+    const ForcedScene<> scene{{0, 0, dice.power_of_ten(-0.5, 0.5), f, 0}, record, 100};
+    const auto got = run_forced(scene);
+    const auto right = run_forced(widened<Exact>(scene));
+    BOOST_TEST((got.seen.kinds == right.seen.kinds), scene);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(releases_within_rounding_of_a_sample_or_a_crest_end) {
+  // Released as the load turns back: these once turned for ever without going on in time.
+  const double f = 0.85931643703331595;
+  const double k = 1.3393644863060254;
+  const auto sample =
+      run_forced(ForcedScene<>{{0.29531421245100997, 0, 1.2749706293589524, f, 0.02},
+                               Record<>{{-f, -k, k, 0}, 0.61601274987200427, {}},
+                               19});
+  BOOST_TEST(sample.state.turning_points < 10);
+  const auto crest = run_forced(
+      ForcedScene<>{{-0.12580365993187348, 0, 1.4824636397211155, 0, 0},
+                    Harmonic<>{0.2764785075679535, 0.37061590993027888, half_circle / 2, 16.95},
+                    19});
+  BOOST_TEST(crest.state.turning_points < 50);
 }
 
 BOOST_AUTO_TEST_CASE(the_short_stick_of_scene_s5_is_found) {

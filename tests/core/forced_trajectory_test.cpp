@@ -115,6 +115,24 @@ BOOST_AUTO_TEST_CASE(outside_the_horizon_and_beyond_the_limit_it_refuses) {
                     InputError);
 }
 
+BOOST_AUTO_TEST_CASE(the_final_rest_under_a_load_is_an_event_of_its_own_instant) {
+  const Oscillator<> oscillator{1, 0.8, 0};
+  const Rectangle<> pulse{0.5, 0.1};
+  const double stop = forced_response(oscillator, {0, 1}, pulse).stop_time.value();
+  const ForcedTrajectory whole(oscillator, {0, 1}, pulse, {50});
+  const auto rest = std::ranges::find(whole.events(), ForcedEventKind::rest, &ForcedEvent::kind);
+  BOOST_TEST_REQUIRE((rest != whole.events().end()));
+  BOOST_TEST(rest->state.tau == stop);
+  BOOST_TEST((whole.events().back().kind == ForcedEventKind::excitation_end));
+  BOOST_TEST(whole.horizon() == 50);
+  BOOST_TEST(whole.at(50).x == rest->state.x);
+  // Or it ends there.
+  const ForcedTrajectory moving(oscillator, {0, 1}, pulse, {.horizon = 50, .to_rest = true});
+  BOOST_TEST(moving.horizon() == stop);
+  BOOST_TEST((moving.events().back().kind == ForcedEventKind::rest));
+  BOOST_TEST(moving.sampled(10).back().tau == stop);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

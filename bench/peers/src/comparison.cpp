@@ -105,6 +105,7 @@ void judge(MethodRow& row, const Scene& scene, const ExactResult& exact, const S
 std::optional<double> far_enough(const Oscillator<>& oscillator, const Start<>& start,
                                  const Excitation& excitation) {
   constexpr double past_the_rest = 4;
+  constexpr double past_the_load = 1.25;
   constexpr double most_counted = 0x1p53;  // closed forms end however long a motion is
   std::optional<double> stop_time;
   if (std::holds_alternative<NoExcitation>(excitation)) {
@@ -120,10 +121,12 @@ std::optional<double> far_enough(const Oscillator<>& oscillator, const Start<>& 
     ask.half_cycle_limit = most_half_cycles;
     stop_time = forced_response(oscillator, start, excitation, ask).stop_time;
   }
-  if (stop_time && *stop_time == 0) {
-    return 1;
+  if (!stop_time) {
+    return std::nullopt;
   }
-  return stop_time ? std::optional(past_the_rest * *stop_time) : std::nullopt;
+  // A rest under a load is the final one once that is over.
+  const double moving = *stop_time > 0 ? past_the_rest * *stop_time : 1;
+  return std::max(moving, past_the_load * duration(excitation));
 }
 
 double longest(const Scene& scene) {

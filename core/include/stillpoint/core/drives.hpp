@@ -7,9 +7,11 @@
 #include <stillpoint/core/drive_phase.hpp>
 #include <stillpoint/core/exact_sum.hpp>
 #include <stillpoint/core/harmonic_piece.hpp>
+#include <stillpoint/core/hold.hpp>
 #include <stillpoint/core/linear_piece.hpp>
 #include <stillpoint/core/piece_end.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -25,15 +27,38 @@ struct Sliding {
   int direction;
 };
 
-/// W = w + rate h.
+/// W goes straight from one load to another, or stays.
 template <class Real>
 class LinearDrive {
  public:
-  LinearDrive(Real w, Real rate) : w_(std::move(w)), rate_(std::move(rate)) {}
+  LinearDrive() : LinearDrive(Real(0), Real(0)) {}
+  /// It stays: W / p and W.
+  LinearDrive(const Real& w, const Real& full) : LinearDrive(w, full, w, full, Real(1)) {}
+  /// From one to the other.
+  LinearDrive(Real w, Real full, Real end_w, Real end_full, const Real& length)
+      : w_(std::move(w)),
+        rate_((end_w - w_) / length),
+        end_w_(std::move(end_w)),
+        full_(std::move(full)),
+        end_full_(std::move(end_full)),
+        length_(length) {}
 
-  [[nodiscard]] Real load() const { return w_; }
+  [[nodiscard]] const Real& w() const { return w_; }
 
-  void advance(const Real& h) { w_ += rate_ * h; }
+  /// W itself with all its digits, or a turn within rounding of a tie would be met for ever.
+  [[nodiscard]] Load<Real> load() const {
+    Load<Real> now{w_, ExactSum<Real>(full_)};
+    now.full.add_product(Real((end_full_ - full_) / length_), elapsed_);
+    return now;
+  }
+
+  /// The load is as good as its own digits.
+  [[nodiscard]] Real amplitude() const { return Real(0); }
+
+  void advance(const Real& h) {
+    w_ += rate_ * h;
+    elapsed_ += h;
+  }
   void advance(const ExactSum<Real>& h) { advance(h.value()); }
 
   /// Along a piece of this drive.
@@ -43,37 +68,63 @@ class LinearDrive {
     return {{from.y, from.v, from.a}, Real(from.direction) * rate_};
   }
 
-  /// When |w + u| first exceeds phi, from where it does not; none where it never does.
-  [[nodiscard]] std::optional<ExactSum<Real>> release(const Real& u, const Real& phi) const {
-    if (rate_ == 0) {
+  /// When the load first exceeds what is held, from where it does not; none where it never does.
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) const {
+    using std::abs;
+    using std::max;
+    const int sign = rate_ > 0 ? 1 : -1;
+    if (rate_ == 0 || !(hold.excess({end_w_, ExactSum<Real>(end_full_)}, sign) > 0)) {
       return std::nullopt;
     }
-    const Real room = rate_ > 0 ? Real(phi - (w_ + u)) : Real(phi + (w_ + u));
-    return ExactSum<Real>(room / (rate_ > 0 ? rate_ : Real(-rate_)));
+    const Real room = hold.phi() - Real(sign) * (w_ + hold.u());
+    return ExactSum<Real>(Real(max(room, Real(0)) / abs(rate_)));
   }
+
+  /// Between its ends this load has no crest.
+  void crests(const Hold<Real>& /*hold*/, const Real& /*wait*/, bool /*released*/) const {}
 
   /// Which way the mass goes after the release.
   [[nodiscard]] int release_direction() const { return rate_ > 0 ? -1 : 1; }
 
-  /// The largest |w + u| ahead, where the drive lasts for ever.
+  /// The largest |w + u| ahead, where the drive lasts for ever, and what of it is not held.
   [[nodiscard]] Real largest_load(const Real& u) const {
     using std::abs;
     return abs(Real(u + w_));
+  }
+  [[nodiscard]] Real largest_excess(const Hold<Real>& hold) const {
+    const Load<Real> now = load();
+    return hold.excess(now, hold.sign(now));
   }
 
  private:
   Real w_;
   Real rate_;
+  Real end_w_;
+  Real full_;  ///< W at the begin and at the end
+  Real end_full_;
+  Real length_;
+  Real elapsed_{0};
 };
 
 /// W = K sin psi; K >= 0.
 template <class Real>
 class HarmonicDrive {
  public:
-  HarmonicDrive(const DrivePhase<Real>& phase, Real k, TippingMargin<Real>& margin)
-      : phase_(phase), k_(std::move(k)), margin_(margin), now_(phase.sin_cos()) {}
+  /// `k` is its amplitude.
+  HarmonicDrive(const DrivePhase<Real>& phase, Load<Real> k, TippingMargin<Real>& margin)
+      : phase_(phase),
+        k_(std::move(k.w)),
+        full_k_(k.full.value()),
+        margin_(margin),
+        now_(phase.sin_cos()) {}
 
-  [[nodiscard]] Real load() const { return k_ * now_.sine; }
+  /// What an error of the phase is multiplied by.
+  [[nodiscard]] const Real& amplitude() const { return k_; }
+
+  [[nodiscard]] Real w() const { return k_ * now_.sine; }
+  [[nodiscard]] Load<Real> load() const {
+    return {k_ * now_.sine, ExactSum<Real>(full_k_ * now_.sine)};
+  }
 
   void advance(const Real& h) {
     phase_.advance(h);
@@ -96,7 +147,10 @@ class HarmonicDrive {
 
   [[nodiscard]] HarmonicPiece<Real> piece(const Sliding<Real>& from) {
     const Real k = Real(from.direction) * k_;
-    const HarmonicPoint<Real> start{from.y, from.v, from.a, k * now_.sine, k * now_.cosine};
+    HarmonicPoint<Real> start{from.y, from.v, from.a, k * now_.sine, k * now_.cosine};
+    if (start.v == 0 && start.a == 0 && start.q > 0) {
+      start.q = Real(0);  // released at a crest: by rounding the load seems to recede yet
+    }
     return {HarmonicFlow<Real>(phase_, start, k), k_, guesses_, margin_};
   }
 
@@ -105,13 +159,14 @@ class HarmonicDrive {
     now_ = phase_.sin_cos();
   }
 
-  /// When |w + u| first exceeds phi, from where it does not: (F18). As a sum of two, so that the
-  /// phase there is as near to the crest as (F18) says, to all its digits.
-  [[nodiscard]] std::optional<ExactSum<Real>> release(const Real& u, const Real& phi) {
-    const Real spare = k_ - phi;
-    const std::optional<Ahead> up = first_above(Real(spare + u), phase_.psi(), now_.cosine > 0);
+  /// When the load first exceeds what is held, from where it does not: (F18). As a sum of two, so
+  /// that the phase there is as near to the crest as (F18) says, to all its digits.
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) {
+    room_up_ = room(hold, 1);
+    room_down_ = room(hold, -1);
+    const std::optional<Ahead> up = first_above(room_up_, phase_.psi(), now_.cosine > 0);
     const std::optional<Ahead> down =
-        first_above(Real(spare - u), Real(phase_.psi() + pi<Real>()), now_.cosine < 0);
+        first_above(room_down_, Real(phase_.psi() + pi<Real>()), now_.cosine < 0);
     if (!up && !down) {
       return std::nullopt;
     }
@@ -131,9 +186,25 @@ class HarmonicDrive {
 
   [[nodiscard]] int release_direction() const { return direction_; }
 
+  /// How near the crests of the load come to what is held during a wait after release(), and the
+  /// one that ends it.
+  void crests(const Hold<Real>& hold, const Real& wait, bool released) const {
+    const Real angle = wait * phase_.ratio();
+    const auto decide = [&](int sign, const Real& room, const Real& ahead) {
+      const Real to_crest = ahead < 0 ? Real(ahead + 2 * pi<Real>()) : ahead;
+      if ((released && sign == -direction_) || to_crest < angle) {
+        margin_.decide(room < 0 ? Real(-room) : room, hold.size(k_));
+      }
+    };
+    decide(1, room_up_, Real(pi<Real>() / 2 - phase_.psi()));
+    decide(-1, room_down_, Real(-pi<Real>() / 2 - phase_.psi()));
+  }
   [[nodiscard]] Real largest_load(const Real& u) const {
     using std::abs;
     return abs(u) + k_;
+  }
+  [[nodiscard]] Real largest_excess(const Hold<Real>& hold) const {
+    return room(hold, hold.u() < 0 ? -1 : 1);
   }
 
  private:
@@ -142,18 +213,25 @@ class HarmonicDrive {
     Real to_crest;  ///< from there, in psi
   };
 
-  /// When K sin psi, on its way up, first lies below K by `excess` only. `grows`: it is on its way
-  /// up now.
-  [[nodiscard]] std::optional<Ahead> first_above(const Real& excess, const Real& psi,
+  /// By how much the crest of the load in the direction `sign` exceeds what is held.
+  [[nodiscard]] Real room(const Hold<Real>& hold, int sign) const {
+    const Real spare = k_ - hold.phi();  // first, or u would be rounded away
+    return hold.sharpened(Real(spare + Real(sign) * hold.u()),
+                          {k_, ExactSum<Real>(Real(sign) * full_k_)}, sign);
+  }
+
+  /// When the load first exceeds, on its way up, what its crest exceeds by `room`. `grows`: it is
+  /// on its way up now.
+  [[nodiscard]] std::optional<Ahead> first_above(const Real& room, const Real& psi,
                                                  bool grows) const {
     using std::asin;
     using std::sqrt;
-    if (!(excess > 0)) {
+    if (!(room > 0)) {
       return std::nullopt;
     }
     const Real turn = 2 * pi<Real>();
     // From the crossing up to the crest, with all digits where the crest hardly exceeds the level.
-    const Real below = excess / (2 * k_);
+    const Real below = room / (2 * k_);
     const Real to_crest = below < 1 ? Real(2 * asin(sqrt(below))) : pi<Real>();
     Real ahead = pi<Real>() / 2 - to_crest - psi;
     while (ahead < 0) {  // by one turn or two
@@ -171,10 +249,13 @@ class HarmonicDrive {
 
   DrivePhase<Real> phase_;
   Real k_;
+  Real full_k_;
   TippingMargin<Real>& margin_;
   typename DrivePhase<Real>::SinCos now_;
   EventGuesses<Real> guesses_;
   int direction_{1};
+  Real room_up_{0};  ///< what a crest exceeds, at the last look for a release
+  Real room_down_{0};
   int by_sums_{0};  ///< pieces since `now_` was taken from the phase
 };
 

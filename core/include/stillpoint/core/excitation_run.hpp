@@ -27,9 +27,10 @@ ExactSum<Real> earlier(const Real& p, const Real& time, const ExactSum<Real>& en
   return phase.minus(end) < 0 ? phase : end;
 }
 
+/// The load at its end.
 template <class Real, class Watcher>
-void harmonic(ForcedRun<Real, Watcher>& run, const Real& k, const Real& lambda, const Real& phase,
-              const ExactSum<Real>& length, bool for_ever) {
+Load<Real> harmonic(ForcedRun<Real, Watcher>& run, const Real& k, const Real& lambda,
+                    const Real& phase, const ExactSum<Real>& length, bool for_ever) {
   const Real& p = run.map().p;
   const Real size = k / p;
   // sin(psi + pi) in place of a negative k
@@ -37,8 +38,11 @@ void harmonic(ForcedRun<Real, Watcher>& run, const Real& k, const Real& lambda, 
   if (size < 0) {
     psi.turn_by_half();
   }
-  HarmonicDrive<Real> drive(psi, size < 0 ? Real(-size) : size, run.state().margin);
+  const Load<Real> crest =
+      size < 0 ? Load<Real>{-size, ExactSum<Real>(-k)} : Load<Real>{size, ExactSum<Real>(k)};
+  HarmonicDrive<Real> drive(psi, crest, run.state().margin);
   run.through(drive, length, for_ever);
+  return drive.load();
 }
 
 }  // namespace detail
@@ -72,61 +76,73 @@ Real duration_of(const Record<Real>& record) {
   return record.step * Real(record.values.size() - 1);
 }
 
-/// Through the excitation, or until p tau = `end` where that is earlier.
+/// Through the excitation, or until p tau = `end` where that is earlier; the load there.
 template <class Real, class Watcher>
-void excite(ForcedRun<Real, Watcher>& /*run*/, const NoExcitation& /*excitation*/,
-            const ExactSum<Real>& /*end*/) {}
+Load<Real> excite(ForcedRun<Real, Watcher>& /*run*/, const NoExcitation& /*excitation*/,
+                  const ExactSum<Real>& /*end*/) {
+  return {};
+}
 
 template <class Real, class Watcher>
-void excite(ForcedRun<Real, Watcher>& run, const Harmonic<Real>& excitation,
-            const ExactSum<Real>& end) {
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const Harmonic<Real>& excitation,
+                  const ExactSum<Real>& end) {
   const bool for_ever = excitation.duration == std::numeric_limits<Real>::infinity();
-  detail::harmonic(run, excitation.k, excitation.lambda, excitation.phase,
-                   detail::earlier(run.map().p, excitation.duration, end), for_ever);
+  return detail::harmonic(run, excitation.k, excitation.lambda, excitation.phase,
+                          detail::earlier(run.map().p, excitation.duration, end), for_ever);
 }
 
 template <class Real, class Watcher>
-void excite(ForcedRun<Real, Watcher>& run, const HalfSine<Real>& pulse, const ExactSum<Real>& end) {
-  detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
-                   detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const HalfSine<Real>& pulse,
+                  const ExactSum<Real>& end) {
+  return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
+                          detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
 }
 
 template <class Real, class Watcher>
-void excite(ForcedRun<Real, Watcher>& run, const FullSine<Real>& pulse, const ExactSum<Real>& end) {
-  detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
-                   detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const FullSine<Real>& pulse,
+                  const ExactSum<Real>& end) {
+  return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
+                          detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
 }
 
 template <class Real, class Watcher>
-void excite(ForcedRun<Real, Watcher>& run, const Rectangle<Real>& pulse,
-            const ExactSum<Real>& end) {
-  LinearDrive<Real> drive(Real(pulse.k / run.map().p), Real(0));
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const Rectangle<Real>& pulse,
+                  const ExactSum<Real>& end) {
+  LinearDrive<Real> drive(Real(pulse.k / run.map().p), pulse.k);
   run.through(drive, detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
+  return drive.load();
 }
 
 template <class Real, class Watcher>
-void excite(ForcedRun<Real, Watcher>& run, const Record<Real>& record, const ExactSum<Real>& end) {
-  RecordRun<Real, Watcher>(run, record).through(end);
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const Record<Real>& record,
+                  const ExactSum<Real>& end) {
+  return RecordRun<Real, Watcher>(run, record).through(end);
 }
 
 /// The whole motion up to tau = t_end.
 template <class Real, class Watcher, class AnyExcitation>
 void run_until(ForcedRun<Real, Watcher>& run, const AnyExcitation& excitation, const Real& t_end) {
   const ExactSum<Real> end = ExactSum<Real>::product(run.map().p, t_end);
+  LinearDrive<Real> nothing;
   if (run.over()) {
     return;
   }
-  excite(run, excitation, end);
-  if (run.over() || t_end < duration_of<Real>(excitation)) {
+  const Load<Real> load = excite(run, excitation, end);
+  if (run.over()) {
     return;
   }
+  if (t_end < duration_of<Real>(excitation)) {
+    run.end(load);
+    return;
+  }
+  run.jump(load, nothing.load());
   run.event(ForcedEventKind::excitation_end);
   run.settle();
   ExactSum<Real> left = end;
   left.add(-run.state().now.high());
   left.add(-run.state().now.low());
-  LinearDrive<Real> nothing(Real(0), Real(0));
   run.through(nothing, left, true);
+  run.end(nothing.load());
 }
 
 /// The motion through an excitation that ends, and then up to the next turn or to its rest.
@@ -135,12 +151,14 @@ void run_to_free_turn(ForcedRun<Real, Watcher>& run, const AnyExcitation& excita
   if (run.over()) {
     return;
   }
-  excite(run, excitation, ExactSum<Real>::product(run.map().p, duration_of<Real>(excitation)));
+  LinearDrive<Real> nothing;
+  const Load<Real> load =
+      excite(run, excitation, ExactSum<Real>::product(run.map().p, duration_of<Real>(excitation)));
   if (run.over()) {
     return;
   }
+  run.jump(load, nothing.load());
   run.event(ForcedEventKind::excitation_end);
-  LinearDrive<Real> nothing(Real(0), Real(0));
   run.slide_to_turn(nothing);
   run.settle();
 }

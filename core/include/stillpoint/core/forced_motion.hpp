@@ -14,8 +14,9 @@ struct ForcedAsk {
   /// The tau at which the run ends. Without it the free motion that follows the excitation is
   /// followed to its own end; an excitation that lasts for ever needs it.
   std::optional<double> t_end;
-  /// Of the free motion after the excitation, where there is no t_end: as in Ask.
-  double half_cycle_limit{1e8};
+  /// A motion of more half-cycles is refused. Without it only the free motion after the excitation,
+  /// where there is no t_end, has a limit: that of Ask.
+  std::optional<double> half_cycle_limit;
   /// Asked now and then, with the tau reached: false ends the run there. Empty: never asked.
   std::function<bool(double)> go_on;
   int ask_every{1024};  ///< so many pieces between two questions; >= 1

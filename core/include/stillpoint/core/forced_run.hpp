@@ -21,11 +21,15 @@
 #include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/forced_state.hpp>
 #include <stillpoint/core/half_cycle_map.hpp>
+#include <stillpoint/core/hold.hpp>
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/outcome.hpp>
 #include <stillpoint/core/piece_end.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -36,7 +40,7 @@ class ForcedRun {
  public:
   ForcedRun(const Oscillator<Real>& oscillator, const Start<Real>& start, Watcher& watcher,
             Patience patience = {})
-      : map_(oscillator), watcher_(watcher), patience_(std::move(patience)) {
+      : map_(oscillator), f_(oscillator.f), watcher_(watcher), patience_(std::move(patience)) {
     begin(start);
   }
 
@@ -45,6 +49,9 @@ class ForcedRun {
   [[nodiscard]] const HalfCycleMap<Real>& map() const { return map_; }
   [[nodiscard]] bool over() const { return s_.mode == ForcedMode::over; }
   [[nodiscard]] bool cancelled() const { return patience_.ended(); }
+
+  /// More half-cycles throw TooManyHalfCycles.
+  void allow_half_cycles(double most) { most_passages_ = static_cast<std::int64_t>(most) - 1; }
 
   /// Follows the motion for `length` under one drive; `for_ever` says that no other drive follows.
   template <class Drive>
@@ -94,8 +101,43 @@ class ForcedRun {
     }
   }
 
+  /// W jumps here: docs/forced.md (F26).
+  void jump(const Load<Real>& from, const Load<Real>& to) {
+    if (over()) {
+      return;
+    }
+    const Hold<Real> hold = hold_at(s_.u);
+    const int driven = hold.drives(to);
+    if (s_.mode == ForcedMode::resting) {
+      decide_hold(to);
+      if (driven != -hold.sign(from)) {
+        decide_hold(from);  // or else a release just before
+      }
+    }
+    if (driven != hold.drives(from)) {
+      decide_turn_at(from);
+    }
+  }
+
+  /// The run ends here, before the motion does: (F26) again, and for passages too.
+  void end(const Load<Real>& load) {
+    if (over()) {
+      return;
+    }
+    decide_turn_at(load);
+    if (s_.mode == ForcedMode::resting) {
+      decide_hold(load);
+    } else {
+      const Real distance = magnitude(s_.u);
+      s_.margin.decide(distance, distance + magnitude(s_.v) * s_.now.value());
+    }
+  }
+
   /// No excitation from here on: at rest inside the dead zone the mass stays for ever.
   void settle() {
+    if (s_.mode == ForcedMode::resting) {
+      decide_hold({});
+    }
     if (s_.mode == ForcedMode::resting && magnitude(s_.u) <= map_.phi) {
       stop_where_it_rests();
     }
@@ -110,20 +152,25 @@ class ForcedRun {
     return false;
   }
 
-  /// At rest for ever, since rest_begin.
+  /// At rest for ever, since rest_begin: that may be known only later, when the load is over.
   void stop(Outcome outcome) {
     s_.mode = ForcedMode::over;
     s_.outcome = outcome;
-    event(ForcedEventKind::rest);
+    event(ForcedEventKind::rest, s_.rest_begin);
   }
 
-  void event(ForcedEventKind kind) {
+  void event(ForcedEventKind kind) { event(kind, s_.now); }
+
+  void event(ForcedEventKind kind, const ExactSum<Real>& when) {
     if constexpr (Watcher::watches) {
-      watcher_.event(kind, s_.now, s_.u, s_.v);
+      watcher_.event(kind, when, s_.u, s_.v);
     }
   }
 
   Watcher& watcher() { return watcher_; }
+
+  /// What friction holds at a place.
+  [[nodiscard]] Hold<Real> hold_at(const Real& u) const { return {map_.p, f_, map_.phi, u}; }
 
   /// Rule 1, with a notch; the mass has come to x = 0 with s_.v.
   void arrive() {
@@ -142,7 +189,7 @@ class ForcedRun {
     }
     using std::sqrt;
     s_.v = Real(s_.direction) * sqrt(left);
-    ++s_.passages;
+    pass();
     event(ForcedEventKind::passage);
   }
 
@@ -167,6 +214,31 @@ class ForcedRun {
   }
 
  private:
+  /// Is the mass held?
+  void decide_hold(const Load<Real>& load) {
+    const Real excess = magnitude(Real(s_.u + load.w)) - map_.phi;
+    s_.margin.decide(magnitude(excess), hold_at(s_.u).size(load.w));
+  }
+
+  /// Does the last turn, or the next under this load, come before this instant or after it? By its
+  /// distance in time to first order, of the time so far.
+  void decide_turn_at(const Load<Real>& load) {
+    const Real now = s_.now.value();
+    if (s_.mode == ForcedMode::resting) {
+      s_.margin.decide(s_.now.minus(s_.rest_begin), now);
+      return;
+    }
+    const Real v = magnitude(s_.v);
+    s_.margin.decide(v, v + magnitude(own_direction(load.w).a) * now);
+  }
+
+  void pass() {
+    if (++s_.passages > most_passages_) {
+      throw TooManyHalfCycles::under_excitation(static_cast<double>(most_passages_ + 1),
+                                                static_cast<double>(s_.now.value() / map_.p));
+    }
+  }
+
   void stop_where_it_rests() {
     stop(s_.u == 0 ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone);
   }
@@ -196,30 +268,38 @@ class ForcedRun {
   /// Rule 2.
   template <class Drive>
   void rest(Drive& drive, ExactSum<Real>& left, bool for_ever) {
-    const Real load = s_.u + drive.load();
-    const Real size = magnitude(load);
+    const Real w = drive.w();
+    const Real load = s_.u + w;
+    const int sign = load > 0 ? 1 : -1;
+    const Real size = magnitude(s_.u) + magnitude(w) + map_.phi;
+    Real excess = magnitude(load) - map_.phi;
     if (s_.fresh) {
-      s_.margin.decide(magnitude(Real(size - map_.phi)),
-                       magnitude(s_.u) + magnitude(drive.load()) + map_.phi);
+      s_.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
     }
-    if (size > map_.phi) {
-      set_off(load > 0 ? -1 : 1, false);
+    if (Hold<Real>::may_tie(excess, size)) {
+      excess = hold_at(s_.u).excess(drive.load(), sign);
+    }
+    if (excess > 0) {
+      set_off(-sign, excess);
       return;
     }
     if (s_.fresh) {
       s_.fresh = false;
       event(ForcedEventKind::stick);
     }
+    const Hold<Real> hold = hold_at(s_.u);
     if (for_ever) {
       const Real largest = drive.largest_load(s_.u);
       s_.margin.decide(magnitude(Real(largest - map_.phi)), largest + map_.phi);
-      if (!(largest > map_.phi)) {
+      if (!(drive.largest_excess(hold) > 0)) {
         stop_where_it_rests();
         return;
       }
     }
-    const std::optional<ExactSum<Real>> wait = drive.release(s_.u, map_.phi);
-    if (!wait || !(wait->value() < left.value())) {
+    const std::optional<ExactSum<Real>> wait = drive.release(hold);
+    const bool waits = !wait || !(wait->value() < left.value());
+    drive.crests(hold, waits ? left.value() : wait->value(), !waits);
+    if (waits) {
       s_.now.add(left.high());
       s_.now.add(left.low());
       drive.advance(left.value());
@@ -227,10 +307,10 @@ class ForcedRun {
       return;
     }
     pass_time(drive, left, *wait);
-    set_off(drive.release_direction(), true);
+    set_off(drive.release_direction(), Real(0));
   }
 
-  void set_off(int direction, bool released) {
+  void set_off(int direction, const Real& acceleration) {
     const Real waited = s_.now.minus(s_.rest_begin);
     if (waited > 0) {
       ++s_.sticks;
@@ -238,7 +318,7 @@ class ForcedRun {
     }
     s_.mode = ForcedMode::sliding;
     s_.direction = direction;
-    s_.released = released;
+    s_.first_acceleration = acceleration;
     s_.fresh = false;
     s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0);
     s_.moved = true;
@@ -255,17 +335,17 @@ class ForcedRun {
   }
 
   /// Where the motion sets off or goes on, in its own direction.
-  template <class Drive>
-  [[nodiscard]] Sliding<Real> own_direction(const Drive& drive) const {
+  [[nodiscard]] Sliding<Real> own_direction(const Real& w) const {
     const Real sign(s_.direction);
     const Real y = sign * s_.u;
-    const Real a = s_.released ? Real(0) : Real(-(y + sign * drive.load() + map_.phi));
+    const Real a =
+        s_.first_acceleration ? *s_.first_acceleration : Real(-(y + sign * w + map_.phi));
     return {y, sign * s_.v, a, s_.direction};
   }
 
   template <class Drive>
   void slide(Drive& drive, ExactSum<Real>& left, std::optional<Crossing<Drive, Real>>& last) {
-    const Sliding<Real> from = own_direction(drive);
+    const Sliding<Real> from = own_direction(drive.w());
     auto piece = drive.piece(from);
     const bool inward = from.y < 0;
     auto end = piece.first_event(left.value(), inward && map_.notch > 0);
@@ -277,14 +357,14 @@ class ForcedRun {
       watcher_.piece(s_.now, from.direction, piece);
     }
     if (map_.notch == 0 && inward && (end.at.y > 0 || (end.at.y == 0 && end.at.v > 0))) {
-      ++s_.passages;
+      pass();
       last.emplace(piece, end);
       watch_crossing(*last);
     }
     left.add(-end.h);
     s_.now.add(end.h);
     drive.advance_to(end, from.direction);
-    s_.released = false;
+    s_.first_acceleration.reset();
     s_.u = Real(from.direction) * end.at.y;
     s_.v = Real(from.direction) * end.at.v;
     if (end.event == PieceEvent::arrival) {
@@ -307,8 +387,10 @@ class ForcedRun {
   }
 
   HalfCycleMap<Real> map_;
+  Real f_;
   Watcher& watcher_;
   Patience patience_;
+  std::int64_t most_passages_{std::numeric_limits<std::int64_t>::max()};
   ForcedState<Real> s_;
 };
 

@@ -33,8 +33,8 @@ struct ForcedState {
   Real u{0};
   Real v{0};
   int direction{1};
-  bool released{false};  ///< leaves rest with v = a = 0
-  bool fresh{true};      ///< at rest since this very instant
+  std::optional<Real> first_acceleration;  ///< as it leaves rest; 0 at a release
+  bool fresh{true};                        ///< at rest since this very instant
   ExactSum<Real> now;
   ExactSum<Real> rest_begin;
 

@@ -26,6 +26,7 @@ struct ForcedTrajectoryLimits {
   std::int64_t pieces{2'000'000};  ///< at most; a motion with more throws InputError of t_end
   /// As in ForcedAsk; where it says no, the trajectory ends there.
   std::function<bool(double)> go_on{};
+  bool to_rest{false};  ///< ends at the final rest, if that is known by then and not at tau = 0
 };
 
 /// A forced motion with its state at any instant of [0, horizon] and its events in order of time.

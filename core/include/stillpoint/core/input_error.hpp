@@ -41,6 +41,9 @@ class TooManyHalfCycles : public std::runtime_error {
   /// There are more than `limit` half-cycles up to the end of a trajectory.
   [[nodiscard]] static TooManyHalfCycles in_trajectory(double limit);
 
+  /// Under an excitation the motion has more than `limit` half-cycles up to `tau`.
+  [[nodiscard]] static TooManyHalfCycles under_excitation(double limit, double tau);
+
   /// The same error in entry `index` of arrays: "entry 17: ...".
   [[nodiscard]] TooManyHalfCycles in_entry(std::ptrdiff_t index) const;
 

@@ -25,8 +25,13 @@ struct PieceEnd {
 template <class Real>
 class TippingMargin {
  public:
+  /// Whether that would make it smaller.
+  [[nodiscard]] bool matters(const Real& slack, const Real& scale) const {
+    return !any_ || slack * scale_ < slack_ * scale;
+  }
+
   void decide(const Real& slack, const Real& scale) {
-    if (!any_ || slack * scale_ < slack_ * scale) {
+    if (matters(slack, scale)) {
       any_ = scale > 0;
       slack_ = slack;
       scale_ = scale;

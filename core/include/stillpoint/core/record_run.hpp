@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace stillpoint {
@@ -74,13 +75,15 @@ class RecordRun {
   RecordRun(ForcedRun<Real, Watcher>& run, const Record<Real>& record)
       : run_(run), record_(record), times_(record, run.map().p), inverse_p_(1 / run.map().p) {}
 
-  /// Through the record, or until p tau = `end`.
-  void through(const ExactSum<Real>& end) {
+  /// Through the record, or until p tau = `end`; the load there.
+  Load<Real> through(const ExactSum<Real>& end) {
     before_first_sample(end);
     if (record_.values.size() > 1 && end.minus(times_.at(0)) > 0) {
+      run_.jump(load_, load(0));
       between_samples(end);
       run_.arrived(crossing_);
     }
+    return load_;
   }
 
  private:
@@ -88,7 +91,7 @@ class RecordRun {
 
   void before_first_sample(const ExactSum<Real>& end) {
     const ExactSum<Real> first = times_.at(0);
-    LinearDrive<Real> nothing(Real(0), Real(0));
+    LinearDrive<Real> nothing;
     run_.through(nothing, end.minus(first) < 0 ? end : first, false);
   }
 
@@ -106,8 +109,16 @@ class RecordRun {
       return;
     }
     run_.state().now = times_.at(i);
+    load_ = load(i);
     if (i + 1 < record_.values.size()) {
-      through_interval(i, ExactSum<Real>(end.minus(times_.at(i))));
+      if (run_.state().mode == ForcedMode::resting) {
+        decide_held_crest(i, run_.hold_at(run_.state().u));
+      }
+      const ExactSum<Real> length(end.minus(times_.at(i)));
+      through_interval(i, length);
+      LinearDrive<Real> reached = drive_from(i);
+      reached.advance(length.value());
+      load_ = reached.load();
     }
   }
 
@@ -127,12 +138,57 @@ class RecordRun {
   }
 
   [[nodiscard]] Real sample(std::size_t i) const { return record_.values[i] * inverse_p_; }
+  [[nodiscard]] Load<Real> load(std::size_t i) const {
+    return {sample(i), ExactSum<Real>(record_.values[i])};
+  }
+
+  [[nodiscard]] LinearDrive<Real> drive_from(std::size_t i) const {
+    return {sample(i), record_.values[i], sample(i + 1), record_.values[i + 1], times_.length(i)};
+  }
 
   void through_interval(std::size_t i, const ExactSum<Real>& length) {
     run_.state().now = times_.at(i);
-    const Real w = sample(i);
-    LinearDrive<Real> drive(w, Real((sample(i + 1) - w) / times_.length(i)));
+    const ForcedState<Real>& s = run_.state();
+    const bool rested = s.mode == ForcedMode::resting;
+    const Real before = s.u;
+    const std::int64_t sticks = s.sticks;
+    LinearDrive<Real> drive = drive_from(i);
     run_.through(drive, length, false, crossing_);
+    if (s.sticks > sticks) {
+      decide_crest(i, run_.hold_at(rested ? before : s.u));
+    }
+  }
+
+  /// By how much the load goes on to exceed what is held, after a release from sample i on.
+  void decide_crest(std::size_t i, const Hold<Real>& hold) {
+    const int drives = hold.drives(load(i));
+    const int sign = drives != 0 ? -drives : sample(i + 1) > sample(i) ? 1 : -1;
+    const auto excess = [&](std::size_t at) {
+      return Real(sign) * (sample(at) + hold.u()) - hold.phi();
+    };
+    const TippingMargin<Real>& margin = run_.state().margin;
+    while (i + 1 < record_.values.size() && excess(i + 1) > excess(i)) {
+      ++i;
+      if (!margin.matters(excess(i), hold.size(sample(i)))) {
+        return;  // nor does what is larger
+      }
+    }
+    decide_hold(i, hold, sign);
+  }
+
+  /// How near the load came to what is held, at a sample where it was largest; whether it was.
+  bool decide_held_crest(std::size_t i, const Hold<Real>& hold) {
+    const int sign = sample(i) + hold.u() > 0 ? 1 : -1;
+    const bool crest = Real(sign) * (sample(i + 1) - sample(i)) <= 0;
+    if (crest) {
+      decide_hold(i, hold, sign);
+    }
+    return crest;
+  }
+
+  void decide_hold(std::size_t i, const Hold<Real>& hold, int sign) {
+    const Real excess = hold.excess(load(i), sign);
+    run_.state().margin.decide(Run::magnitude(excess), hold.size(sample(i)));
   }
 
   /// On from sample i while (F21) proves that no event comes; the sample from which it does not, or
@@ -191,12 +247,24 @@ class RecordRun {
   /// On from sample i while the load at both ends of each interval, and so between, is held.
   std::size_t rest_from(std::size_t i, std::size_t last) {
     const ForcedState<Real>& s = run_.state();
-    const Real phi = run_.map().phi;
-    if (s.fresh || Run::magnitude(Real(s.u + sample(i))) > phi) {
+    const Hold<Real> hold = run_.hold_at(s.u);
+    const Real certain = hold.held_for_certain();
+    const auto held = [&](std::size_t at) {
+      return Run::magnitude(Real(s.u + sample(at))) <= certain || hold.drives(load(at)) == 0;
+    };
+    if (s.fresh || !held(i)) {
       return i;
     }
-    while (i < last && Run::magnitude(Real(s.u + sample(i + 1))) <= phi) {
-      ++i;
+    Real crest{-1};  // only what is larger can matter to the margin
+    for (; i < last; ++i) {
+      if (const Real size = Run::magnitude(Real(s.u + sample(i))); size > crest) {
+        if (decide_held_crest(i, hold)) {
+          crest = size;
+        }
+      }
+      if (!held(i + 1)) {
+        break;
+      }
     }
     return i;
   }
@@ -207,6 +275,7 @@ class RecordRun {
   IntervalTerms<Real> terms_;
   std::optional<Crossing<LinearDrive<Real>, Real>> crossing_;  ///< the last without a notch
   Real inverse_p_;
+  Load<Real> load_;  ///< at the end
 };
 
 }  // namespace stillpoint
