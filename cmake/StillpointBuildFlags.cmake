@@ -15,6 +15,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 
+# Position-independent code must not cost speed: nobody is to replace our functions at run time.
+target_compile_options(stillpoint_build_flags INTERFACE -fno-semantic-interposition)
+
 # a*b+c is rounded twice on every machine: a fused multiply-add would change the last digits
 # from one processor to the next.
 target_compile_options(stillpoint_build_flags INTERFACE -ffp-contract=off)

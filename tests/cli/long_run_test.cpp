@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(is_refused_at_once_where_a_trajectory_of_it_would_be_too_lo
                         {"t_end = 1000000000", "too many for a trajectory"}});
 }
 
-BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end) {
+BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end,
+                     *boost::unit_test::precondition(if_terminals)) {
   Surroundings interrupted;
   interrupted.interrupt = true;
   interrupted.error_is_terminal = true;
@@ -73,7 +74,7 @@ BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_where_nobody_watches) {
   BOOST_TEST(lines[1].starts_with("stillpoint: interrupted "), lines[1]);
 }
 
-BOOST_AUTO_TEST_CASE(short_run_shows_none) {
+BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_terminals)) {
   Surroundings on_terminal;
   on_terminal.error_is_terminal = true;
   const ProgramRun brief = run(harmonic, on_terminal);

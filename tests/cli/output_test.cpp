@@ -157,10 +157,6 @@ BOOST_AUTO_TEST_CASE(that_is_the_standard_output_is_added_to_and_not_replaced) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-boost::test_tools::assertion_result if_terminals(boost::unit_test::test_unit_id /*unit*/) {
-  return has_terminals();
-}
-
 BOOST_FIXTURE_TEST_SUITE(colour, Sandbox, *boost::unit_test::precondition(if_terminals))
 
 namespace {

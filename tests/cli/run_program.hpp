@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -74,8 +75,8 @@ class Sandbox {
   std::filesystem::path path_;
 };
 
-/// Whether a pseudo-terminal can be had: a bare root without /dev/pts has none.
-[[nodiscard]] bool has_terminals();
+/// A precondition of tests: a pseudo-terminal can be had. A bare root without /dev/pts has none.
+[[nodiscard]] boost::test_tools::assertion_result if_terminals(boost::unit_test::test_unit_id unit);
 
 /// `head` with `tail` behind it.
 [[nodiscard]] Arguments joined(Arguments head, const Arguments& tail);

@@ -335,10 +335,8 @@ BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
   BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
 }
 
-BOOST_AUTO_TEST_CASE(progress_is_shown_on_a_terminal) {
-  if (!has_terminals()) {
-    return;
-  }
+BOOST_AUTO_TEST_CASE(progress_is_shown_on_a_terminal,
+                     *boost::unit_test::precondition(if_terminals)) {
   Surroundings surroundings;
   surroundings.interrupt = true;
   surroundings.error_is_terminal = true;
