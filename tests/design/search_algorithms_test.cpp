@@ -22,6 +22,9 @@ using namespace stillpoint::design_test;
 /// How near every algorithm comes to the default one: of R absolute, of the others relative.
 constexpr double algorithm_tolerance = 1e-3;
 
+/// Of R, where a local search ends a global one: SBPLX stops at steps of 1e-10 of x.
+constexpr double polished_tolerance = 1e-8;
+
 constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
                                 Objective::acceleration};
 
@@ -67,6 +70,22 @@ BOOST_AUTO_TEST_CASE(every_algorithm_comes_near_the_default_one) {
           BOOST_TEST(cost(now, objective, point) <= best + algorithm_tolerance * unit);
         }
       }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_global_algorithm_ends_at_the_optimum_itself) {
+  RandomSource random(602);
+  for (int i = 0; i < 40; ++i) {
+    const Case now{random_feasible_problem(random), {}};
+    const double best = run(now, Objective::robust, "").point.tolerance;
+    for (const char* algorithm : {"GN_DIRECT_L", "GN_CRS2_LM"}) {
+      const SearchResult result = run(now, Objective::robust, algorithm);
+      BOOST_TEST(result.point.tolerance >= best - polished_tolerance,
+                 algorithm << ": " << result.point.tolerance << " of " << best << " at v0 "
+                           << now.problem.v0 << ", p " << now.problem.p << ", beta "
+                           << now.problem.beta);
+      BOOST_TEST(result.record.evaluations <= 20'000);
     }
   }
 }
