@@ -7,6 +7,7 @@
 #include <stillpoint/core/exact_sum.hpp>
 #include <stillpoint/core/phase_clock.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -17,7 +18,7 @@ class DrivePhase {
  public:
   /// psi grows by lambda / p for each unit of p tau.
   DrivePhase(const Real& lambda, const Real& p, const Real& phase)
-      : ratio_(lambda / p), psi_(phase) {
+      : ratio_(lambda / p), time_scale_(1 / std::max(Real(1), ratio_)), psi_(phase) {
     if constexpr (std::is_floating_point_v<Real>) {
       ratio_rest_ = std::fma(-ratio_, p, lambda) / p;
     }
@@ -25,6 +26,9 @@ class DrivePhase {
   }
 
   [[nodiscard]] const Real& ratio() const { return ratio_; }
+
+  /// Of what moves under this excitation: 1 / max(1, ratio).
+  [[nodiscard]] const Real& time_scale() const { return time_scale_; }
 
   /// In [-pi, pi], but for rounding.
   [[nodiscard]] Real psi() const { return psi_.value(); }
@@ -83,6 +87,7 @@ class DrivePhase {
   }
 
   Real ratio_;
+  Real time_scale_;
   Real ratio_rest_{0};  ///< lambda / p less its rounding
   ExactSum<Real> psi_;
 };

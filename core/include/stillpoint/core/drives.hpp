@@ -115,6 +115,7 @@ class HarmonicDrive {
       : phase_(phase),
         k_(std::move(k.w)),
         full_k_(k.full.value()),
+        inverse_k_(k_ == 0 ? Real(0) : Real(1 / k_)),
         margin_(margin),
         now_(phase.sin_cos()) {}
 
@@ -141,7 +142,7 @@ class HarmonicDrive {
       return;
     }
     phase_.advance(end.h);
-    const Real scale = Real(direction) / k_;
+    const Real scale = Real(direction) * inverse_k_;
     now_ = {end.at.w * scale, end.at.q * scale};
   }
 
@@ -151,7 +152,7 @@ class HarmonicDrive {
     if (start.v == 0 && start.a == 0 && start.q > 0) {
       start.q = Real(0);  // released at a crest: by rounding the load seems to recede yet
     }
-    return {HarmonicFlow<Real>(phase_, start, k), k_, guesses_, margin_};
+    return {phase_, start, k, k_, guesses_, margin_};
   }
 
   void advance(const ExactSum<Real>& h) {
@@ -250,6 +251,7 @@ class HarmonicDrive {
   DrivePhase<Real> phase_;
   Real k_;
   Real full_k_;
+  Real inverse_k_;  ///< unused where k = 0
   TippingMargin<Real>& margin_;
   typename DrivePhase<Real>::SinCos now_;
   EventGuesses<Real> guesses_;

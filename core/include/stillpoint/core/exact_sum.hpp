@@ -37,8 +37,7 @@ class ExactSum {
       const Real lost = (high_ - (sum - taken)) + (term - taken);
       const Real low = low_ + (lost + rest);
       high_ = sum + low;
-      const Real low_taken = high_ - sum;
-      low_ = (sum - (high_ - low_taken)) + (low - low_taken);
+      low_ = (sum - high_) + low;  // low is an ulp or two of the terms, beside which this is exact
     } else {
       high_ += term + rest;
     }

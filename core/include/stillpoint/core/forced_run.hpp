@@ -311,7 +311,7 @@ class ForcedRun {
   }
 
   void set_off(int direction, const Real& acceleration) {
-    const Real waited = s_.now.minus(s_.rest_begin);
+    const Real waited = s_.fresh ? Real(0) : s_.now.minus(s_.rest_begin);
     if (waited > 0) {
       ++s_.sticks;
       s_.stick_time.add(waited);

@@ -9,6 +9,7 @@
 #include <stillpoint/core/positivity.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace stillpoint {
@@ -39,7 +40,10 @@ class HarmonicCrest {
   }
 
  private:
-  static Real magnitude(const Real& value) { return value < 0 ? Real(-value) : value; }
+  static Real magnitude(const Real& value) {
+    using std::abs;
+    return abs(value);
+  }
 
   /// y is the acceleration of the motion, v its jerk, and so on.
   [[nodiscard]] Point lifted(const Point& point) const {

@@ -7,7 +7,6 @@
 #include <stillpoint/core/drive_phase.hpp>
 #include <stillpoint/core/harmonic_point.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -18,28 +17,22 @@ class HarmonicFlow {
  public:
   /// `mirror` = +1 or -1 turns the excitation round with the motion.
   HarmonicFlow(const DrivePhase<Real>& phase, HarmonicPoint<Real> start, Real mirrored_k)
-      : phase_(phase),
-        start_(std::move(start)),
-        mirrored_k_(std::move(mirrored_k)),
-        r_(phase.ratio()) {}
+      : phase_(phase), start_(std::move(start)), mirrored_k_(std::move(mirrored_k)) {}
 
   [[nodiscard]] const HarmonicPoint<Real>& start() const { return start_; }
-  [[nodiscard]] const Real& r() const { return r_; }
+  [[nodiscard]] const Real& r() const { return phase_.ratio(); }
 
   /// The shortest time on which the motion changes its shape.
-  [[nodiscard]] Real time_scale() const {
-    using std::max;
-    return 1 / max(Real(1), r_);
-  }
+  [[nodiscard]] const Real& time_scale() const { return phase_.time_scale(); }
 
   /// Fast forcing: the ripple w / (r^2 - 1) is split off. Here r^2 - 1 > 3, so that it loses
   /// nothing.
-  [[nodiscard]] bool fast() const { return r_ > 2; }
+  [[nodiscard]] bool fast() const { return r() > 2; }
 
   /// The state a time h >= 0 after the start.
   [[nodiscard]] HarmonicPoint<Real> at(const Real& h) const {
     if (h <= time_scale()) {
-      return shifted(start_, r_, h);
+      return shifted(start_, r(), h);
     }
     return fast() ? split_form(h) : sinc_form(h);
   }
@@ -49,8 +42,8 @@ class HarmonicFlow {
   [[nodiscard]] HarmonicPoint<Real> sinc_form(const Real& h) const {
     using std::cos;
     using std::sin;
-    const Real half_sum = (1 + r_) / 2;
-    const Real half_difference = (r_ - 1) / 2;
+    const Real half_sum = (1 + r()) / 2;
+    const Real half_difference = (r() - 1) / 2;
     const Real sa = sin(half_sum * h);
     const Real ca = cos(half_sum * h);
     Real sb{0};
@@ -69,8 +62,8 @@ class HarmonicFlow {
     const Real lever = s.a + s.w;
     const Real y =
         s.v * sine + lever * (1 - cosine) - s.w * product - s.q * ((along * cb - across * ca) / 2);
-    const Real v =
-        s.v * cosine + lever * sine - s.w * ((across * ca + along * cb) / 2) - s.q * (r_ * product);
+    const Real v = s.v * cosine + lever * sine - s.w * ((across * ca + along * cb) / 2) -
+                   s.q * (r() * product);
     const Real turned_cosine = ca * cb - sa * sb;
     const Real turned_sine = sa * cb + ca * sb;
     const Real w = s.w * turned_cosine + s.q * turned_sine;
@@ -86,22 +79,21 @@ class HarmonicFlow {
     const auto [turned_sine, turned_cosine] = phase.sin_cos();
     const Real w = mirrored_k_ * turned_sine;
     const Real q = mirrored_k_ * turned_cosine;
-    const Real c = 1 / (r_ * r_ - 1);
+    const Real c = 1 / (r() * r() - 1);
     const Real half_sine = sin(h / 2);
     const Real sine = 2 * half_sine * cos(h / 2);
     const Real versine = 2 * half_sine * half_sine;  // 1 - cos h, also where h is tiny
     const HarmonicPoint<Real>& s = start_;
     const Real lever = s.a + s.w + c * s.w;
-    const Real slow_v = s.v - c * r_ * s.q;
+    const Real slow_v = s.v - c * r() * s.q;
     const Real y = lever * versine + slow_v * sine + c * (w - s.w);
-    const Real v = lever * sine - slow_v * versine + (s.v + c * r_ * (q - s.q));
+    const Real v = lever * sine - slow_v * versine + (s.v + c * r() * (q - s.q));
     return {s.y + y, v, s.a - y - (w - s.w), w, q};
   }
 
   DrivePhase<Real> phase_;
   HarmonicPoint<Real> start_;
   Real mirrored_k_;
-  Real r_;
 };
 
 }  // namespace stillpoint

@@ -37,9 +37,10 @@ class HarmonicPiece {
   using End = PieceEnd<Real, Point>;
   using Located = typename HarmonicZeros<Real>::Located;
 
-  HarmonicPiece(const HarmonicFlow<Real>& flow, Real k, EventGuesses<Real>& guesses,
-                TippingMargin<Real>& margin)
-      : zeros_(flow), k_(std::move(k)), guesses_(guesses), margin_(margin) {}
+  /// As the flow of the same; `k` is the amplitude.
+  HarmonicPiece(const DrivePhase<Real>& phase, const Point& start, const Real& mirrored_k, Real k,
+                EventGuesses<Real>& guesses, TippingMargin<Real>& margin)
+      : zeros_(phase, start, mirrored_k), k_(std::move(k)), guesses_(guesses), margin_(margin) {}
 
   [[nodiscard]] const HarmonicFlow<Real>& flow() const { return zeros_.flow(); }
 
@@ -84,7 +85,10 @@ class HarmonicPiece {
     return flow().r() * (guess > 0 ? guess : Real(2)) <= few_turns();
   }
 
-  static Real magnitude(const Real& value) { return value < 0 ? Real(-value) : value; }
+  static Real magnitude(const Real& value) {
+    using std::abs;
+    return abs(value);
+  }
 
   /// Two times nearer than this are one: a few ulp of the time scale or of h itself.
   [[nodiscard]] Real resolution(const Real& h) const {

@@ -37,7 +37,8 @@ class HarmonicZeros {
     Point at;
   };
 
-  explicit HarmonicZeros(const HarmonicFlow<Real>& flow) : flow_(flow) {}
+  HarmonicZeros(const DrivePhase<Real>& phase, const Point& start, const Real& mirrored_k)
+      : flow_(phase, start, mirrored_k) {}
 
   [[nodiscard]] const HarmonicFlow<Real>& flow() const { return flow_; }
 
@@ -108,7 +109,10 @@ class HarmonicZeros {
   }
 
  private:
-  static Real magnitude(const Real& value) { return value < 0 ? Real(-value) : value; }
+  static Real magnitude(const Real& value) {
+    using std::abs;
+    return abs(value);
+  }
 
   HarmonicFlow<Real> flow_;
 };

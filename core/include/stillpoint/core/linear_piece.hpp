@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace stillpoint {
@@ -30,6 +32,12 @@ struct LinearTerms {
   Real lag;
 
   explicit LinearTerms(const Real& h) {
+    if constexpr (std::is_same_v<Real, double>) {
+      if (h * h < 1.0 / 64) {
+        by_series(h);
+        return;
+      }
+    }
     using std::cos;
     using std::sin;
     const Real half_sine = sin(h / 2);
@@ -45,6 +53,17 @@ struct LinearTerms {
       term *= h * h / (n * (n + 1));
       lag += (n % 4 == 0) ? Real(-term) : term;
     }
+  }
+
+ private:
+  /// Between the samples of a record h is small. What is left out is below 4e-18 of each for
+  /// h < 1/8.
+  void by_series(const Real& h) {
+    const Real z = h * h;
+    versine = z * (1.0 / 2 - z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320 - z / 3628800))));
+    lag =
+        h * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880 - z / 39916800))));
+    sine = h - lag;
   }
 };
 
@@ -66,7 +85,8 @@ class LinearPiece {
   }
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
-    const Real turn = first_turn();
+    const std::optional<HalfAngle> half = first_turn();
+    const Real turn = half && !beyond(*half, limit) ? angle(*half) : Real(0);
     End end{PieceEvent::turn, turn, {}};
     if (turn > 0 && turn <= limit) {
       end.at = at(turn);
@@ -121,31 +141,36 @@ class LinearPiece {
   }
 
  private:
-  /// (F17): the first h in (0, 2 pi] with v = 0, through tan(h/2); 0 where there is none.
-  [[nodiscard]] Real first_turn() const {
-    using std::sqrt;
-    const Point& s = start_;
-    if (s.v == 0 && s.a == 0) {
-      return rate_ == 0 ? Real(0) : Real(2 * pi<Real>());
-    }
-    const Real square = s.a * s.a + s.v * (s.v + 2 * rate_);
-    if (square < 0) {
-      return Real(0);
-    }
-    const Real sum = s.a < 0 ? Real(s.a - sqrt(square)) : Real(s.a + sqrt(square));
-    const HalfAngle first = half_angle(sum, Real(s.v + 2 * rate_));
-    if (s.v == 0) {
-      return angle(first);
-    }
-    const HalfAngle second = half_angle(Real(-s.v), sum);
-    return angle(earlier(first, second) ? first : second);
-  }
-
   /// Of the h in (0, 2 pi] with tan(h/2) = rise / run; run >= 0, and so h <= pi where rise > 0.
   struct HalfAngle {
     Real rise;
     Real run;
   };
+
+  /// (F17): the first h in (0, 2 pi] with v = 0; none where there is none.
+  [[nodiscard]] std::optional<HalfAngle> first_turn() const {
+    using std::sqrt;
+    const Point& s = start_;
+    if (s.v == 0 && s.a == 0) {
+      return rate_ == 0 ? std::nullopt : std::optional<HalfAngle>({Real(0), Real(1)});
+    }
+    const Real square = s.a * s.a + s.v * (s.v + 2 * rate_);
+    if (square < 0) {
+      return std::nullopt;
+    }
+    const Real sum = s.a < 0 ? Real(s.a - sqrt(square)) : Real(s.a + sqrt(square));
+    const HalfAngle first = half_angle(sum, Real(s.v + 2 * rate_));
+    if (s.v == 0) {
+      return first;
+    }
+    const HalfAngle second = half_angle(Real(-s.v), sum);
+    return earlier(first, second) ? first : second;
+  }
+
+  /// Surely later than `limit`, told without the arctangent: tan x < 1.1 x for 0 < x < 1/2.
+  static bool beyond(const HalfAngle& half, const Real& limit) {
+    return limit < 1 && !(half.rise > 0 && half.rise <= Real(0.55) * limit * half.run);
+  }
 
   static HalfAngle half_angle(const Real& rise, const Real& run) {
     return run < 0 ? HalfAngle{-rise, -run} : HalfAngle{rise, run};

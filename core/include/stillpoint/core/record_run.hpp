@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace stillpoint {
@@ -23,12 +24,12 @@ struct IntervalTerms {
   Real h{0};
   Real sine{0};
   Real versine{0};
-  Real lag{0};     ///< (h - sin h) / h
-  Real bend{0};    ///< (1 - cos h) / h
-  Real pull{0};    ///< sin h / h
-  Real eighth{0};  ///< h / 8
-  Real crest{0};  ///< 1 / cos(h/2), or more: between samples |a| is at most this times that at them
-  bool short_enough{false};
+  Real lag{0};      ///< (h - sin h) / h
+  Real bend{0};     ///< (1 - cos h) / h
+  Real pull{0};     ///< sin h / h
+  Real fall{0};     ///< -h / 8
+  Real cosine{0};   ///< cos(h/2), or less: between samples |a| is at most that at them over this
+  Real least_v{0};  ///< what v must exceed at both ends anyway; no v does where h is too long
 
   IntervalTerms() = default;
   explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
@@ -41,9 +42,9 @@ struct IntervalTerms {
         lag(terms.lag / length),
         bend(terms.versine / length),
         pull(terms.sine / length),
-        eighth(length / 8),
-        crest(1 / (1 - length * length / 8)),
-        short_enough(length < 1) {}
+        fall(-length / 8),
+        cosine(1 - length * length / 8),
+        least_v(length < 1 ? Real(0) : std::numeric_limits<Real>::max()) {}
 };
 
 template <class Real>
@@ -57,6 +58,9 @@ class RecordTimes {
     return record_.times.empty() ? ExactSum<Real>::product(even_, Real(i))
                                  : ExactSum<Real>::product(p_, record_.times[i]);
   }
+
+  /// Whether all intervals have one length.
+  [[nodiscard]] bool even() const { return record_.times.empty(); }
 
   /// p times the length of the interval after it.
   [[nodiscard]] Real length(std::size_t i) const {
@@ -194,29 +198,39 @@ class RecordRun {
   /// On from sample i while (F21) proves that no event comes; the sample from which it does not, or
   /// a later one after a stretch that the hook should hear of.
   std::size_t slide_from(std::size_t i, std::size_t last) {
+    return times_.even() ? slide_along<true>(i, last) : slide_along<false>(i, last);
+  }
+
+  template <bool even>
+  [[gnu::noinline]] std::size_t slide_along(std::size_t i, std::size_t last) {
     constexpr std::size_t afresh = 16;
     ForcedState<Real>& s = run_.state();
     const Real sign(s.direction);
+    const Real signed_inverse = sign * inverse_p_;
     const Real phi = run_.map().phi;
     Real y = sign * s.u;
     Real v = sign * s.v;
-    Real w = sign * sample(i);
+    Real w = record_.values[i] * signed_inverse;
     Real a = -(y + phi + w);
+    Real size = Run::magnitude(a);
     Real largest = s.acceleration;
     if (!(v > 0)) {
       return i;
     }
+    const Real arrival = y < 0 ? Real(0) : std::numeric_limits<Real>::max();
+    take_terms(i);
+    const IntervalTerms<Real>& t = terms_;
+    Real matters = largest * t.cosine;
     for (; i < last; ++i) {
-      if (const Real h = times_.length(i); h != terms_.h) {
-        terms_ = IntervalTerms<Real>(h);
+      if constexpr (!even) {
+        take_terms(i);
+        matters = largest * t.cosine;
       }
-      const IntervalTerms<Real>& t = terms_;
-      const Real next_w = sign * sample(i + 1);
+      const Real next_w = record_.values[i + 1] * signed_inverse;
       const Real rise = next_w - w;
       const Real next_v = (v - v * t.versine) + (a * t.sine - rise * t.bend);
       const Real next_y = y + (v * t.sine + a * t.versine - rise * t.lag);
-      const Real fall = rise < 0 ? Real(-t.eighth * rise) : Real(0);
-      if (!(v > fall && next_v > fall && t.short_enough) || (y < 0 && next_y >= 0)) {
+      if (!(std::min(v, next_v) > std::max(t.least_v, Real(t.fall * rise))) || next_y >= arrival) {
         break;
       }
       // By (F16) a needs no y, so that v and a wait for each other alone; from y it is taken anew
@@ -224,10 +238,12 @@ class RecordRun {
       const Real next_a = i % afresh == 0
                               ? Real(-(next_y + phi + next_w))
                               : Real((a - a * t.versine) - (v * t.sine + rise * t.pull));
-      if (std::max(Run::magnitude(a), Run::magnitude(next_a)) * t.crest > largest) {
+      const Real next_size = Run::magnitude(next_a);
+      if (std::max(size, next_size) > matters) [[unlikely]] {
         const LinearPiece<Real> piece({y, v, a}, Real(rise / t.h));
         largest =
             piece.largest_acceleration({PieceEvent::none, t.h, {next_y, next_v, next_a}}, largest);
+        matters = largest * t.cosine;
       }
       if constexpr (Watcher::watches) {
         run_.watcher().piece(times_.at(i), s.direction,
@@ -237,11 +253,19 @@ class RecordRun {
       v = next_v;
       a = next_a;
       w = next_w;
+      size = next_size;
     }
     s.acceleration = largest;
     s.u = sign * y;
     s.v = sign * v;
     return i;
+  }
+
+  /// Those of the interval after sample i.
+  void take_terms(std::size_t i) {
+    if (const Real h = times_.length(i); h != terms_.h) {
+      terms_ = IntervalTerms<Real>(h);
+    }
   }
 
   /// On from sample i while the load at both ends of each interval, and so between, is held.
