@@ -76,8 +76,12 @@ BOOST_AUTO_TEST_CASE(every_algorithm_comes_near_the_default_one) {
 
 BOOST_AUTO_TEST_CASE(a_global_algorithm_ends_at_the_optimum_itself) {
   RandomSource random(602);
-  for (int i = 0; i < 40; ++i) {
-    const Case now{random_feasible_problem(random), {}};
+  // DIRECT_L alone misses R by 2e-6 and 8e-6 in these, whose regions are thin.
+  std::vector<Case> list{{{13.5, 0.5, 20.2}, {}}, {{363, 0.118, 2414}, {}}};
+  while (list.size() < 40) {
+    list.push_back({random_feasible_problem(random), {}});
+  }
+  for (const Case& now : list) {
     const double best = run(now, Objective::robust, "").point.tolerance;
     for (const char* algorithm : {"GN_DIRECT_L", "GN_CRS2_LM"}) {
       const SearchResult result = run(now, Objective::robust, algorithm);
