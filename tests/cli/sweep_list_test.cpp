@@ -197,7 +197,7 @@ const std::vector<Wrong> wrong_lists{
     {"comma_in_quotes", "f,delta\n\"0,1\",1\n", {"line 2", "f = \"0,1\"", "finite number"}},
     {"quote_without_an_end",
      "f,delta\n\"0.1,0.2\n",
-     {"line 2", "f = \"\"0.1,0.2\"", "finite number"}},
+     {"line 2", R"(f = ""0.1,0.2")", "finite number"}},
     {"text_behind_quotes", "f,delta\n\"0.1\"2,0.2\n", {"line 2", "\"0.1\"2", "finite number"}},
     {"doubled_quotes", "f,delta\n\"0\"\"1\",0.2\n", {"line 2", "finite number"}},
     {"line_without_an_end", "f,delta\n" + std::string(100'000, '1'), {"line 2", "longer"}},
