@@ -103,10 +103,10 @@ void HalfCycleWalk::end_at_zero(HalfCycle& now, double arrival) {
 }
 
 /// v^2 after the passage. With the notch alone it is the first one less `passages_` notches,
-/// rounded once: the sign is that of the exact remainder in ending.hpp.
+/// rounded once: the sign is that of the exact remainder in ending.hpp. The first one of an inward
+/// start is what it arrives with, and that is its only passage so far.
 double HalfCycleWalk::left_of(double arrival) const {
-  const bool counted = map_.phi == 0 && !(index_ == 1 && leg_.end == FirstLegEnd::arrival);
-  return counted ? std::fma(-passages_, map_.notch, first_.energy) : map_.departure(arrival);
+  return map_.phi == 0 ? std::fma(-passages_, map_.notch, first_.energy) : map_.departure(arrival);
 }
 
 Crest<double> HalfCycleWalk::next_crest(double left) const {

@@ -129,8 +129,11 @@ BOOST_AUTO_TEST_CASE(refuses_another_task) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {
-  fs::resize_file(path("rows.csv.part"), 100);
-  check_refused({}, {"100 bytes", "rows.csv.part.json says", "remove"});
+  const std::uintmax_t right = checkpoint()["bytes"];
+  for (const std::uintmax_t bytes : {right - 1, std::uintmax_t{100}}) {
+    fs::resize_file(path("rows.csv.part"), bytes);
+    check_refused({}, {std::to_string(bytes) + " bytes", "rows.csv.part.json says", "remove"});
+  }
 }
 
 BOOST_AUTO_TEST_CASE(cuts_off_what_came_after_its_checkpoint) {

@@ -88,6 +88,12 @@ BOOST_AUTO_TEST_CASE(a_wrong_number_of_half_cycles_is_noticed) {
 BOOST_AUTO_TEST_CASE(a_stop_position_that_is_off_is_noticed) {
   check_fires([](Prediction& wrong) { wrong.stop_position = 1e-6; });
   check_fires([](Prediction& wrong) { wrong.stop_position = -1e-6; });
+  // The error that is told is relative to the peak.
+  const CrossCheck check =
+      check_changed([](Prediction& wrong) { wrong.stop_position = wrong.peak_amplitude / 4; });
+  for (const CheckMethod& method : check.methods) {
+    BOOST_TEST(method.relative_error == 0.25);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_prediction_that_is_not_a_number_is_noticed) {
