@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -47,7 +48,48 @@ void no_change_within_half_the_margin(std::uint64_t seed, Make make) {
   }
 }
 
+/// The relative change of one input alone, up or down, that changes the end; none up to `most`.
+std::optional<double> tipping_change(const Scene<>& scene, double Scene<>::*input, double most) {
+  std::optional<double> least;
+  for (const double far : {most, -most}) {
+    const double value = scene.*input;
+    if (const std::optional<Scene<>> last = edge(scene, input, value * (1 + far))) {
+      const double change = std::abs((*last).*input / value - 1);
+      least = least ? std::min(*least, change) : change;
+    }
+  }
+  return least;
+}
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(the_margin_adds_up_what_each_input_alone_would_need) {
+  // To first order g tips where input i alone changes by e_i = |g| / |input_i dg/dinput_i|, and so
+  // the margin |g| / sum |input_i dg/dinput_i| is 1 / sum 1/e_i, or less where it is a bound.
+  constexpr double from_edge = 1e-7;
+  constexpr double second_order = 1e-3;  // of the margin
+  Dice dice(405);
+  for (int found = 0; found < 2000;) {
+    const Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+    std::optional<Scene<>> near_edge = near_tie(scene, dice);
+    if (!near_edge) {
+      continue;
+    }
+    const auto moved = near_edge->v0 != 0 ? &Scene<>::v0 : &Scene<>::x0;  // every g holds one
+    (*near_edge).*moved *= 1 + dice.sign() * from_edge;
+    double sum = 0;
+    for (const auto input : inputs<double>) {
+      if (const auto change = tipping_change(*near_edge, input, 100 * from_edge)) {
+        sum += 1 / *change;
+      }
+    }
+    if (sum > 0) {
+      ++found;
+      const double margin = response(*near_edge, {.times = false}).decision_margin.value();
+      BOOST_TEST(margin * sum <= 1 + second_order, "seed 405, scene " << *near_edge);
+    }
+  }
+}
 
 BOOST_AUTO_TEST_CASE(less_than_half_the_margin_changes_no_end) {
   no_change_within_half_the_margin(401, moderate_scene);

@@ -126,6 +126,18 @@ BOOST_AUTO_TEST_CASE(a_rest_after_a_swing_back_is_part_of_the_half_cycle) {
   BOOST_TEST(!list[0].arrival_speed);
 }
 
+BOOST_AUTO_TEST_CASE(a_peak_at_two_dead_zones_comes_back_without_speed) {
+  // x0 = 4, v0 = 12, f = 5: S = 15 = 3f, and the peak is 10 = 2f.
+  for (const double delta : {0.0, 0.5}) {
+    const std::vector<HalfCycle> list = rows({4, 12, 1, 5, delta});
+    BOOST_REQUIRE(list.size() == 1U);
+    BOOST_TEST(list[0].peak == 10);
+    BOOST_TEST(list[0].arrival_speed.value() == 0);
+    BOOST_TEST(list[0].end_position == 0);
+    near("end_time", list[0].end_time, std::atan2(12.0, 9.0) + pi, time_tolerance);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(point_friction_alone_gives_peaks_of_falling_energy) {
   // v_k^2 = V0^2 - 2 (k - 1) Delta, A_k = v_k / p, each half-cycle pi / p long.
   const std::vector<HalfCycle> list = rows({0, 2, 4, 0, 0.01});
@@ -191,6 +203,15 @@ BOOST_AUTO_TEST_CASE(a_motion_without_friction_goes_on) {
   near("end_time", list.back().end_time, 1000 * pi / 2, time_tolerance);
   near("peak", list.back().peak, 1.5, length_tolerance);
   BOOST_TEST(!list.back().last);
+  // Nothing is lost, not even a last bit.
+  Dice dice(503);
+  for (int i = 0; i < 100; ++i) {
+    Scene<> scene = general_start_scene(dice);
+    scene.f = scene.delta = 0;
+    const std::vector<HalfCycle> same = rows(scene, 3);
+    BOOST_TEST(*same[1].arrival_speed == same[1].departure_speed, "seed 503, scene " << scene);
+    BOOST_TEST(same[2].departure_speed == same[1].departure_speed, "seed 503, scene " << scene);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(where_nothing_moves_there_is_no_half_cycle) {

@@ -148,6 +148,17 @@ BOOST_AUTO_TEST_CASE(at_an_event_the_state_is_the_events_own) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_trajectory_may_end_just_at_a_passage) {
+  const Scene<> scene{0, 24, 1, 7, 20};
+  const Event passage = trajectory(scene, 10).events().at(3);
+  const Trajectory path(scene.oscillator(), scene.start(),
+                        {.horizon = passage.state.tau, .half_cycles = 1});
+  BOOST_TEST(name(path.events().back().kind) == name(EventKind::passage));
+  const State last = path.at(path.horizon());
+  BOOST_TEST(last.x == 0);
+  BOOST_TEST(last.v == passage.state.v);
+}
+
 BOOST_AUTO_TEST_CASE(random_trajectories_obey_the_law_and_join_at_events) {
   Dice dice(601);
   for (int i = 0; i < 400; ++i) {
