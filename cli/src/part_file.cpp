@@ -209,8 +209,8 @@ std::string PartFile::leave() {
   if (state_.rows > saved_.state.rows) {
     save();
   }
-  return fmt::format("{} are kept in {}, go on with the same command and --resume",
-                     plural_rows(saved_.state.rows), part());
+  return fmt::format("{} {} kept in {}, go on with the same command and --resume",
+                     plural_rows(saved_.state.rows), saved_.state.rows == 1 ? "is" : "are", part());
 }
 
 }  // namespace stillpoint::cli

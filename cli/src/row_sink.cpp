@@ -47,7 +47,7 @@ class StreamSink : public RowSink {
   void reached(const SweepState& /*state*/) override {}
   void finish(const SweepState& /*state*/, std::string_view /*header*/) override {}
   [[nodiscard]] std::string leave() override {
-    return wrote_ ? "the rows before are written" : "nothing is written";
+    return wrote_ ? "the rows before it are written" : "nothing is written";
   }
 
  private:

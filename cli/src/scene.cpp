@@ -62,7 +62,7 @@ class SceneWatch {
     constexpr int deepest = 16;  // a scene has three levels
     if (depth > deepest) {
       throw UsageError(
-          fmt::format("scene {}: is nested deeper than {} levels, no scene is", source_, deepest));
+          fmt::format("scene {}: is nested deeper than {} levels, which no scene is", source_, deepest));
     }
     const auto level = static_cast<std::size_t>(depth);
     if (event == json::parse_event_t::object_start) {

@@ -25,7 +25,7 @@ double rate(const SweepSummary& summary) {
 
 constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
     "stop at x = 0",   "stop in dead zone", "never stop",
-    "caught at start", "running",           "too many half-cycles"};
+    "caught at start", "running",           "over the limit"};
 
 ordered_json outcomes_json(const SweepState& state) {
   ordered_json counts;

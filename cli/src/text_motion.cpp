@@ -77,7 +77,8 @@ void add_excitation(Page& page, const ExcitationInput& input,
                          in_rad_per_s(physical, kind.lambda));
         } else if constexpr (requires { kind.values; }) {
           const auto [least, most] = std::ranges::minmax(kind.values);
-          what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least, most);
+          what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least + 0.0,
+                         most + 0.0);  // no -0
         }
       },
       input.excitation);

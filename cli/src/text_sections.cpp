@@ -111,9 +111,9 @@ void add_emptiness(Page& page, const std::string& reason, const std::vector<desi
   page.line(reason, Tone::bad);
   if (joint) {
     page.line(
-        format("No single change makes it feasible: whatever the other inputs are, the "
-               "largest tolerance that any damper has is {}. The smallest changes of two "
-               "inputs that do:",
+        format("No single change makes it feasible: whatever beta and the limits are, no damper "
+               "has a tolerance above {}. The smallest changes of two inputs that make it "
+               "feasible:",
                limit_figure(joint->largest_tolerance, false)));
   } else if (mends.empty()) {
     page.line("No change of a single input makes it feasible.");
