@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/forced_scene.hpp"
+#include "support/printing.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>
@@ -123,13 +124,13 @@ BOOST_AUTO_TEST_CASE(the_final_rest_under_a_load_is_an_event_of_its_own_instant)
   const auto rest = std::ranges::find(whole.events(), ForcedEventKind::rest, &ForcedEvent::kind);
   BOOST_TEST_REQUIRE((rest != whole.events().end()));
   BOOST_TEST(rest->state.tau == stop);
-  BOOST_TEST((whole.events().back().kind == ForcedEventKind::excitation_end));
+  BOOST_TEST(whole.events().back().kind == ForcedEventKind::excitation_end);
   BOOST_TEST(whole.horizon() == 50);
   BOOST_TEST(whole.at(50).x == rest->state.x);
   // Or it ends there.
   const ForcedTrajectory moving(oscillator, {0, 1}, pulse, {.horizon = 50, .to_rest = true});
   BOOST_TEST(moving.horizon() == stop);
-  BOOST_TEST((moving.events().back().kind == ForcedEventKind::rest));
+  BOOST_TEST(moving.events().back().kind == ForcedEventKind::rest);
   BOOST_TEST(moving.sampled(10).back().tau == stop);
 }
 
