@@ -41,7 +41,7 @@ bool take_field(std::string_view& rest, bool& more, std::string_view& field) {
   }
   const bool in_quotes = trimmed(rest).starts_with('"');
   const std::size_t quote = in_quotes ? rest.find('"', rest.find('"') + 1) : 0;
-  const std::size_t comma = quote == std::string_view::npos ? quote : rest.find(',', quote);
+  const std::size_t comma = rest.find(',', quote);  // none behind npos
   more = comma != std::string_view::npos;
   field = without_quotes(trimmed(rest.substr(0, comma)));
   rest = more ? rest.substr(comma + 1) : std::string_view();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record_number.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -10,10 +9,6 @@
 namespace stillpoint::cli {
 
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 bool is_sign(char c) {
   return c == '+' || c == '-';
@@ -47,11 +42,8 @@ std::string with_c_exponent(std::string_view text) {
   if (text.size() > exponent_length) {
     const std::size_t sign = text.size() - exponent_length;
     const bool has_point = text.substr(0, sign).find('.') != std::string_view::npos;
-    const bool has_digits =
-        std::all_of(text.begin() + static_cast<std::ptrdiff_t>(sign) + 1, text.end(), is_digit);
-    const bool follows_mantissa = is_digit(text[sign - 1]) || text[sign - 1] == '.';
-    if (is_sign(text[sign]) && has_point && has_digits && follows_mantissa) {
-      result.insert(sign, 1, 'e');
+    if (is_sign(text[sign]) && has_point) {
+      result.insert(sign, 1, 'e');  // what is no mantissa or exponent about it is no number then
     }
   }
   return result;

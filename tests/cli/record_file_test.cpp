@@ -80,6 +80,10 @@ RecordOptions in(RecordUnits units, double scale = 1, double gravity_m_per_s2 = 
   return {.units = units, .scale = scale, .gravity_m_per_s2 = gravity_m_per_s2};
 }
 
+RecordOptions with_p(double p) {
+  return {.clock = {.p = p}};
+}
+
 RecordOptions scaled(double scale) {
   return {.scale = scale};
 }
@@ -178,6 +182,15 @@ const std::vector<Good> peer{
      plain, 0.02},
     {"npts_in_line_7_in_front", titles + "A\nB\nC\n" + quantity + "3 0.02 NPTS, DT\n" + three,
      plain, 0.02},
+    {"npts_in_a_comment_above",
+     titles + "# NPTS= 9, DT= 1\n" + quantity + "NPTS= 3, DT= .02 SEC\n" + three, plain, 0.02},
+    {"npts_in_longer_words_above",
+     titles + "XNPTS\nNPTSX\nX_NPTS\nNPTS_X\n" + quantity + "NPTS= 3, DT= .02 SEC\n" + three, plain,
+     0.02},
+    {"npts_behind_a_longer_word", counted("XNPTS NPTS= 3, DT= .02 SEC") + three, plain, 0.02},
+    {"number_and_word_in_front", counted("7 STATION NPTS= 3, DT= .02 SEC") + three, plain, 0.02},
+    {"numbers_and_word_in_front", counted("7 8 STATION NPTS= 3, DT= .02 SEC") + three, plain, 0.02},
+    {"full_stop", counted("3 0.02 NPTS, DT.") + three, plain, 0.02},
     {"npts_in_line_1", "NPTS= 3, DT= .02 SEC\n" + three, plain, 0.02},
     {"one_value_a_line", header + "0.5\n-1\n0.25\n", plain, 0.02},
     {"five_values_a_line",
@@ -195,6 +208,7 @@ const std::vector<Good> peer{
     {"text_behind_that_begins_with_a_number", header + three + "3 VALUES\n1 2 3\n", plain, 0.02},
     {"text_behind_in_the_last_line", header + "0.5 -1 0.25 END\n", plain, 0.02},
     {"end_of_file_of_dos", with_crlf(header + three) + "\x1A", plain, 0.02},
+    {"form_feed_and_end_of_file_of_dos_behind", header + three + "END\f\n\x1A\n", plain, 0.02},
     {"fortran_numbers", header + "-.123E-03 1.2D-3 +5.\n", {-0.000123, 0.0012, 5}, 0.02},
     {"fortran_numbers_in_lower_case", header + ".5e+00 -12.d-1 7d2\n", {0.5, -1.2, 700}, 0.02},
     {"fortran_three_digit_exponents",
@@ -248,6 +262,17 @@ const std::vector<Good> units{
      0.02,
      {},
      in(RecordUnits::m_per_s2, 1, 10)},
+    {"acceleration_that_tells_of_its_velocity",
+     measured("ACCELERATION IN UNITS OF G, VELOCITY AND DISPLACEMENT SET TO ZERO AT ITS END"),
+     plain, 0.02},
+    {"time_series_alone",
+     measured("RECORDED TIME SERIES, CM/S2"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"units_are",
+     measured("ACCELERATION, UNITS ARE M/S2"),
+     {0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665},
+     0.02},
     {"silent_header_is_g", measured("ACCELERATION TIME HISTORY"), plain, 0.02},
     {"silent_header_and_option",
      measured("ACCELERATION TIME HISTORY"),
@@ -418,6 +443,18 @@ BOOST_DATA_TEST_CASE(peer_record_is_refused, data::make(wrong_peer), bad) {
   check_refused(Sandbox{}, "record.AT2", bad);
 }
 
+BOOST_FIXTURE_TEST_CASE(npts_stands_in_one_of_the_first_32_lines, Sandbox) {
+  std::string text = "NPTS= 3, DT= .02 SEC\n" + three;
+  for (int line = 1; line < 32; ++line) {
+    text.insert(0, "A TITLE\n");
+  }
+  for (const char* name : {"a.AT2", "a.txt"}) {
+    BOOST_TEST(record_of(*this, name, text, {}).values == plain, boost::test_tools::per_element());
+  }
+  check_refused(*this, "b.AT2", {"", "A TITLE\n" + text, {"line 32:", "no NPTS"}});
+  check_refused(*this, "b.txt", {"", "A TITLE\n" + text, {"line 1:", "\"A\" is not a number"}});
+}
+
 // ---- columns
 
 namespace {
@@ -438,6 +475,7 @@ const std::vector<Good> columns{
     {"no_final_newline", "0 0.5\n0.1 -1\n0.25 0.25", plain, 0, {0, 0.1, 0.25}},
     {"byte_order_mark", "\xEF\xBB\xBF" + uneven, plain, 0, {0, 0.1, 0.25}},
     {"fortran_numbers", "0.D0 .5E+00\n1.0D-1 -1.\n.25E0 2.5D-01\n", plain, 0, {0, 0.1, 0.25}},
+    {"end_of_file_of_dos", with_crlf(uneven) + "\x1A", plain, 0, {0, 0.1, 0.25}},
     {"times_from_above_zero", "1 0.5\n2 -1\n4 0.25\n", plain, 0, {1, 2, 4}},
     {"times_one_ulp_apart",
      "1 0.5\n1.0000000000000002 -1\n3 0.25\n",
@@ -505,6 +543,20 @@ const std::vector<Bad> wrong_columns{
      scaled(0.5)},
     {"time_negative", "-0.1 1\n0.1 1\n", {"line 1:", "time -0.1 s", "at least 0"}},
     {"value_out_of_range", "0 1\n0.1 -1e309\n", {"line 2:", "\"-1e309\" is out of range"}},
+    {"time_subnormal", "2e-308 1\n1 1\n", {"line 1:", "\"2e-308\" is out of range"}},
+    {"time_beyond_what_a_motion_follows",
+     "0 1\n1.1e150 1\n",
+     {"line 2:", "time 1.1e+150 s", "at most 1e+150"}},
+    // p times the step, and the step itself, must be at least 1e-150.
+    {"times_too_near", "0 1\n0.9e-150 1\n", {"line 2:", "too near to 0"}},
+    {"times_too_near_for_a_slow_oscillator",
+     "0 1\n0.9e-140 1\n",
+     {"line 2:", "too near to 0"},
+     with_p(1e-10)},
+    {"times_too_near_for_a_fast_oscillator",
+     "0 1\n0.9e-150 1\n",
+     {"line 2:", "too near to 0"},
+     with_p(1e10)},
     {"time_out_of_range", "0 1\n1e309 1\n", {"line 2:", "\"1e309\" is out of range"}},
     {"value_out_of_range_once_scaled",
      "0 1\n0.1 -1e300\n",
@@ -513,12 +565,17 @@ const std::vector<Bad> wrong_columns{
     {"value_beyond_what_a_motion_follows",
      "0 1\n0.1 1e150\n0.2 1.1e150\n",
      {"line 3:", "\"1.1e150\" is out of range", "to 1e+150"}},
+    {"value_beyond_what_a_fast_motion_follows",
+     "0 1\n0.1 1.1e150\n",
+     {"line 2:", "\"1.1e150\" is out of range", "to 1e+150"},
+     with_p(1e10)},
     {"three_columns", "0 1 2\n", {"line 1:", "3 columns"}},
     {"five_columns", "0 1 2 3 4\n", {"line 1:", "5 columns"}, with_step(0.1)},
     {"a_column_too_many", "0 1\n0.1 2\n0.2 3 4\n", {"line 3:", "3 columns"}},
     {"a_column_too_few", "# a\n0 1\n0.1\n", {"line 3:", "1 column, but 2 in line 2"}},
     {"a_second_column", "1\n2\n3 4\n", {"line 3:", "2 columns, but 1 in line 1"}, with_step(0.1)},
     {"a_column_empty", "0,,1\n", {"line 1:", "column is empty"}},
+    {"a_column_of_a_blank", "0, ,1\n", {"line 1:", "column is empty"}},
     {"a_column_empty_in_front", "0,1\n ,1\n", {"line 2:", "column is empty"}},
     {"a_column_empty_behind", "0,1\n1,\n", {"line 2:", "column is empty"}},
     {"comma_alone", ",\n", {"line 1:", "column is empty"}},
@@ -588,6 +645,7 @@ BOOST_FIXTURE_TEST_CASE(decimal_times_are_a_step, Sandbox) {
 
 BOOST_FIXTURE_TEST_CASE(times_within_the_bound_are_a_step, Sandbox) {
   // i h = 4 exactly, where an ulp below is 2^-51 and the bound 2^-51 * 4 = 2^-49.
+  BOOST_TEST(step_of(*this, {0, 2}) == 2);
   BOOST_TEST(step_of(*this, {0, 2, 4}) == 2);
   BOOST_TEST(step_of(*this, {0, 2, 4 - 3 * 0x1p-51}) == 2);
   BOOST_TEST(step_of(*this, {0, 2, 4 + 0x1p-49}) == 2);
@@ -665,6 +723,11 @@ BOOST_FIXTURE_TEST_CASE(options_out_of_bounds, Sandbox) {
   for (const double step : {0.0, -0.1, nan, infinity}) {
     check_says(refusal(with_step(step)), {"record-step = ", "must be from 1e-150 to 1e+150"});
   }
+  const auto step_below = [](double step, double p) {
+    return RecordOptions{.step = step, .clock = {.p = p}};
+  };
+  check_says(refusal(step_below(0.9e-140, 1e-10)), {"from 1e-140 to 1e+150 s"});
+  check_says(refusal(step_below(0.9e-150, 1e10)), {"from 1e-150 to 1e+150 s"});
   for (const double scale : {0.0, 1e-101, -1e101, nan, infinity}) {
     check_says(refusal(scaled(scale)), {"record-scale = ", "from 1e-100 to 1e+100"});
   }

@@ -29,6 +29,8 @@ Surroundings with_input(const std::string& text) {
 
 const std::string plain = "f,delta\n0.1,0.2\n0.02,0.03\n0,0\n";
 
+constexpr std::size_t longest_line = 65536;
+
 /// A list that holds the entries of `plain`.
 struct Spelling {
   const char* name;
@@ -47,9 +49,11 @@ const std::vector<Spelling> spellings{
     {"with_spaces", " f , delta\n 0.1 ,\t0.2\n0.02, 0.03 \n0,0\n"},
     {"with_quoted_names", "\"f\",\"delta\"\n0.1,0.2\n0.02,0.03\n0,0\n"},
     {"with_quotes", "\"f\",delta\n\"0.1\",\"0.2\"\n0.02 , \"0.03\"\r\n\" 0 \",0\n"},
+    {"with_a_line_of_64_KiB",
+     "f,delta\n0.1,0.2" + std::string(longest_line - 7, ' ') + "\n0.02,0.03\n0,0\n"},
     {"with_other_numerals", "f,delta\n+1e-1,.2\n2E-2,3e-02\n0.0,-0\n"},
     {"as_json_lines",
-     "{\"f\": 0.1, \"delta\": 0.2}\n{\"delta\": 0.03, \"f\": 0.02}\n\n{\"f\": 0, \"delta\": 0}"},
+     " {\"f\": 0.1, \"delta\": 0.2}\n{\"delta\": 0.03, \"f\": 0.02}\n\n{\"f\": 0, \"delta\": 0}"},
 };
 
 }  // namespace
@@ -112,7 +116,7 @@ BOOST_AUTO_TEST_CASE(of_problems_is_designed) {
 
 BOOST_AUTO_TEST_CASE(of_many_entries_comes_through_whole_and_in_order) {
   std::string text = "f,delta\n";
-  constexpr int entries = 20'000;
+  constexpr int entries = 40'000;  // more than fit into the reader's buffer
   for (int i = 0; i < entries; ++i) {
     text += std::to_string(i) + "e-5,0.5\n";
   }
@@ -200,6 +204,10 @@ const std::vector<Wrong> wrong_lists{
      {"line 2", R"(f = ""0.1,0.2")", "finite number"}},
     {"text_behind_quotes", "f,delta\n\"0.1\"2,0.2\n", {"line 2", "\"0.1\"2", "finite number"}},
     {"doubled_quotes", "f,delta\n\"0\"\"1\",0.2\n", {"line 2", "finite number"}},
+    {"byte_order_mark_below_the_first_line", "\n\xEF\xBB\xBF" + plain, {"line 2", "no column"}},
+    {"line_that_is_a_byte_too_long",
+     "f,delta\n0.1,0.2" + std::string(longest_line - 6, ' ') + "\n",
+     {"line 2", "longer than 65536 bytes"}},
     {"line_without_an_end", "f,delta\n" + std::string(100'000, '1'), {"line 2", "longer"}},
     {"json_broken", "{\"f\": 1, \"delta\": 1}\n{\"f\": 1,\n", {"line 2", "not valid JSON"}, 1},
     {"json_array", "{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}, 1},
