@@ -30,8 +30,8 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path, unknown);
 }
 
-std::string plural_rows(std::int64_t rows) {
-  return fmt::format("{} row{}", rows, rows == 1 ? "" : "s");
+std::string rows_are(std::int64_t rows) {
+  return fmt::format("{} {}", rows, rows == 1 ? "row is" : "rows are");
 }
 
 }  // namespace
@@ -209,8 +209,8 @@ std::string PartFile::leave() {
   if (state_.rows > saved_.state.rows) {
     save();
   }
-  return fmt::format("{} {} kept in {}, go on with the same command and --resume",
-                     plural_rows(saved_.state.rows), saved_.state.rows == 1 ? "is" : "are", part());
+  return fmt::format("{} kept in {}, go on with the same command and --resume",
+                     rows_are(saved_.state.rows), part());
 }
 
 }  // namespace stillpoint::cli

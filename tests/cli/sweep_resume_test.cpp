@@ -205,6 +205,26 @@ BOOST_AUTO_TEST_CASE(between_the_last_two_steps_is_tidied_up) {
   BOOST_TEST(contents().size() == 1U);
 }
 
+/// A checkpoint without its part: nothing is left to go on with, whatever stands under the name of
+/// the result, unless that is the result of this very sweep.
+BOOST_AUTO_TEST_CASE(without_its_part_begins_anew) {
+  json left = checkpoint();
+  fs::remove(path("rows.csv.part"));
+  write("rows.csv", "of another day");
+  BOOST_TEST(resume().exit_code == 0);
+  BOOST_TEST(read("rows.csv") == whole);
+
+  left["complete"] = true;
+  write("rows.csv.part.json", left.dump());
+  fs::remove(path("rows.csv"));
+  BOOST_TEST(resume().exit_code == 0);
+  BOOST_TEST(read("rows.csv") == whole);
+
+  write("rows.csv.part.json", left.dump());
+  BOOST_TEST(resume({"--columns", "f"}).exit_code == 0);
+  BOOST_TEST(read("rows.csv").starts_with("f\n"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(killed, Sandbox)
@@ -302,6 +322,8 @@ BOOST_AUTO_TEST_CASE(keeps_every_row_before_it) {
       BOOST_TEST(refused.exit_code == 2);
       BOOST_TEST(refused.err.find("line " + std::to_string(at + 1) + ": f = ") != std::string::npos,
                  refused.err);
+      const std::string kept = at == 2 ? "1 row is kept in" : "149 rows are kept in";
+      BOOST_TEST(refused.err.find(kept) != std::string::npos, refused.err);
       BOOST_TEST(json::parse(read("rows.npy.part.json"))["rows"] == at - 1);
       const ProgramRun mended = resume(*this, whole_list, {"--json"});
       BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
@@ -319,6 +341,14 @@ BOOST_AUTO_TEST_CASE(begins_where_nothing_is_left) {
   const ProgramRun answer = run(sweep({"--output", "rows.csv", "--resume", "--json"}));
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
   BOOST_TEST(answer.json()["resumed_at"] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(goes_on_with_one_that_just_began) {
+  write("rows.csv.part", "");
+  const ProgramRun answer = run(sweep({"--output", "rows.csv", "--resume", "--json"}));
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.json()["resumed_at"] == 0);
+  BOOST_TEST(answer.json()["rows"] == 3000);
 }
 
 BOOST_AUTO_TEST_CASE(needs_a_file) {
