@@ -61,8 +61,8 @@ class SceneWatch {
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
     constexpr int deepest = 16;  // a scene has three levels
     if (depth > deepest) {
-      throw UsageError(
-          fmt::format("scene {}: is nested deeper than {} levels, which no scene is", source_, deepest));
+      throw UsageError(fmt::format("scene {}: is nested deeper than {} levels, which no scene is",
+                                   source_, deepest));
     }
     const auto level = static_cast<std::size_t>(depth);
     if (event == json::parse_event_t::object_start) {
