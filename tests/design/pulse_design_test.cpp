@@ -420,7 +420,8 @@ BOOST_AUTO_TEST_CASE(wrong_pulses_are_refused_by_field) {
   BOOST_TEST(field_of(-0.5, 20, 1, 0.05) == "k");
   BOOST_TEST(field_of(std::nan(""), 20, 1, 0.05) == "k");
   BOOST_TEST(field_of(0.5, 0, 1, 0.05) == "lambda");
-  BOOST_TEST(field_of(0.5, 0.99, 1, 0.05) == "lambda");  // below p
+  BOOST_TEST(field_of(0.5, 1, 1, 1.5).empty());         // lambda = p
+  BOOST_TEST(field_of(0.5, 0.99, 1, 1.5) == "lambda");  // below p
   BOOST_TEST(field_of(0.5, 1.1e12, 1, 0.05) == "lambda");
   BOOST_TEST(field_of(0.5, 20, -1, 0.05) == "p");
   BOOST_TEST(field_of(0.5, 20, 1, 0) == "beta");

@@ -200,9 +200,10 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_with_the_name_of_its_field) {
       (void)admissible_region({1, 1, 1}, {std::nullopt, std::nullopt, wrong});
     });
   }
-  check_refused("beta", [] { (void)admissible_region({1, 1e140, 1e20}); });      // p beta
-  check_refused("beta", [] { (void)admissible_region({1e100, 1, 1e-50}); });     // p beta / v0
-  check_refused("beta", [] { (void)admissible_region({1e150, 1e100, 1e-8}); });  // v0^2 / beta
+  check_refused("beta", [] { (void)admissible_region({1e100, 1e140, 1e20}); });     // p beta
+  check_refused("beta", [] { (void)admissible_region({1e-150, 1e-140, 1e-20}); });  // p beta
+  check_refused("beta", [] { (void)admissible_region({1e100, 1, 1e-50}); });        // p beta / v0
+  check_refused("beta", [] { (void)admissible_region({1e150, 1e100, 1e-8}); });     // v0^2 / beta
   for (const double wrong : {-0.1, 1e301, double(HUGE_VAL), not_a_number}) {
     check_refused("f", [&] { (void)constraints({1, 1, 1}, wrong, 0.1); });
     check_refused("f", [&] { (void)delta1_published({1, 1, 1}, wrong); });
