@@ -117,7 +117,7 @@ class Measurement {
     double half_cycles = 0;
     const Nanoseconds time = timed([&] {
       for (Eigen::Index i = 0; i < side * side; i += 100) {
-        const Oscillator<double> oscillator{1, random_.f[i], random_.delta[i]};
+        const Oscillator oscillator{1, random_.f[i], random_.delta[i]};
         half_cycles += free_response(oscillator, {0, 1}, {.times = times, .margin = false})
                            .half_cycles.value();
       }

@@ -35,7 +35,7 @@ std::vector<double> tolerances() {
 /// Fractions of the sample interval of a record, where every step has to end anyway; else fractions
 /// of tau = 1/4, four a factor of 2, down to 5e-4.
 std::vector<double> steps(const Excitation& excitation) {
-  const auto* record = std::get_if<Record<>>(&excitation);
+  const auto* record = std::get_if<Record>(&excitation);
   return record != nullptr ? ladder(record->step, 2, 5)
                            : ladder(0.25, std::sqrt(std::sqrt(2.0)), 37);
 }

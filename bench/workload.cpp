@@ -33,9 +33,10 @@ double scalar_map() {
 
 /// Harmonic pieces at resonance, passages and turns: scene S3 to tau = 200.
 double forced_harmonic() {
-  ForcedAsk ask;
-  ask.t_end = 200;
-  return forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic<>{0.2, 1}, ask).final_position.value();
+  ForcedOptions options;
+  options.t_end = 200;
+  return forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, options)
+      .final_position.value();
 }
 
 /// Record intervals: a saw of 3000 samples.
@@ -43,16 +44,16 @@ double forced_record() {
   static const Excitation saw = [] {
     constexpr int samples = 3000;
     constexpr int tooth = 37;
-    Record<> record;
+    Record record;
     record.step = 0.02;
     for (int i = 0; i < samples; ++i) {
       record.values.push_back(0.3 * (i % tooth) / tooth - 0.15);
     }
     return Excitation(record);
   }();
-  ForcedAsk ask;
-  ask.t_end = 59;
-  return forced_response({1, 0.05, 0}, {0, 0}, saw, ask).final_position.value();
+  ForcedOptions options;
+  options.t_end = 59;
+  return forced_response({1, 0.05, 0}, {0, 0}, saw, options).final_position.value();
 }
 
 /// The lanes by SSE4, which every x86-64 of today has: 4096 motions on a grid, one thread.
@@ -66,9 +67,9 @@ double batch() {
     }
     return values;
   }();
-  BatchAsk ask;
-  ask.threads = 1;
-  return free_batch(1, 1, f, delta, ask).peak_amplitude.sum();
+  BatchOptions options;
+  options.threads = 1;
+  return free_batch(1, 1, f, delta, options).peak_amplitude.sum();
 }
 
 int run(int count, char** arguments) {

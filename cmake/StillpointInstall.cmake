@@ -29,16 +29,19 @@ install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COM
 
 # The libraries. The headers are C++20: so must be whatever includes them.
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/stillpoint")
-target_compile_features(stillpoint_core PUBLIC cxx_std_20)
+target_compile_features(stillpoint_motion PUBLIC cxx_std_20)
 
-set_target_properties(stillpoint_core PROPERTIES EXPORT_NAME core)
-set_target_properties(stillpoint_design PROPERTIES EXPORT_NAME design)
+set(libraries motion core damper design)
+foreach(library IN LISTS libraries)
+  set_target_properties(stillpoint_${library} PROPERTIES EXPORT_NAME ${library})
+endforeach()
+list(TRANSFORM libraries PREPEND stillpoint_)
 
-install(TARGETS stillpoint_core stillpoint_design
+install(TARGETS ${libraries}
         EXPORT stillpointTargets
         COMPONENT development
         INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-install(DIRECTORY core/include/ design/include/
+install(DIRECTORY core/motion/include/ design/damper/include/
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         COMPONENT development
         FILES_MATCHING PATTERN "*.hpp")

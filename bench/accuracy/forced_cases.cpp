@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hard_case.hpp"
 
-#include "support/forced_scene.hpp"
-#include "support/scene_s5.hpp"
+#include "testing/forced_scene.hpp"
+#include "testing/scene_s5.hpp"
 
 #include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/forced_motion.hpp>
@@ -24,7 +24,7 @@ template <class Real>
 test::ForcedScene<Real> harmonic_scene(const Inputs<Real>& in) {
   test::ForcedScene<Real> scene;
   scene.motion = {Real(0), in[0], in[1], in[2], in[3]};
-  scene.excitation = Harmonic<Real>{in[4], in[5], in[6]};
+  scene.excitation = BasicHarmonic<Real>{in[4], in[5], in[6]};
   scene.t_end = in[7];
   return scene;
 }
@@ -64,10 +64,10 @@ HardCase under_harmonic(Metric metric) {
                : metric == Metric::stick_time ? "stick_time"
                                               : "peak_amplitude";
   now.kernel = [metric](const Inputs<double>& in) {
-    ForcedAsk ask;
-    ask.t_end = in[7];
+    ForcedOptions options;
+    options.t_end = in[7];
     return metric_of(
-        forced_response({in[1], in[2], in[3]}, {0, in[0]}, Harmonic<>{in[4], in[5], in[6]}, ask),
+        forced_response({in[1], in[2], in[3]}, {0, in[0]}, Harmonic{in[4], in[5], in[6]}, options),
         metric);
   };
   now.alike = true;
@@ -160,7 +160,7 @@ HardCase release_at_the_crest() {
         0, dice.uniform(0.9, 1.1), k * (1 - dice.power_of_ten(-14, -8)), 0, k, 0.35, 0, 5};
   };
   now.kernel = [](const Inputs<double>& in) {
-    const ForcedTrajectory path({in[1], in[2], 0}, {}, Harmonic<>{in[4], in[5], 0}, {in[7]});
+    const ForcedTrajectory path({in[1], in[2], 0}, {}, Harmonic{in[4], in[5], 0}, {in[7]});
     const auto release =
         std::ranges::find(path.events(), ForcedEventKind::release, &ForcedEvent::kind);
     return release->state.tau;
@@ -216,9 +216,9 @@ HardCase short_stick() {
   now.why = "between two samples, begun and ended by small speeds";
   now.inputs = {1, 0.05};
   now.kernel = [](const Inputs<double>& in) {
-    ForcedAsk ask;
-    ask.t_end = 59.98;
-    return forced_response({in[0], in[1], 0}, {}, test::rounded_record_s5(), ask).stick_time;
+    ForcedOptions options;
+    options.t_end = 59.98;
+    return forced_response({in[0], in[1], 0}, {}, test::rounded_record_s5(), options).stick_time;
   };
   now.exact = [](const Inputs<Exact>& in) {
     test::ForcedScene<Exact> scene;

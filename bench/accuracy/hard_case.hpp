@@ -3,8 +3,8 @@
 
 // A figure that is hard to compute, and the three ways to it that the page of accuracy compares.
 
-#include "support/exact_run.hpp"
-#include "support/random_scene.hpp"
+#include "testing/exact_run.hpp"
+#include "testing/random_scene.hpp"
 
 #include <functional>
 #include <string>

@@ -7,8 +7,8 @@
 #include <iostream>
 
 int main() {
-  const stillpoint::Oscillator<double> damper{.p = 1, .f = 0.02, .delta = 0.02};
-  const stillpoint::Start<double> push{.x0 = 0, .v0 = 1};
+  const stillpoint::Oscillator damper{.p = 1, .f = 0.02, .delta = 0.02};
+  const stillpoint::Start push{.x0 = 0, .v0 = 1};
 
   const stillpoint::Response motion = stillpoint::free_response(damper, push);
   std::cout << "outcome      " << name(motion.outcome) << '\n'

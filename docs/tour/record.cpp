@@ -12,8 +12,8 @@
 namespace {
 
 /// Two columns, time in s and acceleration in g, in the units of time that the motion has.
-stillpoint::Record<> read_record(std::istream& file, double time_s) {
-  stillpoint::Record<> record;
+stillpoint::Record read_record(std::istream& file, double time_s) {
+  stillpoint::Record record;
   for (std::string line; std::getline(file, line);) {
     double time = 0;
     double acceleration = 0;

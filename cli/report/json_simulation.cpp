@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "json_parts.hpp"
+#include "json_report.hpp"
+#include "physical_report.hpp"
+
+#include <cmath>
+#include <variant>
+
+namespace stillpoint::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// Its numbers as given; what a type does not have is null.
+ordered_json excitation_json(const std::optional<ExcitationInput>& input) {
+  if (!input) {
+    return nullptr;
+  }
+  ordered_json json{{"type", input->type},
+                    {"k", nullptr},
+                    {"lambda", nullptr},
+                    {"phase", nullptr},
+                    {"duration", nullptr},
+                    {"record", text(input->record.value_or(""))},
+                    {"samples", nullptr},
+                    {"record_units", text(input->record_units.value_or(""))},
+                    {"record_step", number(input->record_step)},
+                    {"record_scale", number(input->record_scale)}};
+  const double lasts = duration(input->excitation);
+  json["duration"] = std::isfinite(lasts) ? number(lasts) : ordered_json(nullptr);
+  if (const auto* harmonic = std::get_if<Harmonic>(&input->excitation)) {
+    json["phase"] = number(harmonic->phase);
+  }
+  std::visit(
+      [&json](const auto& kind) {
+        if constexpr (requires { kind.lambda; }) {
+          json["k"] = number(kind.k);
+          json["lambda"] = number(kind.lambda);
+        } else if constexpr (requires { kind.values; }) {
+          json["samples"] = kind.values.size();
+        }
+      },
+      input->excitation);
+  return json;
+}
+
+ordered_json half_cycles_json(const std::vector<HalfCycle>& half_cycles) {
+  ordered_json list = ordered_json::array();
+  for (const HalfCycle& now : half_cycles) {
+    list.push_back({{"index", now.index},
+                    {"side", now.side},
+                    {"start_time", number(now.start_time)},
+                    {"departure_speed", number(now.departure_speed)},
+                    {"peak_time", number(now.peak_time)},
+                    {"peak", number(now.peak)},
+                    {"end_time", number(now.end_time)},
+                    {"end_position", number(now.end_position)},
+                    {"arrival_speed", number(now.arrival_speed)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+ordered_json simulate_input_json(const SimulateInput& input) {
+  return {{"v0", number(input.start.v0)},
+          {"p", number(input.oscillator.p)},
+          {"f", number(input.oscillator.f)},
+          {"delta", number(input.oscillator.delta)},
+          {"x0", number(input.start.x0)},
+          {"t_end", number(input.t_end)},
+          {"excitation", excitation_json(input.excitation)}};
+}
+
+ordered_json simulate_json(const SimulateInput& input, const SimulateAnswer& answer) {
+  return {
+      {"schema", "stillpoint/simulation-report/1"},
+      {"program", program_json()},
+      {"input", simulate_input_json(input)},
+      {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
+      {"half_cycles", half_cycles_json(answer.half_cycles)},
+      {"half_cycles_listed", answer.half_cycles.size()},
+      {"physical", physical_json(simulate_quantities(input, answer))}};
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,19 @@
+# stillpoint_room(NAME SOURCES FILE... [PUBLIC LIBRARY...] [PRIVATE LIBRARY...] [HEADERS HEADER...]): a room
+# of the house, the static library stillpoint_NAME or stillpoint::NAME. Its headers stand in include/, what
+# nobody else sees in src/. It sees the rooms and packages that it names and no others. HEADERS are compiled
+# once for all its files.
+function(stillpoint_room name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE;HEADERS")
+  set(target stillpoint_${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(stillpoint::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target}
+    PUBLIC ${arg_PUBLIC}
+    PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:stillpoint_build_flags>)
+  if(arg_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
+  endif()
+endfunction()

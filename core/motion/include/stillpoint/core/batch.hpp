@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/outcome.hpp>
+
+#include <Eigen/Core>
+
+namespace stillpoint {
+
+/// One value an entry. Anything that is not contiguous is copied first.
+using BatchValues = Eigen::Ref<const Eigen::ArrayXd>;
+
+struct BatchOptions {
+  bool times{false};  ///< stop_time as well
+  /// As in FreeOptions: where one entry alone may take more half-cycles, the batch is refused.
+  double half_cycle_limit{1e8};
+  int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
+};
+
+/// The metrics of entry i are the i-th of each array, and they are those of free_response.
+///
+/// An entry that never stops has half_cycles and stop_time infinite, and since it has no place of
+/// rest its stop_position is 0: look at the outcome.
+struct BatchResult {
+  Eigen::ArrayXd peak_amplitude;
+  Eigen::ArrayXd half_cycles;
+  Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome;
+  Eigen::ArrayXd stop_position;
+  Eigen::ArrayXd stop_time;  ///< empty unless asked for
+
+  [[nodiscard]] Eigen::Index size() const { return peak_amplitude.size(); }
+};
+
+/// The free motions from x = 0 with v0 of the oscillators (p, f[i], delta[i]). `result` is resized
+/// where its size is another; a large sweep in blocks thus keeps to the same memory.
+///
+/// Counts, outcomes and values are bit for bit those of free_response, whatever the instruction set
+/// and the number of threads: docs/batch.md.
+///
+/// Throws InputError for input that free_response refuses, with the entry in the field ("f[17]"),
+/// for arrays of different lengths, and for threads < 0; TooManyHalfCycles, naming the entry, as
+/// free_response does. The first such entry is named, and `result` then holds nothing of use.
+void free_batch(double v0, double p, const BatchValues& f, const BatchValues& delta,
+                const BatchOptions& options, BatchResult& result);
+
+/// The same with v0[i] and p[i].
+void free_batch(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
+                const BatchValues& delta, const BatchOptions& options, BatchResult& result);
+
+[[nodiscard]] BatchResult free_batch(double v0, double p, const BatchValues& f,
+                                     const BatchValues& delta, const BatchOptions& options = {});
+
+[[nodiscard]] BatchResult free_batch(const BatchValues& v0, const BatchValues& p,
+                                     const BatchValues& f, const BatchValues& delta,
+                                     const BatchOptions& options = {});
+
+}  // namespace stillpoint

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What shakes the base: W(tau) in units of g, tau >= 0. Outside of what is said here W = 0.
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace stillpoint {
+
+/// W = k sin(lambda tau + phase) for 0 <= tau < duration.
+template <class Real>
+struct BasicHarmonic {
+  Real k{0};
+  Real lambda{1};  ///< > 0
+  Real phase{0};
+  Real duration{std::numeric_limits<Real>::infinity()};  ///< >= 0
+};
+using Harmonic = BasicHarmonic<double>;
+
+/// W = k sin(lambda tau) for half a period, pi / lambda.
+template <class Real>
+struct BasicHalfSine {
+  Real k{0};
+  Real lambda{1};
+};
+using HalfSine = BasicHalfSine<double>;
+
+/// W = k sin(lambda tau) for a whole period, 2 pi / lambda.
+template <class Real>
+struct BasicFullSine {
+  Real k{0};
+  Real lambda{1};
+};
+using FullSine = BasicFullSine<double>;
+
+/// W = k for 0 <= tau < pi / lambda.
+template <class Real>
+struct BasicRectangle {
+  Real k{0};
+  Real lambda{1};
+};
+using Rectangle = BasicRectangle<double>;
+
+/// W goes straight from one sample to the next. It is 0 before the first and after the last, where
+/// it may jump; a single sample lasts no time at all.
+template <class Real>
+struct BasicRecord {
+  std::vector<Real> values;
+  Real step{0};             ///< sample i is at i * step; > 0 unless times are given
+  std::vector<Real> times;  ///< empty, or the time of each sample: >= 0 and growing
+};
+using Record = BasicRecord<double>;
+
+/// W = 0.
+struct NoExcitation {};
+
+using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rectangle, Record>;
+
+/// p tau, lambda tau and the phase are at most this in a run under an excitation: further on sines
+/// lose their digits.
+inline constexpr double largest_phase = 1e15;
+
+/// The excitation is 0 from here on; infinite where it never ends.
+[[nodiscard]] double duration(const Excitation& excitation);
+
+/// Throws InputError, naming the field ("lambda", "record value 17", ...), unless
+///   |k| <= 1e150, lambda and duration within [1e-150, 1e150] (duration 0 and infinity are right as
+///   well), |phase| <= 1e15, and in a record at least one sample, values as k, step as lambda,
+///   times within [0, 1e150], growing.
+void require_valid(const Excitation& excitation);
+
+}  // namespace stillpoint

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/exact_sum.hpp>
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/forced_event.hpp>
+#include <stillpoint/core/harmonic_flow.hpp>
+#include <stillpoint/core/linear_piece.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/state.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <variant>
+#include <vector>
+
+namespace stillpoint {
+
+struct ForcedEvent {
+  ForcedEventKind kind{ForcedEventKind::start};
+  State state;
+};
+
+struct ForcedTrajectoryOptions {
+  double horizon{0};               ///< tau up to which; > 0
+  std::int64_t pieces{2'000'000};  ///< at most; a motion with more throws InputError of t_end
+  /// As in ForcedOptions; where it says no, the trajectory ends there.
+  std::function<bool(double)> go_on{};
+  bool to_rest{false};  ///< ends at the final rest, if that is known by then and not at tau = 0
+};
+
+/// A forced motion with its state at any instant of [0, horizon] and its events in order of time.
+/// It holds every piece: some 200 bytes for each turn, passage, rest or interval of a record.
+class ForcedTrajectory {
+ public:
+  /// Throws InputError as forced_response does.
+  ForcedTrajectory(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
+                   const ForcedTrajectoryOptions& limits);
+
+  /// The state at tau; at an instant with two velocities the later one. Throws InputError outside
+  /// [0, horizon].
+  [[nodiscard]] State at(double tau) const;
+
+  /// `samples` >= 2 evenly spaced instants of [0, horizon] and every event, in order of time.
+  [[nodiscard]] std::vector<State> sampled(std::int64_t samples) const;
+
+  [[nodiscard]] const std::vector<ForcedEvent>& events() const { return events_; }
+  [[nodiscard]] double horizon() const { return horizon_; }
+
+ private:
+  struct Rest {
+    double u;
+  };
+  struct Piece {
+    ExactSum<double> begin;  ///< p tau
+    int direction;
+    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>> motion;
+  };
+  class Watcher;
+
+  [[nodiscard]] State on(const Piece& piece, double tau) const;
+
+  double p_;
+  double horizon_;
+  std::vector<Piece> pieces_;
+  std::vector<ForcedEvent> events_;
+};
+
+}  // namespace stillpoint

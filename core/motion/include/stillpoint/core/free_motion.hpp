@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/outcome.hpp>
+
+#include <optional>
+
+namespace stillpoint {
+
+/// What is computed beyond the counts, the peaks and the place of rest.
+struct FreeOptions {
+  bool times{true};   ///< stop_time: two square roots more a half-cycle
+  bool margin{true};  ///< decision_margin: one division a half-cycle
+  /// With both frictions the number of half-cycles is bounded before the run; a larger bound than
+  /// this is refused with TooManyHalfCycles. Motions with one friction or none are closed forms and
+  /// need no limit. In [1, 1e15]; each 1e8 take a few seconds.
+  double half_cycle_limit{1e8};
+};
+
+/// The metrics of one motion, dimensionless. What does not exist is empty: all but the peaks where
+/// the motion never stops; arrival_speed where it never arrives at x = 0; decision_margin where
+/// nothing was decided.
+struct Response {
+  Outcome outcome{Outcome::never_stops};
+  bool stops_at_zero{false};
+  double peak_amplitude{0};               ///< largest |x|, the start included
+  double peak_acceleration{0};            ///< largest |x''| away from the notch
+  std::optional<double> half_cycles;      ///< 1 + zero_passages; 0 where nothing moves
+  std::optional<double> turning_points;   ///< x' = 0 at x != 0, reached from motion, rest included
+  std::optional<double> zero_passages;    ///< arrivals at x = 0 after which the motion goes on
+  std::optional<double> stop_time;        ///< tau; empty also where FreeOptions::times is false
+  std::optional<double> stop_position;    ///< signed
+  std::optional<double> arrival_speed;    ///< at the last arrival at x = 0, before the notch acts
+  std::optional<double> decision_margin;  ///< docs/theory.md section 6; empty also if not asked for
+};
+// Counts are doubles that hold integers: exact below 2^53, and the closed forms go far beyond.
+
+/// The free motion (W = 0) of `oscillator` from `start`, exact but for rounding: each metric is
+/// that of inputs changed by a relative 2e-16 * (2 + half-cycles) at most, and a count or outcome
+/// may differ only where decision_margin is below that. Throws InputError (oscillator.hpp says
+/// when) and TooManyHalfCycles. docs/theory.md sections 2-6.
+[[nodiscard]] Response free_response(const Oscillator& oscillator, const Start& start,
+                                     const FreeOptions& options = {});
+
+/// peak_amplitude alone, in constant time whatever the number of half-cycles. Throws InputError.
+[[nodiscard]] double free_peak(const Oscillator& oscillator, const Start& start);
+
+}  // namespace stillpoint

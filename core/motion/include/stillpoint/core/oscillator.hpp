@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace stillpoint {
+
+/// The oscillator of the paper's (6), dimensionless:
+///   x'' + (f + delta * dirac(x)) sgn x' + p^2 x = -W.
+///
+/// `delta` acts at x = 0 alone: each passage costs the kinetic energy v^2/2 = delta. `f` and
+/// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
+template <class Real>
+struct BasicOscillator {
+  Real p{1};
+  Real f{0};
+  Real delta{0};
+};
+using Oscillator = BasicOscillator<double>;
+
+/// Where a motion starts at tau = 0. The paper starts at x0 = 0.
+template <class Real>
+struct BasicStart {
+  Real x0{0};
+  Real v0{0};
+};
+using Start = BasicStart<double>;
+
+/// Speeds v0, p * |x0| and f / p are 0 or within these bounds, so that the kernel squares them and
+/// multiplies two of them without overflow and without a loss that matters.
+inline constexpr double largest_speed = 1e150;
+inline constexpr double smallest_speed = 1e-150;
+/// f / p may be smaller, since it is added to larger speeds.
+inline constexpr double smallest_friction_speed = 1e-307;
+/// p times the smallest peak, v0^2 p / f where friction overwhelms: anything less would underflow.
+inline constexpr double smallest_peak_speed = 1e-300;
+/// The largest delta and |x0|; the first is compared with squares of speeds.
+inline constexpr double largest_square = 1e300;
+
+/// Throws InputError, naming the field, unless
+///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300.
+void require_valid(const Oscillator& oscillator);
+
+/// Throws InputError, naming the field, unless the oscillator is valid, v0 and p * x0 are 0 or have
+/// a magnitude in [1e-150, 1e150], |x0| <= 1e300, and v0^2 p / f is 0 or at least 1e-300.
+void require_valid(const Oscillator& oscillator, const Start& start);
+
+}  // namespace stillpoint

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "batch_work.hpp"
+#include "free_lanes.hpp"
+
+#include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <limits>
+
+namespace stillpoint {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr Index block = 4096;  // entries that a thread takes at a time
+
+void resize(BatchResult& result, Index size, bool times) {
+  result.peak_amplitude.resize(size);
+  result.half_cycles.resize(size);
+  result.outcome.resize(size);
+  result.stop_position.resize(size);
+  result.stop_time.resize(times ? size : 0);
+}
+
+/// Feeds the lanes of one thread.
+class FreeBatchSource final : public FreeLanesSource {
+ public:
+  FreeBatchSource(const BatchEntries& entries, const BatchOptions& options, BatchResult& result,
+                  BatchWork& work)
+      : entries_(entries), ask_(options), result_(result), work_(work) {}
+
+  EntryRange next() override { return work_.next(); }
+
+  void run_alone(Index i) override {
+    work_.guard(i, [&] { keep(i, response(i)); });
+  }
+
+ private:
+  [[nodiscard]] Response response(Index i) const {
+    return free_response(
+        {.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]},
+        {.x0 = 0, .v0 = entries_.v0[i]},
+        {.times = ask_.times, .margin = false, .half_cycle_limit = ask_.half_cycle_limit});
+  }
+
+  void keep(Index i, const Response& response) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    result_.peak_amplitude[i] = response.peak_amplitude;
+    result_.half_cycles[i] = response.half_cycles.value_or(infinite);
+    result_.outcome[i] = response.outcome;
+    result_.stop_position[i] = response.stop_position.value_or(0);
+    if (ask_.times) {
+      result_.stop_time[i] = response.stop_time.value_or(infinite);
+    }
+  }
+
+  const BatchEntries& entries_;
+  const BatchOptions& ask_;
+  BatchResult& result_;
+  BatchWork& work_;
+};
+
+void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& result) {
+  require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
+  resize(result, entries.size, options.times);
+  const FreeLanesOutput output{result.peak_amplitude.data(), result.half_cycles.data(),
+                               result.outcome.data(), result.stop_position.data(),
+                               options.times ? result.stop_time.data() : nullptr};
+  BatchWork work(entries, block);
+  work.in_threads(options.threads, [&] {
+    FreeBatchSource source(entries, options, result, work);
+    run_free_lanes(entries, options.half_cycle_limit, output, source);
+  });
+}
+
+}  // namespace
+
+void free_batch(double v0, double p, const BatchValues& f, const BatchValues& delta,
+                const BatchOptions& options, BatchResult& result) {
+  run(entries_of(v0, p, f, delta), options, result);
+}
+
+void free_batch(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
+                const BatchValues& delta, const BatchOptions& options, BatchResult& result) {
+  run(entries_of(v0, p, f, delta), options, result);
+}
+
+BatchResult free_batch(double v0, double p, const BatchValues& f, const BatchValues& delta,
+                       const BatchOptions& options) {
+  BatchResult result;
+  free_batch(v0, p, f, delta, options, result);
+  return result;
+}
+
+BatchResult free_batch(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
+                       const BatchValues& delta, const BatchOptions& options) {
+  BatchResult result;
+  free_batch(v0, p, f, delta, options, result);
+  return result;
+}
+
+}  // namespace stillpoint

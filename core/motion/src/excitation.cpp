@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/excitation_run.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint {
+
+namespace {
+
+constexpr double largest_ratio = 1e12;
+
+void require_wave(double k, double lambda) {
+  require_within("k", k, -largest_speed, largest_speed);
+  require_within("lambda", lambda, smallest_speed, largest_speed);
+}
+
+void check(const NoExcitation& /*excitation*/) {}
+
+void check(const Harmonic& excitation) {
+  require_wave(excitation.k, excitation.lambda);
+  require_within("phase", excitation.phase, -largest_phase, largest_phase);
+  const double lasts = excitation.duration;
+  const bool within = lasts >= smallest_speed && lasts <= largest_speed;
+  if (!(lasts == 0 || within || lasts == std::numeric_limits<double>::infinity())) {
+    throw InputError(
+        "duration", lasts,
+        fmt::format("must be 0 or a number from {} to {}", smallest_speed, largest_speed));
+  }
+}
+
+void check(const HalfSine& pulse) {
+  require_wave(pulse.k, pulse.lambda);
+}
+void check(const FullSine& pulse) {
+  require_wave(pulse.k, pulse.lambda);
+}
+void check(const Rectangle& pulse) {
+  require_wave(pulse.k, pulse.lambda);
+}
+
+/// The first value of a larger magnitude, or that is no number; limit >= 0. First whether there is
+/// any, since a record is checked before each run: magnitudes are ordered as their bits are, those
+/// of no number last, and differences of integers compile to vector instructions.
+std::optional<std::size_t> first_beyond(const std::vector<double>& values, double limit) {
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  const auto limit_bits = std::bit_cast<std::uint64_t>(limit);
+  std::uint64_t differences = 0;
+  for (const double value : values) {
+    differences |= limit_bits - (std::bit_cast<std::uint64_t>(value) & ~sign);
+  }
+  if ((differences & sign) == 0) {
+    return std::nullopt;
+  }
+  std::size_t i = 0;
+  while (std::abs(values[i]) <= limit) {
+    ++i;
+  }
+  return i;
+}
+
+void check(const Record& record) {
+  if (record.values.empty()) {
+    throw InputError("record", "no samples", "must have at least one sample");
+  }
+  if (const auto i = first_beyond(record.values, largest_speed)) {
+    throw InputError(fmt::format("record value {}", *i + 1), record.values[*i],
+                     fmt::format("must be a number from {} to {}", -largest_speed, largest_speed));
+  }
+  if (record.times.empty()) {
+    require_within("record step", record.step, smallest_speed, largest_speed);
+    return;
+  }
+  if (record.times.size() != record.values.size()) {
+    throw InputError("record", fmt::format("{} times", record.times.size()),
+                     fmt::format("must be as many as the {} values", record.values.size()));
+  }
+  double before = 0;
+  for (std::size_t i = 0; i < record.times.size(); ++i) {
+    const double time = record.times[i];
+    if (!(time <= largest_speed && (i == 0 ? time >= 0 : time > before))) {
+      throw InputError(fmt::format("record time {}", i + 1), time,
+                       i == 0 ? std::string("must be a number that is at least 0")
+                              : fmt::format("must be larger than the time before, {}", before));
+    }
+    before = time;
+  }
+}
+
+/// What is loaded with respect to p: force and, for a wave, frequency.
+void require_scaled_wave(double k, double lambda, double p) {
+  const double load = std::abs(k) / p;
+  if (k != 0 && !(load >= smallest_speed && load <= largest_speed)) {
+    throw InputError("k", k,
+                     fmt::format("k / p must be 0 or have a magnitude from {} to {} (p = {})",
+                                 smallest_speed, largest_speed, p));
+  }
+  const double ratio = lambda / p;
+  if (!(ratio >= 1 / largest_ratio && ratio <= largest_ratio)) {
+    throw InputError("lambda", lambda,
+                     fmt::format("lambda / p must be from {} to {} (p = {})", 1 / largest_ratio,
+                                 largest_ratio, p));
+  }
+}
+
+void check_scaled(const NoExcitation& /*excitation*/, double /*p*/, double /*t_end*/) {}
+
+template <class Wave>
+void check_scaled(const Wave& wave, double p, double t_end) {
+  require_scaled_wave(wave.k, wave.lambda, p);
+  if (!(wave.lambda * std::fmin(t_end, duration_of<double>(wave)) <= largest_phase)) {
+    throw InputError(
+        "t_end", t_end,
+        fmt::format("lambda t_end must be at most {} (lambda = {})", largest_phase, wave.lambda));
+  }
+}
+
+void check_scaled(const Record& record, double p, double /*t_end*/) {
+  const auto i = p < 1 ? first_beyond(record.values, largest_speed * p) : std::nullopt;
+  if (i) {  // else the values themselves are small enough
+    throw InputError(fmt::format("record value {}", *i + 1), record.values[*i],
+                     fmt::format("value / p must be at most {} (p = {})", largest_speed, p));
+  }
+  for (std::size_t j = 1; j < record.times.size(); ++j) {
+    if (!(p * (record.times[j] - record.times[j - 1]) >= smallest_speed)) {
+      throw InputError(
+          fmt::format("record time {}", j + 1), record.times[j],
+          fmt::format("must be at least {} after the one before, times p = {}", smallest_speed, p));
+    }
+  }
+  if (record.times.empty() && !(p * record.step >= smallest_speed)) {
+    throw InputError("record step", record.step,
+                     fmt::format("p times it must be at least {} (p = {})", smallest_speed, p));
+  }
+}
+
+}  // namespace
+
+double duration(const Excitation& excitation) {
+  return std::visit([](const auto& kind) { return duration_of<double>(kind); }, excitation);
+}
+
+void require_valid(const Excitation& excitation) {
+  std::visit([](const auto& kind) { check(kind); }, excitation);
+}
+
+void require_valid(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
+                   const std::optional<double>& t_end) {
+  require_valid(oscillator, start);
+  require_valid(excitation);
+  const double lasts = duration(excitation);
+  if (!t_end && lasts == std::numeric_limits<double>::infinity()) {
+    throw InputError("t_end", "nothing", "must be given: the excitation never ends");
+  }
+  if (t_end) {
+    require_within("t_end", *t_end, smallest_speed, largest_speed);
+  }
+  const double end = t_end ? *t_end : lasts;
+  std::visit([&](const auto& kind) { check_scaled(kind, oscillator.p, end); }, excitation);
+  if (!(oscillator.p * end <= largest_phase)) {
+    throw InputError(
+        t_end ? "t_end" : "duration", end,
+        fmt::format("p times it must be at most {} (p = {})", largest_phase, oscillator.p));
+  }
+}
+
+}  // namespace stillpoint

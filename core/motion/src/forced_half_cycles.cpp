@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/excitation_run.hpp>
+#include <stillpoint/core/forced_half_cycles.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/forced_run.hpp>
+
+#include <cmath>
+#include <functional>
+#include <variant>
+
+namespace stillpoint {
+
+namespace {
+
+/// Makes half-cycles of the events it sees.
+class HalfCycleCollector {
+ public:
+  static constexpr bool watches = true;
+
+  HalfCycleCollector(double p, std::int64_t most) : p_(p), most_(most) {}
+
+  void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
+    const double tau = now.value() / p_;
+    reach(tau, u);
+    switch (kind) {
+      case ForcedEventKind::start:
+        now_.departure_speed = std::abs(v);
+        break;
+      case ForcedEventKind::arrival:
+        now_.arrival_speed = std::abs(v);
+        break;
+      case ForcedEventKind::passage:
+        close(tau, 0);
+        now_.departure_speed = std::abs(v);
+        break;
+      case ForcedEventKind::rest:
+        finish(tau, u);
+        break;
+      default:
+        break;
+    }
+  }
+
+  template <class Piece>
+  void piece(const ExactSum<double>& /*begin*/, int /*direction*/, const Piece& /*piece*/) {}
+
+  /// The half-cycle that is going on where the motion ends or is left.
+  void finish(double tau, double u) {
+    if (!over_) {
+      reach(tau, u);
+      now_.last = over_ = true;
+      close(tau, u / p_);
+    }
+  }
+
+  [[nodiscard]] bool full() const { return static_cast<std::int64_t>(list_.size()) >= most_; }
+  [[nodiscard]] std::vector<HalfCycle>& list() { return list_; }
+
+ private:
+  void reach(double tau, double u) {
+    const double x = std::abs(u) / p_;
+    if (x > now_.peak) {
+      now_.peak = x;
+      now_.peak_time = tau;
+      now_.side = u > 0 ? 1 : -1;
+    }
+  }
+
+  void close(double tau, double position) {
+    now_.end_time = tau;
+    now_.end_position = position;
+    if (!full()) {
+      list_.push_back(now_);
+    }
+    const std::int64_t next = now_.index + 1;
+    const int side = -now_.side;
+    now_ = {};
+    now_.index = next;
+    now_.side = side;
+    now_.start_time = now_.peak_time = tau;
+  }
+
+  double p_;
+  std::int64_t most_;
+  bool over_{false};
+  HalfCycle now_;
+  std::vector<HalfCycle> list_;
+};
+
+}  // namespace
+
+std::vector<HalfCycle> forced_half_cycles(const Oscillator& oscillator, const Start& start,
+                                          const Excitation& excitation, double t_end,
+                                          std::int64_t most,
+                                          const std::function<bool(double)>& go_on) {
+  require_valid(oscillator, start, excitation, t_end);
+  HalfCycleCollector collector(oscillator.p, most);
+  const int ask_every = ForcedOptions().ask_every;
+  int left = ask_every;
+  const auto goes_on = [&](double tau) {
+    if (collector.full()) {
+      return false;
+    }
+    if (go_on && --left <= 0) {
+      left = ask_every;
+      return go_on(tau);
+    }
+    return true;
+  };
+  ForcedRun<double, HalfCycleCollector> run(oscillator, start, collector, Patience{goes_on, 1});
+  std::visit([&](const auto& kind) { run_until(run, kind, t_end); }, excitation);
+  if (run.state().moved) {
+    collector.finish(run.state().now.value() / oscillator.p, run.state().u);
+    return collector.list();
+  }
+  return {};
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/forced_motion.hpp>
+
+namespace stillpoint {
+
+/// forced_response for input that has been checked.
+ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
+                                        const Excitation& excitation, const ForcedOptions& options);
+
+}  // namespace stillpoint

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/free_run.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/margin_keeper.hpp>
+#include <stillpoint/core/phase_clock.hpp>
+
+#include <cassert>
+#include <cmath>
+
+namespace stillpoint {
+
+namespace {
+
+Response metrics(const FreeRun<double>& run, double p) {
+  Response response;
+  response.outcome = run.outcome;
+  response.stops_at_zero = run.outcome == Outcome::stopped_at_zero;
+  response.peak_amplitude = run.farthest / p;
+  response.peak_acceleration = run.acceleration * p;
+  if (run.outcome == Outcome::never_stops) {
+    return response;
+  }
+  response.half_cycles = run.moves ? run.passages + 1 : 0;
+  response.turning_points = run.turning_points;
+  response.zero_passages = run.passages;
+  response.stop_position = run.rest / p;
+  if (run.arrival) {
+    response.arrival_speed = std::sqrt(*run.arrival);
+  }
+  return response;
+}
+
+double stop_time(const PhaseClock<double>& clock, const FreeRun<double>& run, double p) {
+  const double time = clock.phase() / p;
+  assert(!std::isnan(time));
+  if (!std::isfinite(time)) {
+    throw TooManyHalfCycles(run.passages + 1, largest_square * p);
+  }
+  return time;
+}
+
+}  // namespace
+
+Response free_response(const Oscillator& oscillator, const Start& start,
+                       const FreeOptions& options) {
+  require_valid(oscillator, start);
+  require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
+  const auto run_with = [&](auto&... watchers) {
+    return free_run(oscillator, start, options.half_cycle_limit, watchers...);
+  };
+  PhaseClock<double> clock;
+  MarginKeeper<double> keeper;
+  const FreeRun<double> run = options.times && options.margin ? run_with(clock, keeper)
+                              : options.times                 ? run_with(clock)
+                              : options.margin                ? run_with(keeper)
+                                                              : run_with();
+  Response response = metrics(run, oscillator.p);
+  if (options.times && run.outcome != Outcome::never_stops) {
+    response.stop_time = stop_time(clock, run, oscillator.p);
+  }
+  response.decision_margin = keeper.margin();
+  return response;
+}
+
+double free_peak(const Oscillator& oscillator, const Start& start) {
+  require_valid(oscillator, start);
+  const HalfCycleMap<double> map(oscillator);
+  const FirstLeg<double> leg = first_leg(map, start);
+  double farthest = leg.farthest;
+  if (leg.end == FirstLegEnd::arrival && map.without_friction()) {
+    farthest = leg.radius;
+  } else if (leg.end == FirstLegEnd::arrival) {
+    if (const double energy = map.departure(leg.energy); energy > 0) {
+      farthest = std::max(farthest, map.peak(energy, map.radius(energy)));
+    }
+  }
+  return farthest / oscillator.p;
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stillpoint {
+
+namespace {
+
+void require_speed(const char* field, double value, double speed, const char* what) {
+  const double magnitude = std::abs(speed);
+  if (magnitude == 0 || (magnitude >= smallest_speed && magnitude <= largest_speed)) {
+    return;
+  }
+  throw InputError(field, value,
+                   fmt::format("{} must be 0 or have a magnitude from {} to {}", what,
+                               smallest_speed, largest_speed));
+}
+
+}  // namespace
+
+void require_valid(const Oscillator& oscillator) {
+  require_within("p", oscillator.p, smallest_speed, largest_speed);
+  require_within("f", oscillator.f, 0, largest_square);
+  require_within("delta", oscillator.delta, 0, largest_square);
+  const double phi = oscillator.f / oscillator.p;
+  if (oscillator.f != 0 && !(phi >= smallest_friction_speed && phi <= largest_speed)) {
+    throw InputError("f", oscillator.f,
+                     fmt::format("f / p must be 0 or from {} to {} (p = {})",
+                                 smallest_friction_speed, largest_speed, oscillator.p));
+  }
+}
+
+void require_valid(const Oscillator& oscillator, const Start& start) {
+  require_valid(oscillator);
+  require_within("x0", start.x0, -largest_square, largest_square);
+  require_within("v0", start.v0, -largest_speed, largest_speed);
+  require_speed("v0", start.v0, start.v0, "v0");
+  require_speed("x0", start.x0, oscillator.p * start.x0, "p * x0");
+  const double phi = oscillator.f / oscillator.p;
+  const double speed = std::abs(start.v0);
+  if (speed > 0 && phi > speed && speed * (speed / phi) < smallest_peak_speed) {
+    throw InputError("f", oscillator.f,
+                     fmt::format("v0^2 p / f must be at least {} (v0 = {}, p = {})",
+                                 smallest_peak_speed, start.v0, oscillator.p));
+  }
+  if (start.x0 != 0 && oscillator.p * start.x0 == 0) {
+    throw InputError("x0", start.x0,
+                     fmt::format("p * x0 must not underflow (p = {})", oscillator.p));
+  }
+}
+
+}  // namespace stillpoint

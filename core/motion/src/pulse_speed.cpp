@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/pulse_speed.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace stillpoint {
+
+namespace {
+
+/// A half-sine in units of k / lambda and k / lambda^2, t = lambda tau: the motion under load and
+/// friction alone, from where the load exceeds friction, sin t = ratio.
+struct Push {
+  double ratio{0};
+  double begin{std::asin(ratio)};
+  double cosine{std::sqrt((1 - ratio) * (1 + ratio))};
+
+  [[nodiscard]] double speed(double t) const { return cosine - std::cos(t) - ratio * (t - begin); }
+  [[nodiscard]] double distance(double t) const {
+    const double since = t - begin;
+    return cosine * since - std::sin(t) + ratio - ratio * since * since / 2;
+  }
+
+  /// The end of the pulse, or the turn where friction stops the mass before it.
+  [[nodiscard]] double end() const {
+    double low = std::numbers::pi - begin;  // where the load falls below friction
+    double high = std::numbers::pi;
+    if (speed(high) >= 0) {
+      return high;
+    }
+    for (double middle = low; low < high; (speed(middle) > 0 ? low : high) = middle) {
+      middle = low + (high - low) / 2;
+      if (middle == low || middle == high) {
+        break;
+      }
+    }
+    return high;
+  }
+};
+
+/// (F22) and (F23) in the units of Push: the pulse, or the turn, at `end`, with `speed` there and
+/// `distance` so far.
+EquivalentStart carried_back(double ratio, double end, double speed, double distance) {
+  const double square = speed * speed + 2 * ratio * distance;
+  if (!(square > 0)) {
+    return {};
+  }
+  const double start_speed = std::sqrt(square);
+  return {start_speed, end - 2 * distance / (start_speed + speed)};
+}
+
+EquivalentStart scaled(const EquivalentStart& start, double k, double lambda) {
+  return {k / lambda * start.speed, start.tau / lambda};
+}
+
+}  // namespace
+
+EquivalentStart equivalent_start(const HalfSine& pulse, double f) {
+  require_valid(Excitation(pulse));
+  require_within("f", f, 0, largest_square);
+  const double k = std::abs(pulse.k);
+  if (k <= f) {
+    return {};
+  }
+  const Push push{f / k};
+  const double end = push.end();
+  return scaled(carried_back(push.ratio, end, push.speed(end), push.distance(end)), k,
+                pulse.lambda);
+}
+
+EquivalentStart equivalent_start(const Rectangle& pulse, double f) {
+  require_valid(Excitation(pulse));
+  require_within("f", f, 0, largest_square);
+  const double k = std::abs(pulse.k);
+  if (k <= f) {
+    return {};
+  }
+  const double ratio = f / k;
+  const double end = std::numbers::pi;
+  const double speed = (1 - ratio) * end;
+  return scaled(carried_back(ratio, end, speed, speed * end / 2), k, pulse.lambda);
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/sampling.hpp>
+#include <stillpoint/core/trajectory.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace stillpoint {
+
+std::string_view name(EventKind kind) noexcept {
+  switch (kind) {
+    case EventKind::start:
+      return "start";
+    case EventKind::turn:
+      return "turn";
+    case EventKind::arrival:
+      return "arrival";
+    case EventKind::passage:
+      return "passage";
+    case EventKind::rest:
+      return "rest";
+  }
+  assert(false && "an EventKind outside its enumeration");
+  return "";
+}
+
+Trajectory::Trajectory(const Oscillator& oscillator, const Start& start,
+                       const TrajectoryOptions& limits)
+    : p_(oscillator.p), horizon_(limits.horizon.value_or(0)) {
+  if (limits.horizon) {
+    require_within("horizon", *limits.horizon, std::numeric_limits<double>::min(),
+                   std::numeric_limits<double>::max());
+  }
+  HalfCycleWalk walk(oscillator, start);
+  const bool moves =
+      walk.leg().end != FirstLegEnd::no_motion && walk.leg().end != FirstLegEnd::caught;
+  if (!limits.horizon && moves && walk.map().without_friction()) {
+    throw InputError::missing("horizon", "without friction the motion never ends");
+  }
+  add_event(EventKind::start, 0, start.x0, moves ? start.v0 : 0);
+  double reached = 0;
+  while (!limits.horizon || reached < horizon_) {
+    const std::optional<HalfCycle> next = walk.next();
+    if (!next) {
+      break;
+    }
+    if (next->index > limits.half_cycles) {
+      throw TooManyHalfCycles::in_trajectory(static_cast<double>(limits.half_cycles));
+    }
+    add(*next, walk);
+    reached = next->end_time;
+  }
+  if (!limits.horizon) {
+    horizon_ = reached;
+  }
+  const auto past = [this](const auto& item) { return item.state.tau > horizon_; };
+  std::erase_if(events_, past);
+}
+
+void Trajectory::add(const HalfCycle& now, const HalfCycleWalk& walk) {
+  const double side = now.side;
+  const double shift = walk.map().phi / p_;
+  const bool inward = now.index == 1 && walk.leg().end != FirstLegEnd::peak;
+  if (inward) {
+    arcs_.push_back(
+        {now.start_time, side * now.peak, -side * now.departure_speed, side * (now.peak - shift)});
+  } else {
+    const double from = now.index == 1 ? walk.leg().distance / p_ : 0;
+    arcs_.push_back(
+        {now.start_time, side * from, side * now.departure_speed, side * (from + shift)});
+    if (now.end_time > now.peak_time) {
+      arcs_.push_back({now.peak_time, side * now.peak, 0, side * (now.peak - shift)});
+      add_event(EventKind::turn, now.peak_time, side * now.peak, 0);
+    }
+  }
+  if (now.arrival_speed) {
+    add_event(EventKind::arrival, now.end_time, 0, -side * *now.arrival_speed);
+  }
+  if (now.last) {
+    add_event(EventKind::rest, now.end_time, now.end_position, 0);
+  } else {
+    add_event(EventKind::passage, now.end_time, 0, -side * walk.next_departure_speed());
+  }
+}
+
+void Trajectory::add_event(EventKind kind, double tau, double x, double v) {
+  events_.push_back({kind, {tau, x, v}});
+}
+
+State Trajectory::at(double tau) const {
+  require_within("tau", tau, 0, horizon_);
+  const auto after = std::upper_bound(
+      events_.begin(), events_.end(), tau,
+      [](double instant, const Event& event) { return instant < event.state.tau; });
+  assert(after != events_.begin());
+  const Event& before = *std::prev(after);
+  if (before.state.tau == tau || before.kind == EventKind::rest || arcs_.empty()) {
+    return {tau, before.state.x, before.state.v};
+  }
+  const auto arc_after =
+      std::upper_bound(arcs_.begin(), arcs_.end(), tau,
+                       [](double instant, const Arc& arc) { return instant < arc.begin; });
+  const Arc& arc = *std::prev(arc_after);
+  const double phase = p_ * (tau - arc.begin);
+  const double sine = std::sin(phase);
+  const double half_sine = std::sin(phase / 2);
+  return {tau, arc.x + arc.v / p_ * sine - 2 * arc.lever * (half_sine * half_sine),
+          arc.v * std::cos(phase) - p_ * arc.lever * sine};
+}
+
+Eigen::ArrayX3d Trajectory::at(const Eigen::ArrayXd& tau) const {
+  Eigen::ArrayX3d rows(tau.size(), 3);
+  for (Eigen::Index i = 0; i < tau.size(); ++i) {
+    const State state = at(tau[i]);
+    rows.row(i) << state.tau, state.x, state.v;
+  }
+  return rows;
+}
+
+std::vector<State> Trajectory::sampled(std::int64_t samples) const {
+  return sampled_states(*this, samples);
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/pulse_speed.hpp>
+#include <stillpoint/design/problem.hpp>
+
+#include <string_view>
+#include <variant>
+
+namespace stillpoint::design {
+
+/// The pulses that amount to an initial velocity. A full sine does not: it leaves none.
+using Pulse = std::variant<HalfSine, Rectangle>;
+
+/// A problem whose initial velocity a pulse leaves. Friction acts during the pulse already, so that
+/// the velocity depends on f and falls with it: docs/forced.md section 8.
+struct PulseProblem {
+  Pulse pulse;
+  double p{1};
+  double beta{1};
+  Criterion criterion{Criterion::published};
+};
+
+/// Throws InputError, naming the field, unless k > 0, lambda >= p (a longer pulse is no impulse),
+/// and the problem of the velocity left without friction is valid (problem.hpp).
+void require_valid(const PulseProblem& problem, const Limits& limits = {});
+
+[[nodiscard]] double peak_load(const Pulse& pulse);          ///< k
+[[nodiscard]] double angular_frequency(const Pulse& pulse);  ///< lambda
+[[nodiscard]] std::string_view name(const Pulse& pulse);     ///< "half-sine" or "rectangle"
+[[nodiscard]] Excitation excitation(const Pulse& pulse);
+[[nodiscard]] EquivalentStart equivalent_start(const Pulse& pulse, double f);
+
+/// The problem with the velocity that the pulse leaves under friction f < k.
+[[nodiscard]] Problem problem_at(const PulseProblem& problem, double f);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "judge.hpp"
+#include "timed.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/runge_kutta.hpp>
+
+#include <limits>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// 2e-16 (2 + n) with n = 2 and some room.
+constexpr Quality map_quality{"half_cycle_map", 1e-12, 1e-15};
+/// Resolution: the energy error that a thousand steps at this tolerance may add up to.
+constexpr double integrator_tolerance = 1e-12;
+constexpr Quality runge_kutta_quality{"runge_kutta", 1e-9, 1000 * integrator_tolerance};
+
+}  // namespace
+
+CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
+                       double delta) {
+  require_within("delta", delta, std::numeric_limits<double>::min(), largest_square);
+  const Oscillator oscillator{problem.p, f, delta};
+  double margin = 0;
+
+  CheckMethod map;
+  map.wall_time_s = timed([&] {
+    const Response response = free_response(oscillator, {0, problem.v0});
+    map.peak_amplitude = response.peak_amplitude;
+    map.peak_acceleration = response.peak_acceleration;
+    map.stop_time = *response.stop_time;
+    map.arrival_speed = response.arrival_speed.value_or(0);
+    map.half_cycles = *response.half_cycles;
+    map.stop_position = *response.stop_position;
+    margin = response.decision_margin.value_or(0);
+  });
+  judge(map, map_quality, prediction, problem, f, margin);
+
+  CheckMethod integrated;
+  integrated.wall_time_s = timed([&] {
+    const IntegratedMotion motion =
+        integrate_free_motion(oscillator, problem.v0, integrator_tolerance);
+    integrated.peak_amplitude = motion.peak_amplitude;
+    integrated.peak_acceleration = motion.peak_acceleration;
+    integrated.stop_time = motion.stop_time;
+    integrated.arrival_speed = motion.arrival_speed;
+    integrated.half_cycles = static_cast<double>(motion.half_cycles);
+    integrated.stop_position = motion.stop_position;
+  });
+  judge(integrated, runge_kutta_quality, prediction, problem, f, margin);
+
+  return {map.passed && integrated.passed, {map, integrated}};
+}
+
+}  // namespace stillpoint::design

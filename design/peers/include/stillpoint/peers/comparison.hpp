@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/peers/exact.hpp>
+#include <stillpoint/peers/measure.hpp>
+#include <stillpoint/peers/scene.hpp>
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::peers {
+
+/// Of a free motion; as many take a second or so in 50 digits.
+inline constexpr double most_half_cycles = 1e5;
+
+/// Up to when a motion without a `t_end` of its own is followed: past its rest, so that integrators
+/// have room to miss it. Empty where it never stops. Throws what free_response and forced_response
+/// throw, for wrong input and for more than `most_half_cycles`.
+[[nodiscard]] std::optional<double> far_enough(const Oscillator& oscillator, const Start& start,
+                                               const Excitation& excitation);
+
+/// The largest t_end that is followed in 50 digits; of a forced scene.
+[[nodiscard]] double longest(const Scene& scene);
+
+enum class Run {
+  done,
+  nothing_moves,  ///< not run: the mass never moves, so that there is nothing to integrate
+  too_long,       ///< not run to its end: it would take too long
+};
+
+/// A method with one setting on a scene; what follows `run` is empty unless that is `done`.
+struct MethodRow {
+  std::string_view name;
+  std::string_view knob;  ///< what `setting` is; "" where there is none
+  double setting{0};
+  Run run{Run::done};
+  Timing time{};
+  Result result{};
+  double peak_error{0};  ///< relative to the peak
+  /// The larger of two. Of x, relative to the peak. Of the stop time, relative to itself; where the
+  /// motion goes on at the end, of v, relative to p times the peak.
+  double end_error{0};
+  bool counts_right{false};
+};
+
+struct Comparison {
+  ExactResult exact;            ///< 50 digits
+  std::vector<MethodRow> rows;  ///< this project's kernel first
+};
+
+/// This project's kernel and what others would use, each with settings from coarse to fine. Every
+/// method gives up after an effort that takes it less than a second or so.
+[[nodiscard]] Comparison compare(const Scene& scene);
+
+}  // namespace stillpoint::peers

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// W(tau) as integrators want it: smooth on a stretch, and the ends of stretches known.
+
+#include <stillpoint/core/excitation.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+namespace stillpoint::peers {
+
+inline constexpr double for_ever = std::numeric_limits<double>::infinity();
+
+struct NoLoad {
+  double operator()(double /*t*/) const { return 0; }
+  [[nodiscard]] static double stretch_end() { return for_ever; }
+  [[nodiscard]] static bool over() { return true; }
+  [[nodiscard]] static double scan_step() { return for_ever; }
+  static bool next_stretch() { return false; }
+};
+
+/// k sin(lambda t + phase) up to `end`, then 0.
+class WaveLoad {
+ public:
+  WaveLoad(double k, double lambda, double phase, double end)
+      : k_(k), lambda_(lambda), phase_(phase), end_(end) {}
+  explicit WaveLoad(const Harmonic& e) : WaveLoad(e.k, e.lambda, e.phase, e.duration) {}
+  explicit WaveLoad(const HalfSine& e) : WaveLoad(e.k, e.lambda, 0, std::numbers::pi / e.lambda) {}
+  explicit WaveLoad(const FullSine& e)
+      : WaveLoad(e.k, e.lambda, 0, 2 * std::numbers::pi / e.lambda) {}
+  explicit WaveLoad(const Rectangle& e)
+      : WaveLoad(e.k, 0, std::numbers::pi / 2, std::numbers::pi / e.lambda) {}
+
+  double operator()(double t) const { return k_ * std::sin(lambda_ * t + phase_); }
+  [[nodiscard]] double stretch_end() const { return end_; }
+  [[nodiscard]] bool over() const { return end_ == for_ever && k_ == 0; }
+  /// Between looks at the load of a mass at rest.
+  [[nodiscard]] double scan_step() const {
+    return lambda_ > 0 ? std::numbers::pi / 16 / lambda_ : for_ever;
+  }
+  /// On to what follows; true: W jumps there.
+  bool next_stretch() {
+    k_ = 0;
+    end_ = for_ever;
+    return true;
+  }
+
+ private:
+  double k_;
+  double lambda_;
+  double phase_;
+  double end_;
+};
+
+/// Straight lines between samples.
+class RecordLoad {
+ public:
+  explicit RecordLoad(const Record& record) : record_(&record), end_(time(0)) {}
+
+  double operator()(double t) const { return w_ + slope_ * (t - begin_); }
+  [[nodiscard]] double stretch_end() const { return end_; }
+  [[nodiscard]] bool over() const { return next_ >= record_->values.size(); }
+  /// Looking at the samples is enough: the largest load between is at one of them.
+  [[nodiscard]] static double scan_step() { return for_ever; }
+  bool next_stretch() {
+    const std::size_t i = next_++;
+    begin_ = end_;
+    if (over()) {
+      const bool jump = w_ + slope_ != 0;
+      w_ = slope_ = 0;
+      end_ = for_ever;
+      return jump;
+    }
+    end_ = time(next_);
+    w_ = record_->values[i];
+    slope_ = (record_->values[i + 1] - w_) / (end_ - begin_);
+    return i == 0;
+  }
+
+ private:
+  [[nodiscard]] double time(std::size_t i) const {
+    return record_->times.empty() ? record_->step * static_cast<double>(i) : record_->times[i];
+  }
+
+  const Record* record_;
+  std::size_t next_{0};
+  double begin_{0};
+  double end_;
+  double w_{0};
+  double slope_{0};
+};
+
+/// Calls `action` with the load of an excitation.
+template <class Action>
+auto with_load(const Excitation& excitation, Action action) {
+  struct Choose {
+    Action& action;
+    auto operator()(const NoExcitation& /*none*/) { return action(NoLoad()); }
+    auto operator()(const Record& record) { return action(RecordLoad(record)); }
+    auto operator()(const Harmonic& e) { return action(WaveLoad(e)); }
+    auto operator()(const HalfSine& e) { return action(WaveLoad(e)); }
+    auto operator()(const FullSine& e) { return action(WaveLoad(e)); }
+    auto operator()(const Rectangle& e) { return action(WaveLoad(e)); }
+  };
+  return std::visit(Choose{action}, excitation);
+}
+
+}  // namespace stillpoint::peers

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/outcome.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace stillpoint::peers {
+
+/// A motion to compare methods on. Inputs are those of core and as valid; nothing is checked here.
+struct Scene {
+  Oscillator oscillator;
+  Start start;
+  Excitation excitation;
+  double t_end{0};  ///< tau at which the run ends, > 0 and finite; it ends before in a final rest
+};
+
+/// What a method found, dimensionless; the counts are defined as in core's Response.
+struct Result {
+  Outcome outcome{Outcome::running};  ///< `running`: followed up to end_time
+  double peak{0};                     ///< largest |x|
+  double end_time{0};                 ///< when the final rest began, or how far the run came
+  double x{0};                        ///< at end_time
+  double v{0};
+  std::int64_t passages{0};
+  std::int64_t turns{0};
+  std::int64_t sticks{0};
+  std::int64_t steps{0};  ///< accepted integration steps; 0 where the method has none
+  bool finished{true};    ///< false: it gave up after the effort it was allowed, `running`
+};
+
+/// What an integrator may be told of a motion: its absolute tolerances are relative to this, so
+/// that a scene in other units is no other problem.
+struct Size {
+  double length{1};
+  double speed{1};
+  double time{1};  ///< in which the motion changes
+};
+
+}  // namespace stillpoint::peers

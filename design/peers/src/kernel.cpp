@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/peers/kernel.hpp>
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/free_motion.hpp>
+
+#include <cmath>
+#include <variant>
+
+namespace stillpoint::peers {
+
+namespace {
+
+Result common(const Response& response) {
+  Result result;
+  result.outcome = response.outcome;
+  result.peak = response.peak_amplitude;
+  result.passages = std::llround(response.zero_passages.value());
+  result.turns = std::llround(response.turning_points.value());
+  return result;
+}
+
+}  // namespace
+
+Result kernel(const Scene& scene) {
+  if (std::holds_alternative<NoExcitation>(scene.excitation)) {
+    const Response response = free_response(scene.oscillator, scene.start);
+    Result result = common(response);
+    result.end_time = response.stop_time.value();
+    result.x = response.stop_position.value();
+    return result;
+  }
+  ForcedOptions options;
+  options.t_end = scene.t_end;
+  const ForcedResponse response =
+      forced_response(scene.oscillator, scene.start, scene.excitation, options);
+  Result result = common(response);
+  result.end_time = response.end_time.value();
+  result.x = response.final_position.value();
+  result.v = response.final_velocity.value();
+  result.sticks = std::llround(response.sticks);
+  return result;
+}
+
+}  // namespace stillpoint::peers

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "generated_docs.hpp"
+#include "command_line.hpp"
+#include "options.hpp"
+#include "run_program.hpp"
+#include "testing/printing.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cstdio>
+#include <iterator>
+#include <memory>
+#include <set>
+#include <sstream>
+
+BOOST_AUTO_TEST_SUITE(generated_docs_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+namespace cli = stillpoint::cli;
+
+std::set<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// What a shell command prints.
+std::string printed_by(const std::string& command) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"),
+                                                             &::pclose);
+  BOOST_TEST_REQUIRE((pipe != nullptr));
+  std::string text;
+  std::array<char, 4096> buffer{};
+  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe.get()) != nullptr) {
+    text += buffer.data();
+  }
+  return text;
+}
+
+std::set<std::string> flags_of(cli::Command command) {
+  std::set<std::string> flags{"--help", "--version"};
+  for (const cli::Option& option : cli::options()) {
+    if (option.serves(command)) {
+      flags.insert("--" + std::string(option.name));
+    }
+  }
+  return flags;
+}
+
+void write_script(const Sandbox& sandbox) {
+  sandbox.write("stillpoint.bash", cli::bash_completion());
+}
+
+/// What bash offers for the last word of a command line.
+std::set<std::string> offered(const Sandbox& sandbox, const std::string& line) {
+  return words(printed_by("cd '" + sandbox.path("").string() +
+                          "' && bash -c 'source ./stillpoint.bash; COMP_WORDS=(" + line +
+                          "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _stillpoint; "
+                          "printf \"%s\\n\" \"${COMPREPLY[@]}\"'"));
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(bash, Sandbox)
+
+BOOST_AUTO_TEST_CASE(offers_the_options_of_each_command_and_no_other) {
+  write_script(*this);
+  for (const cli::CommandHelp& help : cli::all_commands()) {
+    const std::string command(cli::name(help.command));
+    BOOST_TEST(offered(*this, "stillpoint " + command + " --") == flags_of(help.command), command);
+    BOOST_TEST(offered(*this, "stillpoint " + command.substr(0, 2)).contains(command));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(offers_files_where_one_is_meant_and_nothing_for_a_number) {
+  write_script(*this);
+  write("scene.json", "{}");
+  const std::set<std::string> scene{"scene.json"};
+  BOOST_TEST(offered(*this, "stillpoint design sce") == scene);
+  BOOST_TEST(offered(*this, "stillpoint design --output sce") == scene);
+  BOOST_TEST(offered(*this, "stillpoint design --output = sce") == scene);
+  BOOST_TEST(offered(*this, "stillpoint design --v0 sce").empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(texts)
+
+/// Of each option every text has its name, and with it what it is for.
+BOOST_AUTO_TEST_CASE(name_every_option) {
+  const std::string man = cli::man_page();
+  const std::string zsh = cli::zsh_completion();
+  const std::string fish = cli::fish_completion();
+  for (const cli::Option& option : cli::options()) {
+    const std::string name(option.name);
+    std::string in_roff = "\\fB--" + name + "\\fR";
+    for (std::size_t at = 3; (at = in_roff.find('-', at)) != std::string::npos; at += 2) {
+      in_roff.insert(at, "\\");
+    }
+    const bool is_flag = option.kind == cli::OptionKind::flag;
+    BOOST_TEST(man.find(in_roff) != std::string::npos, in_roff);
+    BOOST_TEST(zsh.find("'--" + name + (is_flag ? "[" : "=[")) != std::string::npos, name);
+    BOOST_TEST(fish.find(" -l " + name + " ") != std::string::npos, name);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "report_fields.hpp"
+#include "run_program.hpp"
+#include "testing/printing.hpp"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(pictures_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using boost::property_tree::ptree;
+
+constexpr double rounding = 0.006;  // of pixels, which have two decimals
+
+const Arguments plain{"design", "--v0", "1", "--p", "1", "--beta", "0.8"};
+
+ptree parsed(const std::string& text) {
+  std::istringstream stream(
+      text.substr(text.find("<html") == std::string::npos ? 0 : text.find("<html")));
+  ptree tree;
+  BOOST_REQUIRE_NO_THROW(boost::property_tree::read_xml(stream, tree));
+  return tree;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Nothing is loaded from anywhere.
+void check_offline(const std::string& page) {
+  for (const char* other : {"http:", "https:", "src=", "@import", "url("}) {
+    BOOST_TEST(!contains(page, other), other);
+  }
+  check_only_finite(page.substr(0, page.find("<script")));
+}
+
+struct Range {
+  double least;
+  double most;
+};
+
+Range attribute(const std::string& svg, const std::string& name) {
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(svg, found, std::regex(name + "=\"(\\S+) ([^\"]+)\"")));
+  return {std::stod(found[1]), std::stod(found[2])};
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(pictures, Sandbox)
+
+BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
+  const ProgramRun answer = run(joined(plain, {"--html", "page.html", "--svg", "figures"}));
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  for (const char* figure : {"region", "motion", "phase", "energy"}) {
+    BOOST_TEST(contains(page, "aria-labelledby=\"" + std::string(figure) + "-title"));
+    const std::string alone = read("figures/" + std::string(figure) + ".svg");
+    const ptree tree = parsed(alone);
+    BOOST_TEST(!tree.get<std::string>("svg.title").empty());
+    BOOST_TEST(!tree.get<std::string>("svg.desc").empty());
+  }
+  for (const char* part : {"Constraints", "Checks: they agree", "scene.json", "Δ₁ published",
+                           "Δ₁ exact", "amplitude: f ≥ f₂", "tolerance ±"}) {
+    BOOST_TEST(contains(page, part), part);
+  }
+}
+
+/// Those that the README shows.
+BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
+  const std::filesystem::path scene =
+      std::filesystem::path(STILLPOINT_DATA_DIR) / "scenes/isolator.json";
+  BOOST_TEST(run({"design", scene.string(), "--svg", "figures"}).exit_code == 0);
+  for (const char* name : {"region.svg", "motion.svg", "phase.svg", "energy.svg"}) {
+    std::ifstream file(std::filesystem::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
+    std::stringstream committed;
+    committed << file.rdbuf();
+    BOOST_TEST(committed.str() == read("figures/" + std::string(name)),
+               name << ": ./dev run design data/scenes/isolator.json --svg docs/pictures");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
+  const ProgramRun answer = run(joined(plain, {"--json", "--html", "page.html"}));
+  const auto design = answer.json()["design"];
+  const std::string page = read("page.html");
+  const std::string region = page.substr(page.find("<svg"), page.find("motion-title"));
+  const Range x = attribute(region, "data-x");
+  const Range y = attribute(region, "data-y");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(
+      region, found, std::regex("translate\\((\\S+) ([^)]+)\\)\" data-name=\"design\"")));
+  const double f = design["f"];
+  const double delta = design["delta"];
+  BOOST_TEST(std::abs(std::stod(found[1]) - 430 * (f - x.least) / (x.most - x.least)) < rounding);
+  BOOST_TEST(std::abs(std::stod(found[2]) - 290 * (y.most - delta) / (y.most - y.least)) <
+             rounding);
+}
+
+BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
+  const ProgramRun answer =
+      run({"design", "--v0", "1", "--p", "1", "--beta", "0.6", "--html", "page.html"});
+  BOOST_TEST(answer.exit_code == 3);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(contains(page, "No admissible design"));
+  BOOST_TEST(contains(page, "return: f ≤ f₃"));
+  BOOST_TEST(!contains(page, "motion-title"));
+}
+
+BOOST_AUTO_TEST_CASE(account_for_all_energy) {
+  // 1/2 = f * path + delta * passages + the rest's share, which the notch takes as well.
+  const ProgramRun answer = run(
+      {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02", "--svg", "figures"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string text = read("figures/energy.svg");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(
+      text, found,
+      std::regex(
+          "energy (\\S+) constant friction took (\\S+) and point friction (\\S+); (\\S+) ")));
+  BOOST_TEST(std::abs(std::stod(found[1]) - 0.5) < 1e-6);
+  BOOST_TEST(std::abs(std::stod(found[2]) + std::stod(found[3]) + std::stod(found[4]) - 0.5) <
+             3e-6);
+}
+
+BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
+  const Arguments simulate{"simulate", "--p", "1", "--html", "page.html"};
+  for (const Arguments& motion :
+       std::vector<Arguments>{{"--v0", "1", "--f", "0", "--delta", "0"},
+                              {"--v0", "1", "--f", "1e-9", "--delta", "0"},
+                              {"--v0", "0.1", "--f", "0.1", "--delta", "1"},
+                              {"--v0", "1e100", "--f", "1e99", "--delta", "0"},
+                              {"--v0", "0", "--x0", "-1", "--f", "0.1", "--delta", "0"},
+                              {"--v0", "0.5", "--f", "0.18", "--delta", "0", "--excitation",
+                               "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "3000"},
+                              {"--f", "0.1", "--delta", "0.01", "--excitation", "rectangle", "--k",
+                               "0.5", "--lambda", "2"}}) {
+    const ProgramRun answer = run(joined(simulate, motion));
+    BOOST_TEST(answer.exit_code == 0, answer.err);
+    const std::string page = read("page.html");
+    check_offline(page);
+    parsed(page);
+    BOOST_TEST(page.size() < 1'000'000U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
+  const Arguments titled = joined(plain, {"--title", "</pre><script>x</script> & \"y\""});
+  BOOST_TEST(run(joined(titled, {"--html", "one.html"})).exit_code == 0);
+  const std::string page = read("one.html");
+  parsed(page);
+  BOOST_TEST(!contains(page, "<script>x"));
+  std::string scene = page.substr(page.rfind("<pre>") + 5);
+  scene = scene.substr(0, scene.find("</pre>"));
+  for (const auto& [name, sign] :
+       {std::pair{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
+    scene = std::regex_replace(scene, std::regex(name), sign);
+  }
+  write("scene.json", scene);
+  const ProgramRun again = run({"design", "scene.json", "--html", "two.html"});
+  BOOST_TEST(again.exit_code == 0, again.err);
+  const auto figures = [](const std::string& text) { return text.substr(0, text.find("<h2>Che")); };
+  BOOST_TEST(figures(read("two.html")) == figures(page));
+}
+
+BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
+  const ProgramRun answer = run({"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20",
+                                 "--p", "1", "--beta", "0.05", "--html", "page.html", "--json"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(contains(page, "Motion under the pulse itself"));
+  const auto response = answer.json()["pulse"]["response"];
+  const std::string figure = page.substr(page.find("id=\"pulse-title\""));
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(
+      figure, found, std::regex("data-name=\"turn\" data-at=\"(\\S+) ([^\"]+)\"")));
+  const double peak = response["peak_amplitude"];
+  BOOST_TEST(std::abs(std::stod(found[2])) == peak, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
+  const ProgramRun answer =
+      run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-3:0.4:2000", "--delta", "0:0.55:2000",
+           "--output", "map.npy", "--html", "page.html", "--svg", "figures"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(page.size() < 1'000'000U);
+  for (const char* part : {"Δ₁ exact", "return: f ≤ f₃", "start: Δ ≤ Δ₂", "at 0 after 1",
+                           "off 0 after 2", "does not move", "4000000"}) {
+    BOOST_TEST(contains(page, part), part);
+  }
+  BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
+  const ProgramRun answer =
+      run({"sweep", "--p", "1", "--f", "0.01:0.3:20", "--delta", "0:0.03:20", "--excitation",
+           "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "100", "--html", "page.html"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string page = read("page.html");
+  check_offline(page);
+  parsed(page);
+  BOOST_TEST(contains(page, "not known to have stopped"));
+  BOOST_TEST(!contains(page, "Δ₁ exact"));
+}
+
+BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_runs) {
+  write("list.csv", "f,delta\n0.1,0.1\n");
+  const Arguments sweep{"sweep",    "--v0",     "1",      "--p",      "1",
+                        "--output", "rows.csv", "--html", "page.html"};
+  for (const auto& [more, word] : std::vector<std::pair<Arguments, std::string>>{
+           {{"--f", "0.1,0.2", "--delta", "0:1:5"}, "--f as first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0.1"}, "--delta as first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0.1:0.1:5"}, "--delta as first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "one value of x0"},
+           {{"--beta", "0.75:0.95:5"}, "design problems"},
+           {{"--list", "list.csv"}, "a list"}}) {
+    const ProgramRun answer = run(joined(sweep, more));
+    BOOST_TEST(answer.exit_code == 2);
+    BOOST_TEST(contains(answer.err, word), answer.err);
+    BOOST_TEST(contents().size() == 1U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_sweep_that_cannot_be_written_are_refused_before_it_runs) {
+  const Arguments sweep{"sweep",     "--v0",    "1",       "--p",      "1",       "--f",
+                        "0.1:0.3:5", "--delta", "0:0.5:5", "--output", "rows.csv"};
+  for (const auto& [option, place] : std::vector<std::pair<std::string, std::string>>{
+           {"--html", "none/page.html"}, {"--svg", "/proc/none"}, {"--svg", ""}}) {
+    const ProgramRun answer = run(joined(sweep, {option, place}));
+    BOOST_TEST(answer.exit_code == 2);
+    BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
+    BOOST_TEST(contents().empty());
+  }
+}
+
+/// W as it is, also where the run ends before it does.
+BOOST_AUTO_TEST_CASE(of_an_excitation_end_with_the_run) {
+  write("record.txt", "0 0.25\n1 0.25\n2 -0.25\n3 0.25\n");
+  for (const auto& [excitation, last] : std::vector<std::pair<Arguments, double>>{
+           {{"--excitation", "rectangle", "--k", "0.5", "--lambda", "0.1", "--t-end", "5"}, 0.5},
+           {{"--record", "record.txt", "--t-end", "2.5"}, 0}}) {
+    const ProgramRun answer = run(joined(
+        {"simulate", "--p", "1", "--f", "0.02", "--delta", "0", "--svg", "figures"}, excitation));
+    BOOST_TEST(answer.exit_code == 0, answer.err);
+    const std::string text = read("figures/excitation.svg");
+    const Range y = attribute(text, "data-y");
+    std::smatch curve;
+    BOOST_TEST_REQUIRE(
+        std::regex_search(text, curve, std::regex("hover\" d=\"[^\"]* ([0-9.]+)\"")));
+    const double drawn = y.most - std::stod(curve[1]) / 290 * (y.most - y.least);
+    BOOST_TEST(std::abs(drawn - last) < 0.01 * (y.most - y.least));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
+  std::string record;
+  for (int i = 0; i < 200'000; ++i) {
+    record += std::to_string(0.2 * std::sin(0.3 * i)) + "\n";
+  }
+  write("record.txt", record);
+  const ProgramRun answer =
+      run({"simulate", "--p", "0.01", "--f", "0.001", "--delta", "0", "--record", "record.txt",
+           "--record-step", "0.01", "--html", "page.html"});
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  BOOST_TEST(read("page.html").size() < 1'000'000U);
+}
+
+BOOST_AUTO_TEST_CASE(make_the_directory_that_they_go_to) {
+  BOOST_TEST(run(joined(plain, {"--svg", "new/figures"})).exit_code == 0);
+  BOOST_TEST(std::filesystem::exists(path("new/figures/region.svg")));
+}
+
+BOOST_AUTO_TEST_CASE(need_a_directory_that_can_be_made) {
+  write("none", "a file");
+  const ProgramRun answer = run(joined(plain, {"--svg", "none", "--html", "page.html"}));
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(contents().size() == 1U);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

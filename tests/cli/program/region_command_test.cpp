@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#include "report_fields.hpp"
+#include "run_program.hpp"
+#include "testing/printing.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(region_command_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+
+Arguments region(const Arguments& more = {}) {
+  return joined({"region", "--v0", "1", "--p", "1", "--beta", "0.8"}, more);
+}
+
+std::set<std::string> violated(const json& report) {
+  std::set<std::string> names;
+  for (const json& now : report.at("constraints")) {
+    if (now.at("satisfied") == false) {
+      names.insert(now.at("name"));
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(region_command, Sandbox)
+
+BOOST_AUTO_TEST_CASE(gives_the_bounds) {
+  const json report = report_of(*this, region());
+  BOOST_TEST(report["schema"] == "stillpoint/region-report/1");
+  check_fields(report, {"input:object", "region:object", "delta1_published:null",
+                        "delta1_exact:null", "admissible:null", "constraints:array"});
+  check_fields(report["input"], {"v0:number", "p:number", "beta:number", "criterion:text",
+                                 "tolerance:number", "f_max:null", "delta_max:null"});
+  check_fields(report["region"],
+               {"feasible:bool", "reason:null", "f1:number", "f2:number", "f3:number",
+                "f_lower:number", "f_upper:number", "delta2:number", "beta_min:number"});
+  const json& bounds = report["region"];
+  BOOST_TEST(bounds["feasible"] == true);
+  BOOST_TEST(near(bounds["f1"], 0.8, 1e-15));
+  BOOST_TEST(near(bounds["f2"], 0.225, 1e-15));
+  BOOST_TEST(near(bounds["f3"], std::numbers::sqrt2 / 4, 1e-15));
+  BOOST_TEST(bounds["delta2"] == 0.5);
+  BOOST_TEST(near(bounds["beta_min"], std::numbers::sqrt2 / 2, 1e-15));
+  BOOST_TEST(report["constraints"].empty());
+}
+
+BOOST_AUTO_TEST_CASE(amplitude_that_does_not_bind_has_a_negative_bound) {
+  const json report = report_of(*this, {"region", "--v0", "1", "--p", "1", "--beta", "2"});
+  BOOST_TEST(near(report["region"]["f2"], -0.75, 1e-15));
+  BOOST_TEST(report["region"]["f_lower"].get<double>() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(gives_both_lower_bounds_of_delta_at_f) {
+  const json report = report_of(*this, region({"--f", "0.3"}));
+  const double radius = std::hypot(1, 0.3);
+  BOOST_TEST(near(report["delta1_published"], (radius - 0.6) * (radius - 0.6) / 2, 1e-14));
+  BOOST_TEST(near(report["delta1_exact"], (radius - 0.3) * (radius - 0.9) / 2, 1e-14));
+  check_fields(report, {"admissible:null"});
+  BOOST_TEST(report["constraints"].empty());
+}
+
+BOOST_AUTO_TEST_CASE(exact_bound_does_not_exist_where_the_motion_does_not_return) {
+  const json report = report_of(*this, region({"--f", "0.36"}));
+  check_fields(report, {"delta1_published:number", "delta1_exact:null"});
+}
+
+BOOST_AUTO_TEST_CASE(judges_a_point) {
+  const json inside = report_of(*this, region({"--f", "0.3", "--delta", "0.4"}));
+  BOOST_TEST(inside["admissible"] == true);
+  BOOST_TEST(violated(inside).empty());
+  BOOST_TEST(inside["constraints"].size() == 5U);
+
+  const json start = report_of(*this, region({"--f", "0.3", "--delta", "0.51"}));
+  BOOST_TEST(start["admissible"] == false);
+  BOOST_TEST((violated(start) == std::set<std::string>{"start"}));
+
+  const json amplitude = report_of(*this, region({"--f", "0.22", "--delta", "0.4"}));
+  BOOST_TEST(amplitude["admissible"] == false);
+  BOOST_TEST((violated(amplitude) == std::set<std::string>{"amplitude"}));
+
+  const json back = report_of(*this, region({"--f", "0.36", "--delta", "0.4"}));
+  BOOST_TEST(back["admissible"] == false);
+  BOOST_TEST((violated(back) == std::set<std::string>{"return"}));
+
+  const json stop = report_of(*this, region({"--f", "0.3", "--delta", "0.09"}));
+  BOOST_TEST(stop["admissible"] == false);
+  BOOST_TEST((violated(stop) == std::set<std::string>{"stop"}));
+
+  // f above f1 lies above f3 as well wherever f2 is below f3.
+  const json dead_zone = report_of(*this, region({"--f", "0.85", "--delta", "0.4"}));
+  BOOST_TEST(dead_zone["admissible"] == false);
+  BOOST_TEST((violated(dead_zone) == std::set<std::string>{"dead_zone", "return"}));
+}
+
+BOOST_AUTO_TEST_CASE(slack_is_the_distance_to_the_limit) {
+  const json report = report_of(*this, region({"--f", "0.22", "--delta", "0.4"}));
+  for (const json& now : report["constraints"]) {
+    check_fields(now,
+                 {"name:text", "value:number", "limit:number", "slack:number", "satisfied:bool"});
+    const double distance = std::abs(now["value"].get<double>() - now["limit"].get<double>());
+    const double sign = now["satisfied"] == true ? 1 : -1;
+    BOOST_TEST(near(now["slack"], sign * distance, 1e-14));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(edges_belong_to_the_region_as_the_conditions_say) {
+  const auto admissible = [&](double f, double delta) {
+    return report_of(*this, region({"--f", in_full(f), "--delta", in_full(delta)}))["admissible"] ==
+           true;
+  };
+  const json at = report_of(*this, region({"--f", "0.3"}));
+  const double delta1 = at["delta1_published"];
+  const double f2 = at["region"]["f2"];
+  BOOST_TEST(!admissible(0.3, delta1));
+  BOOST_TEST(admissible(0.3, std::nextafter(delta1, 1)));
+  BOOST_TEST(admissible(0.3, 0.5));
+  BOOST_TEST(!admissible(0.3, std::nextafter(0.5, 1)));
+  BOOST_TEST(admissible(f2, 0.4));
+  BOOST_TEST(!admissible(std::nextafter(f2, 0), 0.4));
+}
+
+BOOST_AUTO_TEST_CASE(criterion_decides_between_the_two_bounds) {
+  const Arguments between{"--f", "0.3", "--delta", "0.07"};
+  BOOST_TEST(report_of(*this, region(between))["admissible"] == false);
+  BOOST_TEST(report_of(*this, region(joined(between, {"--criterion", "exact"})))["admissible"] ==
+             true);
+}
+
+BOOST_AUTO_TEST_CASE(limits_count_for_a_point) {
+  const Arguments point{"--f", "0.3", "--delta", "0.4"};
+  for (const Arguments& limit : std::vector<Arguments>{
+           {"--f-max", "0.29"}, {"--delta-max", "0.39"}, {"--tolerance", "0.2"}}) {
+    BOOST_TEST(report_of(*this, region(joined(point, limit)))["admissible"] == false);
+  }
+  BOOST_TEST(report_of(*this, region(joined(point, {"--tolerance", "0.1"})))["admissible"] == true);
+}
+
+/// Each bound names the variable that it bounds, in the report for people as in JSON.
+BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
+  const Arguments arguments =
+      region({"--f", "0.3", "--delta", "0.4", "--f-max", "0.31", "--delta-max", "0.41"});
+  std::map<std::string, std::string> variable;
+  const json report = report_of(*this, arguments);
+  for (const json& now : report["constraints"]) {
+    variable[now.at("name")] = now.value("variable", "none");
+  }
+  const std::map<std::string, std::string> expected{
+      {"dead_zone", "f"}, {"start", "delta"}, {"amplitude", "f"},    {"return", "f"},
+      {"stop", "delta"},  {"f_max", "f"},     {"delta_max", "delta"}};
+  BOOST_TEST(variable == expected);
+  std::istringstream text(run(arguments).out);
+  std::string line;
+  std::size_t found = 0;
+  while (std::getline(text, line)) {
+    std::istringstream words(line);
+    std::string name;
+    std::string of;
+    std::string value;
+    words >> name >> of >> value;
+    if (expected.contains(name) && (value == "0.3" || value == "0.4")) {
+      BOOST_TEST(of == expected.at(name), line);
+      ++found;
+    }
+  }
+  BOOST_TEST(found == expected.size());
+}
+
+/// Where amplitude does not bind, f may come as near to 0 as it likes: its edge is 0, not what is
+/// left of v0^2 divided by v0 twice.
+BOOST_AUTO_TEST_CASE(edge_at_zero_is_zero) {
+  for (const int tenths : {1, 3, 7, 11, 13, 29, 31, 97}) {
+    const json report =
+        report_of(*this, {"region", "--v0", in_full(tenths / 10.0), "--p", "1", "--beta", "100"});
+    BOOST_TEST(report["region"]["f_lower"].get<double>() == 0, "v0 = " << tenths / 10.0);
+  }
+  // V0 = beta p in decimals, which as doubles differ in their last bits.
+  for (const auto& [v0, p, beta] : {std::array{"1.1", "0.1", "11"}, std::array{"0.3", "0.1", "3"},
+                                    std::array{"0.6", "0.2", "3"}, std::array{"0.7", "0.1", "7"}}) {
+    const json report = report_of(*this, {"region", "--v0", v0, "--p", p, "--beta", beta});
+    BOOST_TEST(report["region"]["f2"].get<double>() == 0, "v0 = " << v0);
+    BOOST_TEST(report["region"]["f_lower"].get<double>() == 0, "v0 = " << v0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(friction_beyond_measure_is_refused_or_reported_in_finite_numbers) {
+  for (const char* f : {"1e150", "1e300"}) {
+    const Arguments arguments = region({"--f", f, "--delta", "1"});
+    const ProgramRun text = run(arguments);
+    check_only_finite(text.out);
+    if (text.exit_code == 2) {
+      BOOST_TEST(text.err.find("f = ") != std::string::npos, text.err);
+      continue;
+    }
+    const json report = report_of(*this, arguments);
+    check_fields(report, {"delta1_published:number", "delta1_exact:null"});
+    for (const json& now : report["constraints"]) {
+      check_fields(now, {"value:number", "limit:number", "slack:number"});
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
+  const Arguments empty{"region", "--v0", "1", "--p", "1", "--beta", "0.6"};
+  const ProgramRun answer = run(joined(empty, {"--json"}));
+  BOOST_TEST(answer.exit_code == 3);
+  BOOST_TEST(answer.err.empty(), answer.err);
+  const json report = answer.json();
+  BOOST_TEST(report["region"]["feasible"] == false);
+  check_fields(report["region"], {"reason:text", "f_lower:null", "f_upper:null", "mends:array"});
+  BOOST_TEST(report["region"]["mends"].size() == 3U);
+  const ProgramRun text = run(empty);
+  BOOST_TEST(text.exit_code == 3);
+  BOOST_TEST(text.out.find("amplitude and return exclude each other") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
+  const Arguments isolator{"region", "--velocity", "0.4", "--period", "3", "--max-displacement",
+                           "0.16",   "--mass",     "2e5"};
+  const json report = report_of(*this, joined(isolator, {"--f", "0.0225", "--delta-m", "0.006"}));
+  BOOST_TEST(report["admissible"] == true);
+  const json& quantities = report["physical"];
+  BOOST_TEST(near(quantities["delta2_m"], 0.16 / (2 * 9.80665), 1e-14));
+  BOOST_TEST(near(quantities["delta_m"], 0.006, 1e-15));
+  BOOST_TEST(near(quantities["friction_force_n"], 2e5 * 9.80665 * 0.0225, 1e-14));
+  BOOST_TEST(near(quantities["energy_per_passage_j"], 2e5 * 9.80665 * 0.006, 1e-14));
+  const double length = quantities["length_unit_m"];
+  BOOST_TEST(
+      near(quantities["delta1_exact_m"], report["delta1_exact"].get<double>() * length, 1e-15));
+  BOOST_TEST(near(quantities["delta1_published_m"],
+                  report["delta1_published"].get<double>() * length, 1e-15));
+  // The dimensionless figures again.
+  const Arguments again{"region",
+                        "--v0",
+                        in_full(report["input"]["v0"]),
+                        "--p",
+                        in_full(report["input"]["p"]),
+                        "--beta",
+                        in_full(report["input"]["beta"])};
+  BOOST_TEST(report_of(*this, again)["region"] == report["region"]);
+}
+
+/// A mend speaks of what was given: whoever gave a stiffness is told a stiffness.
+BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
+  const auto isolator = [](const std::string& stiffness) {
+    return Arguments{"region", "--velocity", "0.4", "--stiffness", stiffness, "--max-displacement",
+                     "0.1",    "--mass",     "1e5"};
+  };
+  const ProgramRun text = run(isolator("6e5"));
+  BOOST_TEST(text.exit_code == 3);
+  BOOST_TEST(text.out.find("(stiffness at least ") != std::string::npos, text.out);
+  BOOST_TEST(text.out.find("(period ") == std::string::npos, text.out);
+  // beta p / V0 = X omega / v = 1/sqrt 2, (10), so that k = m v^2 / (2 X^2).
+  const json quantities = run(joined(isolator("6e5"), {"--json"})).json()["physical"];
+  const double mended = quantities["stiffness_mend_n_per_m"];
+  constexpr double digits = 1e-13;  // to the safe side
+  BOOST_TEST(near(mended, 1e5 * 0.16 / 0.02, digits));
+  BOOST_TEST(run(isolator(in_full(mended))).exit_code == 0);
+  BOOST_TEST(run(isolator(in_full(mended * (1 - 1e-12)))).exit_code == 3);
+
+  const Arguments by_period{"region", "--velocity",         "0.4", "--period",
+                            "2.5651", "--max-displacement", "0.1"};
+  const json without_mass = run(joined(by_period, {"--json"})).json()["physical"];
+  check_fields(without_mass, {"period_mend_s:number", "stiffness_mend_n_per_m:null"});
+  BOOST_TEST(run(by_period).out.find("(period at most ") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
+  const ProgramRun text = run(region({"--f", "0.36", "--delta", "0.4"}));
+  BOOST_TEST(text.exit_code == 0);
+  for (const char* part : {"Admissible region", "0.225", "0.353553", "0.707107", "not admissible",
+                           "violated", "does not return"}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "generated_docs.hpp"
+#include "json_schema.hpp"
+#include "options.hpp"
+#include "run_program.hpp"
+#include "testing/printing.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+BOOST_AUTO_TEST_SUITE(schema_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+namespace cli = stillpoint::cli;
+namespace fs = std::filesystem;
+
+const fs::path data_dir = STILLPOINT_DATA_DIR;
+const Arguments plain_design{"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--json"};
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") {
+      files.push_back(entry.path());
+    }
+  }
+  return files;
+}
+
+json read_json(const fs::path& path) {
+  return data_json(path.lexically_relative(data_dir).string());
+}
+
+std::vector<std::string> scene_faults(const json& scene) {
+  static const json schema = data_json("schemas/scene.schema.json");
+  return schema_faults(schema, scene, UnknownProperties::pass);
+}
+
+std::vector<std::string> report_faults(const json& report,
+                                       UnknownProperties unknown = UnknownProperties::pass) {
+  return schema_faults(report_schema(report["schema"]), report, unknown);
+}
+
+std::string underscored(std::string name) {
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(scene_schema)
+
+BOOST_AUTO_TEST_CASE(is_the_one_that_the_options_make) {
+  std::ifstream file(data_dir / "schemas/scene.schema.json");
+  std::ostringstream text;
+  text << file.rdbuf();
+  BOOST_TEST(text.str() == cli::scene_schema(),
+             "the options have changed: build stillpoint_docs and write what `stillpoint_docs "
+             "scene-schema` prints into data/schemas/scene.schema.json");
+}
+
+BOOST_AUTO_TEST_CASE(has_every_option_and_no_other_key) {
+  const json properties = data_json("schemas/scene.schema.json")["properties"];
+  for (const cli::Option& option : cli::options()) {
+    BOOST_TEST(properties.contains(underscored(std::string(option.name))), option.name);
+  }
+  for (const auto& [key, property] : properties.items()) {
+    std::string flag = key;
+    std::ranges::replace(flag, '_', '-');
+    BOOST_TEST((cli::find_option(flag) != nullptr), key);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(allows_every_scene_that_is_shipped) {
+  for (const fs::path& path : files_in(data_dir / "scenes")) {
+    const std::vector<std::string> faults = scene_faults(read_json(path));
+    BOOST_TEST(faults.empty(), path << ": " << (faults.empty() ? "" : faults.front()));
+  }
+}
+
+/// What the program takes the schema takes, and what it refuses by a key or a type likewise.
+BOOST_FIXTURE_TEST_CASE(agrees_with_the_program, Sandbox) {
+  const std::map<std::string, bool> scenes{
+      {R"({"v0": 1, "p": 1, "f": 0.02, "delta": 0.02})", true},
+      {R"({"period": 2, "velocity": 1, "f": 0.1, "delta-m": 0.01})", true},
+      {R"({"period": 2, "velocity": 1, "f": 0.1, "delta_m": 0.01})", true},
+      {R"({"p": 1, "f": 0.1, "delta": 0, "excitation": "half-sine", "k": 1, "lambda": 3})", true},
+      {R"({"p": 1, "f": 0.1, "delta": 0,
+           "excitation": {"type": "harmonic", "k": 1, "lambda": 3, "t_end": 9}})",
+       true},
+      {R"({"v0": 1, "p": 1, "f": 0.02, "delta": 0.02, "colour": "red"})", false},
+      {R"({"v0": 1, "p": 1, "f": true, "delta": 0.02})", false},
+      {R"({"v0": 1, "p": 1, "f": null, "delta": 0.02})", false},
+      {R"({"v0": 1, "p": 1, "f": 0.02, "delta": 0.02, "title": 3})", false},
+      {R"({"v0": 1, "p": 1, "f": 0.02, "delta": 0.02, "max_half_cycles": 2.5})", false},
+      {R"({"v0": 1, "p": 1, "f": 0.02, "delta": 0.02, "json": "yes"})", false},
+      {R"({"p": 1, "f": 0.1, "delta": 0, "excitation": {}})", false},
+      {R"({"p": 1, "f": 0.1, "delta": 0, "excitation": {"type": "harmonic", "beta": 1}})", false},
+      {R"([1])", false}};
+  for (const auto& [scene, right] : scenes) {
+    BOOST_TEST_CONTEXT(scene) {
+      Surroundings surroundings;
+      surroundings.input = scene;
+      BOOST_TEST((run({"simulate", "-"}, surroundings).exit_code == 0) == right);
+      BOOST_TEST(scene_faults(json::parse(scene)).empty() == right);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(report_schemas, Sandbox)
+
+BOOST_AUTO_TEST_CASE(name_the_same_part_alike) {
+  std::map<std::string, json> parts;
+  for (const fs::path& path : files_in(data_dir / "schemas")) {
+    const json shared = read_json(path).value("$defs", json::object());
+    for (const auto& [name, part] : shared.items()) {
+      BOOST_TEST(parts.emplace(name, part).first->second == part, path << ": " << name);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(allow_the_report_of_every_scene_that_is_shipped) {
+  for (const fs::path& path : files_in(data_dir / "scenes")) {
+    for (const char* command : {"design", "region"}) {
+      const ProgramRun answer = run({command, path.string(), "--json"});
+      if (answer.exit_code != 2) {  // a pulse has no region of its own
+        BOOST_TEST(report_faults(answer.json(), UnknownProperties::fail).empty(), path);
+      }
+    }
+  }
+}
+
+/// docs/examples are what the commands in docs/reports.md print.
+BOOST_AUTO_TEST_CASE(allow_the_reports_that_the_docs_show) {
+  const std::string scene = (data_dir / "scenes/isolator.json").string();
+  const std::map<std::string, Arguments> commands{
+      {"design", {"design", scene, "--json"}},
+      {"region", {"region", scene, "--f", "0.024", "--delta-m", "0.006", "--json"}},
+      {"simulation", {"simulate", scene, "--f", "0.006", "--delta-m", "0.001", "--json"}}};
+  for (const auto& [name, command] : commands) {
+    BOOST_TEST_CONTEXT(name) {
+      const json shown = read_json(data_dir / ("../docs/examples/" + name + ".json"));
+      const json printed = run(command).json();
+      BOOST_TEST(report_faults(shown, UnknownProperties::fail).empty());
+      const auto fields = [](const json& report) {
+        const json flat = report.flatten();
+        std::vector<std::string> places;
+        for (const auto& [place, value] : flat.items()) {
+          places.push_back(place);
+        }
+        return places;
+      };
+      BOOST_TEST(fields(shown) == fields(printed), boost::test_tools::per_element());
+      if (name != "design") {  // which has NLopt's last digits and times of the clock
+        BOOST_TEST(shown == printed);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(allow_a_field_more_but_none_less) {
+  json report = run(plain_design).json();
+  report["colour"] = "red";
+  BOOST_TEST(report_faults(report).empty());
+  BOOST_TEST(report_faults(report, UnknownProperties::fail).size() == 1U);
+  report.erase("colour");
+  report["response"].erase("stop_time");
+  BOOST_TEST(!report_faults(report).empty());
+}
+
+BOOST_AUTO_TEST_CASE(find_each_kind_of_fault) {
+  const json report = run(plain_design).json();
+  BOOST_TEST_REQUIRE(report_faults(report).empty());
+  const std::vector<std::pair<std::string, json>> faults{{"/program/name", "other"},
+                                                         {"/program/version", "one"},
+                                                         {"/input/criterion", "best"},
+                                                         {"/input/beta", -1},
+                                                         {"/region/feasible", nullptr},
+                                                         {"/search/evaluations", 2.5},
+                                                         {"/search/status", ""},
+                                                         {"/cross_check/methods/0/name", 7},
+                                                         {"/response/stop_time", "soon"},
+                                                         {"/constraints", json::object()},
+                                                         {"/constraints/4/relation", "is"},
+                                                         {"/region/conflict", json::array()}};
+  for (const auto& [place, value] : faults) {
+    json wrong = report;
+    wrong[json::json_pointer(place)] = value;
+    BOOST_TEST(!report_faults(wrong).empty(), place);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "report_fields.hpp"
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+#include "testing/printing.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+BOOST_AUTO_TEST_SUITE(sweep_file_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+Arguments sweep(const Arguments& more = {}) {
+  return joined({"sweep", "--v0", "1", "--p", "1"}, more);
+}
+
+const Arguments grid{"--f", "0,0.02,0.3", "--delta", "0,0.03,0.7", "--times"};
+
+Surroundings with_input(const std::string& text) {
+  Surroundings surroundings;
+  surroundings.input = text;
+  return surroundings;
+}
+
+/// What a number of the file is where the CSV has nothing.
+double absent(const std::string& outcome, const std::string& column) {
+  return outcome == "never_stops" && column != "stop_position"
+             ? std::numeric_limits<double>::infinity()
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool same(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(npy, Sandbox)
+
+BOOST_AUTO_TEST_CASE(holds_what_the_csv_holds) {
+  const Arguments outcomes{"stopped_at_zero", "stopped_in_dead_zone", "never_stops",
+                           "caught_at_start", "running"};
+  const Arguments forced{"--f", "0.1,0.4", "--delta",  "0",    "--excitation", "harmonic",
+                         "--k", "0.2",     "--lambda", "0.35", "--t-end",      "30"};
+  for (const Arguments& entries : {grid, forced}) {
+    const SweepTable table = read_csv(run(sweep(entries)).out);
+    const ProgramRun answer = run(sweep(joined(entries, {"--output", "rows.npy"})));
+    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const NpyFile npy = read_npy(read("rows.npy"));
+    BOOST_TEST_REQUIRE(npy.fields.size() == table.columns.size());
+    BOOST_TEST_REQUIRE(npy.count == static_cast<std::int64_t>(table.rows.size()));
+    for (std::size_t i = 0; i < npy.fields.size(); ++i) {
+      const auto& [column, type] = npy.fields[i];
+      BOOST_TEST(column == table.columns[i]);
+      BOOST_TEST(type == (column == "outcome" ? "|u1" : "<f8"));
+      for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const std::string& text = table.at(row, column);
+        const auto record = static_cast<std::int64_t>(row);
+        if (column == "outcome") {
+          BOOST_TEST(outcomes.at(static_cast<std::size_t>(npy.byte(record, column))) == text);
+        } else {
+          const double expected =
+              text.empty() ? absent(table.at(row, "outcome"), column) : table.number(row, column);
+          BOOST_TEST(same(npy.number(record, column), expected), column << " in row " << row);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_designs_has_a_truth_value) {
+  BOOST_TEST(run(sweep({"--beta", "0.5,0.9", "--output", "rows.npy"})).exit_code == 0);
+  const NpyFile npy = read_npy(read("rows.npy"));
+  BOOST_TEST(npy.fields[1].name == "feasible");
+  BOOST_TEST(npy.fields[1].type == "|b1");
+  BOOST_TEST(npy.byte(0, "feasible") == 0);
+  BOOST_TEST(npy.byte(1, "feasible") == 1);
+  BOOST_TEST(std::isnan(npy.number(0, "f")));
+}
+
+BOOST_AUTO_TEST_CASE(of_a_list_gets_its_length_at_the_end) {
+  std::string text = "f,delta\n";
+  for (int i = 0; i < 1234; ++i) {
+    text += "0.1,0.5\n";
+  }
+  const ProgramRun answer = run(sweep({"--list", "-", "--output", "rows.npy"}), with_input(text));
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(read_npy(read("rows.npy")).count == 1234);
+  BOOST_TEST(
+      run(sweep({"--list", "-", "--output", "none.npy"}), with_input("f,delta\n")).exit_code == 0);
+  BOOST_TEST(read_npy(read("none.npy")).count == 0);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_grid_may_go_through_a_pipe) {
+  const ProgramRun piped = run(sweep(joined(grid, {"--format", "npy"})));
+  BOOST_TEST(run(sweep(joined(grid, {"--output", "rows.npy"}))).exit_code == 0);
+  BOOST_TEST(piped.out == read("rows.npy"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
+
+BOOST_AUTO_TEST_CASE(holds_what_standard_output_would) {
+  write("rows.csv", "old");
+  const ProgramRun answer = run(sweep(joined(grid, {"--output", "rows.csv"})));
+  BOOST_TEST(answer.exit_code == 0);
+  BOOST_TEST(answer.err.empty(), answer.err);
+  BOOST_TEST(answer.out.starts_with("Sweep\n"), answer.out);
+  BOOST_TEST(read("rows.csv") == run(sweep(grid)).out);
+  BOOST_TEST(contents().size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(keeps_a_link) {
+  fs::create_directory(path("elsewhere"));
+  fs::create_symlink("elsewhere/rows.csv", path("link.csv"));
+  BOOST_TEST(run(sweep(joined(grid, {"--output", "link.csv"}))).exit_code == 0);
+  BOOST_TEST(fs::is_symlink(path("link.csv")));
+  BOOST_TEST(read("elsewhere/rows.csv").starts_with("f,delta,"));
+}
+
+BOOST_AUTO_TEST_CASE(may_be_standard_output_or_a_device) {
+  BOOST_TEST(run(sweep(joined(grid, {"--output", "/dev/stdout"}))).out == run(sweep(grid)).out);
+  BOOST_TEST(run(sweep(joined(grid, {"--output", "/dev/null"}))).exit_code == 0);
+  BOOST_TEST(contents().empty());
+}
+
+BOOST_AUTO_TEST_CASE(has_a_report) {
+  const ProgramRun answer = run(sweep(joined(grid, {"--output", "rows.npy", "--json"})));
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const json report = answer.json();
+  check_fields(report, {"schema:text", "program:object", "kind:text", "output:object", "rows:count",
+                        "outcomes:object", "feasible:null", "resumed_at:count", "threads:count",
+                        "wall_time_s:number", "rows_per_s:number"});
+  BOOST_TEST(report["schema"] == "stillpoint/sweep-report/1");
+  BOOST_TEST(report["kind"] == "free");
+  BOOST_TEST(report["output"]["file"] == "rows.npy");
+  BOOST_TEST(report["output"]["format"] == "npy");
+  BOOST_TEST(report["rows"] == 9);
+  // delta 0.7 > v0^2/2 catches all three; f = delta = 0 never stops; f alone ends in the dead zone,
+  // and so does f = 0.3 with delta = 0.03: from the peak -0.3 + sqrt(1.09) = 0.744 it arrives with
+  // v^2/2 = 0.053, passes with 0.023 and turns at 0.070 < f. The other two end in the notch.
+  BOOST_TEST(report["outcomes"]["caught_at_start"] == 3);
+  BOOST_TEST(report["outcomes"]["never_stops"] == 1);
+  BOOST_TEST(report["outcomes"]["stopped_in_dead_zone"] == 3);
+  BOOST_TEST(report["outcomes"]["stopped_at_zero"] == 2);
+  const json designs = run(sweep({"--beta", "0.5,0.9", "--output", "rows.csv", "--json"})).json();
+  BOOST_TEST(designs["feasible"] == 1);
+  BOOST_TEST(designs["outcomes"].is_null());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

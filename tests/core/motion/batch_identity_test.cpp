@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "testing/near_tie.hpp"
+#include "testing/random_scene.hpp"
+#include "testing/scene.hpp"
+
+#include <stillpoint/core/batch.hpp>
+
+#include <hwy/targets.h>
+#include <boost/test/unit_test.hpp>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+// The batch and the scalar kernel, bit for bit: every instruction set of this machine, any number
+// of threads.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(batch_identity_test)
+
+namespace {
+
+struct Batch {
+  Eigen::ArrayXd v0;
+  Eigen::ArrayXd p;
+  Eigen::ArrayXd f;
+  Eigen::ArrayXd delta;
+
+  explicit Batch(Eigen::Index size) : v0(size), p(size), f(size), delta(size) {}
+
+  [[nodiscard]] Scene<> scene(Eigen::Index i) const { return {0, v0[i], p[i], f[i], delta[i]}; }
+  void set(Eigen::Index i, const Scene<>& scene) {
+    v0[i] = scene.v0;
+    p[i] = scene.p;
+    f[i] = scene.f;
+    delta[i] = scene.delta;
+  }
+  [[nodiscard]] BatchResult run(const BatchOptions& options) const {
+    return free_batch(v0, p, f, delta, options);
+  }
+};
+
+/// Calls `action` with each instruction set that this machine has.
+template <class Action>
+void with_each_instruction_set(const Action& action) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    BOOST_TEST_CONTEXT("instruction set " << hwy::TargetName(target)) {
+      action();
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+/// Bit for bit. There are millions of values, so that only a difference goes through BOOST_TEST.
+void same(const char* what, double got, double expected, const Scene<>& scene) {
+  if (std::bit_cast<std::uint64_t>(got) != std::bit_cast<std::uint64_t>(expected)) {
+    BOOST_ERROR(what << " = " << got << ", alone " << expected << ", scene " << scene);
+  }
+}
+
+/// What the documentation of BatchResult says of an entry.
+void is_that_of(const Response& alone, const BatchResult& result, Eigen::Index i,
+                const Scene<>& scene) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (result.outcome[i] != alone.outcome) {
+    BOOST_ERROR(name(result.outcome[i])
+                << ", alone " << name(alone.outcome) << ", scene " << scene);
+  }
+  same("peak_amplitude", result.peak_amplitude[i], alone.peak_amplitude, scene);
+  same("half_cycles", result.half_cycles[i], alone.half_cycles.value_or(infinite), scene);
+  same("stop_position", result.stop_position[i], alone.stop_position.value_or(0), scene);
+  if (result.stop_time.size() != 0) {
+    same("stop_time", result.stop_time[i], alone.stop_time.value_or(infinite), scene);
+  }
+}
+
+std::vector<Response> each_alone(const Batch& batch) {
+  std::vector<Response> alone;
+  for (Eigen::Index i = 0; i < batch.f.size(); ++i) {
+    alone.push_back(response(batch.scene(i), {.margin = false}));
+  }
+  return alone;
+}
+
+/// Every instruction set, with and without times, and these numbers of threads.
+void is_identical(const Batch& batch, const std::vector<int>& numbers_of_threads) {
+  const std::vector<Response> alone = each_alone(batch);
+  with_each_instruction_set([&] {
+    for (const int threads : numbers_of_threads) {
+      for (const bool times : {false, true}) {
+        const BatchResult result = batch.run({.times = times, .threads = threads});
+        BOOST_TEST(result.size() == batch.f.size());
+        BOOST_TEST(result.stop_time.size() == (times ? batch.f.size() : 0));
+        for (Eigen::Index i = 0; i < result.size(); ++i) {
+          is_that_of(alone[static_cast<std::size_t>(i)], result, i, batch.scene(i));
+        }
+      }
+    }
+  });
+}
+
+/// Anything that is taken: one friction or none, caught, no motion, few and many half-cycles.
+Scene<> any_scene(Dice& dice) {
+  Scene<> scene = moderate_scene(dice);
+  scene.f *= dice.once_in(8) ? 0 : dice.power_of_ten(-1, 1);
+  scene.delta *= dice.once_in(8) ? 0 : dice.power_of_ten(-2, 0.5);
+  scene.v0 *= dice.once_in(20) ? 0 : 1;
+  return scene;
+}
+
+/// From 1e-140 to 1e140 and about the bounds of what goes into the lanes, 2^-64 and 2^64.
+Scene<> extreme_scene(Dice& dice) {
+  const double far = dice.once_in(2) ? 140 : 20;
+  Scene<> scene = moderate_scene(dice);
+  const double speed = dice.power_of_ten(-far, far);
+  const double time = dice.power_of_ten(-far / 10, far / 10);
+  scene.v0 *= speed;
+  scene.p /= time;
+  scene.f *= speed / time;
+  scene.delta *= speed * speed;
+  return scene;
+}
+
+template <class Scenes>
+Batch batch_of(Eigen::Index size, const Scenes& scenes) {
+  Batch batch(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    batch.set(i, scenes());
+  }
+  return batch;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(random_entries_are_those_of_the_scalar_kernel) {
+  Dice dice(901);
+  is_identical(batch_of(20000, [&] { return any_scene(dice); }), {1});
+}
+
+BOOST_AUTO_TEST_CASE(extreme_entries_are_those_of_the_scalar_kernel) {
+  Dice dice(902);
+  is_identical(batch_of(10000, [&] { return extreme_scene(dice); }), {1});
+}
+
+BOOST_AUTO_TEST_CASE(entries_next_to_a_tie_are_those_of_the_scalar_kernel) {
+  Dice dice(903);
+  is_identical(batch_of(2000,
+                        [&] {
+                          while (true) {
+                            if (const auto scene = near_tie(moderate_scene(dice), dice)) {
+                              return *scene;
+                            }
+                          }
+                        }),
+               {1});
+}
+
+BOOST_AUTO_TEST_CASE(long_and_short_motions_side_by_side) {
+  // Up to some 1e5 half-cycles, more of them in one lane than in a block of the others.
+  Dice dice(904);
+  is_identical(batch_of(6000,
+                        [&] {
+                          Scene<> scene = moderate_scene(dice);
+                          const double little =
+                              dice.once_in(200) ? 1e-4 : dice.power_of_ten(-1.5, 0);
+                          scene.f *= little;
+                          scene.delta *= little * little;
+                          return scene;
+                        }),
+               {1, 2});
+}
+
+BOOST_AUTO_TEST_CASE(exact_ties_stop_at_zero) {
+  // phi = 7, V0 = 24: r = 25, w^2 = (25 - 21)(25 - 7) = 72, so that delta = 36 takes all of it. A
+  // notch one ulp smaller lets it pass. phi = 1, r = 3 for V0^2 = 8 is the tie of the return.
+  Batch batch(16);
+  for (Eigen::Index i = 0; i < 16; ++i) {
+    batch.set(i, {0, i % 3 == 0 ? -24.0 : 24.0, 1, 7, i % 2 == 0 ? 36.0 : nudged(36, -1)});
+  }
+  is_identical(batch, {1});
+  const BatchResult result = batch.run({});
+  for (Eigen::Index i = 0; i < 16; ++i) {
+    BOOST_TEST(result.half_cycles[i] == (i % 2 == 0 ? 1 : 2));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(any_size_and_any_number_of_threads) {
+  Dice dice(905);
+  for (const Eigen::Index size : {0, 1, 2, 3, 7, 8, 9, 15, 17, 63, 64, 65, 129, 1000}) {
+    is_identical(batch_of(size, [&] { return any_scene(dice); }), {1, 2});
+  }
+  for (const Eigen::Index size : {4095, 4096, 4097, 13000}) {
+    is_identical(batch_of(size, [&] { return any_scene(dice); }), {0, 1, 2, 3, 7});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(one_v0_and_p_for_all_and_one_for_each_give_the_same) {
+  Dice dice(906);
+  for (const double p : {1.0, 0.3}) {
+    Batch batch = batch_of(3000, [&] { return any_scene(dice); });
+    batch.v0.setConstant(-1.25);
+    batch.p.setConstant(p);
+    const std::vector<Response> alone = each_alone(batch);
+    with_each_instruction_set([&] {
+      const BatchResult result = free_batch(-1.25, p, batch.f, batch.delta, {.times = true});
+      for (Eigen::Index i = 0; i < result.size(); ++i) {
+        is_that_of(alone[static_cast<std::size_t>(i)], result, i, batch.scene(i));
+      }
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(results_go_where_the_caller_keeps_them) {
+  Dice dice(907);
+  const Batch batch = batch_of(500, [&] { return any_scene(dice); });
+  BatchResult result = batch.run({.times = true});
+  const double* const place = result.peak_amplitude.data();
+  free_batch(batch.v0, batch.p, batch.f, batch.delta, {.times = true}, result);
+  BOOST_TEST(result.peak_amplitude.data() == place);
+  // A part of an array is a batch as well.
+  free_batch(batch.v0.head(9), batch.p.head(9), batch.f.head(9), batch.delta.head(9), {}, result);
+  BOOST_TEST(result.size() == 9);
+  BOOST_TEST(result.stop_time.size() == 0);
+  for (Eigen::Index i = 0; i < 9; ++i) {
+    is_that_of(response(batch.scene(i)), result, i, batch.scene(i));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

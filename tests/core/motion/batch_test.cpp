@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "testing/checks.hpp"
+
+#include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(batch_test)
+
+BOOST_AUTO_TEST_CASE(outcomes_can_be_counted_and_absent_values_are_as_documented) {
+  // v0 = p = 1. f = delta = 0 never stops; delta = 1 catches it; f = 0, delta = 0.4 stops at x = 0
+  // on the second arrival; f = 1, delta = 0 rests at the peak, sqrt(2) - 1.
+  const Eigen::ArrayXd f = (Eigen::ArrayXd(4) << 0, 0, 0, 1).finished();
+  const Eigen::ArrayXd delta = (Eigen::ArrayXd(4) << 0, 1, 0.4, 0).finished();
+  const BatchResult result = free_batch(1, 1, f, delta, {.times = true});
+  BOOST_TEST(name(result.outcome[0]) == "never_stops");
+  BOOST_TEST(name(result.outcome[1]) == "caught_at_start");
+  BOOST_TEST(name(result.outcome[2]) == "stopped_at_zero");
+  BOOST_TEST(name(result.outcome[3]) == "stopped_in_dead_zone");
+  BOOST_TEST((result.outcome == Outcome::stopped_at_zero).count() == 1);
+  BOOST_TEST(result.half_cycles[0] == std::numeric_limits<double>::infinity());
+  BOOST_TEST(result.stop_time[0] == std::numeric_limits<double>::infinity());
+  BOOST_TEST(result.stop_position[0] == 0);
+  BOOST_TEST(result.half_cycles[1] == 0);
+  BOOST_TEST(result.half_cycles[2] == 2);
+  near("stop_position", result.stop_position[3], std::sqrt(2.0) - 1, 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_names_the_first_entry_at_fault) {
+  // Whatever the number of threads: blocks of some thousand entries are run at once.
+  Eigen::ArrayXd f = Eigen::ArrayXd::Constant(40000, 0.1);
+  Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(40000, 0.01);
+  f[39999] = -1;
+  delta[20011] = std::numeric_limits<double>::quiet_NaN();
+  f[20017] = -1;
+  for (const int threads : {1, 2, 7}) {
+    const auto run = [&] { static_cast<void>(free_batch(1, 1, f, delta, {.threads = threads})); };
+    BOOST_TEST(message_of<InputError>(run) ==
+               "delta[20011] = nan: must be a number from 0 to 1e+300");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_entry_is_named_even_where_a_later_one_fails_sooner) {
+  // Two threads begin at entries 0 and 4096.
+  const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(8192, 0.001);
+  Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(8192, 0.001);
+  delta[4095] = -1;
+  delta[4096] = -2;
+  for (int i = 0; i < 50; ++i) {
+    BOOST_TEST(message_of<InputError>([&] {
+                 static_cast<void>(free_batch(1, 1, f, delta, {.threads = 2}));
+               }) == "delta[4095] = -1: must be a number from 0 to 1e+300");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_value_for_all_is_named_without_an_entry) {
+  const Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, 0.1);
+  BOOST_TEST(message_of<InputError>([&] { static_cast<void>(free_batch(1, -1, one, one)); }) ==
+             "p = -1: must be a number from 1e-150 to 1e+150");
+  BOOST_TEST(message_of<InputError>([&] {
+               static_cast<void>(free_batch(one, one - 1.1, one, one));
+             }) == "p[0] = -1: must be a number from 1e-150 to 1e+150");
+}
+
+BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_entry) {
+  Eigen::ArrayXd f = Eigen::ArrayXd::Constant(100, 0.1);
+  Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(100, 0.01);
+  f[77] = 1e-9;
+  delta[77] = 1e-9;
+  const std::string message = message_of<TooManyHalfCycles>(
+      [&] { static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 1000})); });
+  BOOST_TEST(message.starts_with("entry 77: f and delta are so small"), message);
+  // By (16) at most 1 / (2 * 0.02) = 25 half-cycles. 64 entries leave no lane empty.
+  f = Eigen::ArrayXd::Constant(64, 0.0002);
+  delta = Eigen::ArrayXd::Constant(64, 0.02);
+  static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 25}));
+  BOOST_CHECK_THROW(static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 24.9})),
+                    TooManyHalfCycles);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_asked_for_is_checked) {
+  const Eigen::ArrayXd two = Eigen::ArrayXd::Constant(2, 0.1);
+  const Eigen::ArrayXd three = Eigen::ArrayXd::Constant(3, 0.1);
+  const auto message = [&](const BatchValues& v0, const BatchValues& p, const BatchValues& delta,
+                           const BatchOptions& options) {
+    return message_of<InputError>(
+        [&] { static_cast<void>(free_batch(v0, p, two, delta, options)); });
+  };
+  BOOST_TEST(message(three, two, two, {}) ==
+             "v0 = an array of 3: must have as many entries as f, 2");
+  BOOST_TEST(message(two, three, two, {}) ==
+             "p = an array of 3: must have as many entries as f, 2");
+  BOOST_TEST(message(two, two, three, {}) ==
+             "delta = an array of 3: must have as many entries as f, 2");
+  BOOST_TEST(message(two, two, two, {.threads = -1}) == "threads = -1: must be 0 or more");
+  BOOST_TEST(message(two, two, two, {.half_cycle_limit = 0}) ==
+             "half_cycle_limit = 0: must be a number from 1 to 1000000000000000");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+// What is refused, and that the message names field, value and bound.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(excitation_test)
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string refused(const Excitation& excitation, std::optional<double> t_end = 10, double p = 1) {
+  try {
+    ForcedOptions options;
+    options.t_end = t_end;
+    (void)forced_response({p, 0.1, 0}, {0, 1}, excitation, options);
+  } catch (const InputError& error) {
+    BOOST_TEST(std::string(error.what()).find(error.field()) == 0U);
+    return error.field();
+  }
+  return "";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(right_input_is_taken) {
+  BOOST_TEST(refused(Harmonic{0.2, 1, -3, 0}) == "");
+  BOOST_TEST(refused(Harmonic{0, 1}) == "");
+  BOOST_TEST(refused(Record{{0, 1, 2}, 0, {0, 1, 2}}) == "");
+  BOOST_TEST(refused(Record{{0}, 0.1, {}}, std::nullopt) == "");
+  BOOST_TEST(refused(HalfSine{-0.5, 20}, std::nullopt) == "");
+}
+
+BOOST_AUTO_TEST_CASE(waves_out_of_range_are_refused) {
+  BOOST_TEST(refused(Harmonic{not_a_number, 1}) == "k");
+  BOOST_TEST(refused(Harmonic{infinity, 1}) == "k");
+  BOOST_TEST(refused(Harmonic{1, 0}) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, -1}) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, not_a_number}) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, 1, infinity}) == "phase");
+  BOOST_TEST(refused(Harmonic{1, 1, 0, -1}) == "duration");
+  BOOST_TEST(refused(Harmonic{1, 1, 0, not_a_number}) == "duration");
+  BOOST_TEST(refused(Harmonic{1, 1, 0, 1e-151}) == "duration");
+  BOOST_TEST(refused(Harmonic{1, 1, 0, 0}).empty());
+  BOOST_TEST(refused(HalfSine{1, 0}) == "lambda");
+  BOOST_TEST(refused(FullSine{not_a_number, 1}) == "k");
+  BOOST_TEST(refused(Rectangle{1, infinity}) == "lambda");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_out_of_range_with_respect_to_p_is_refused) {
+  BOOST_TEST(refused(Harmonic{1, 1}, 10, 1e13) == "lambda");
+  BOOST_TEST(refused(Harmonic{1e100, 1e-100}, 10, 1e-100) == "k");
+  BOOST_TEST(refused(Record{{0, 1e100}, 1, {}}, 10, 1e-100) == "record value 2");
+  BOOST_TEST(refused(Record{{0, 1e-9}, 1e-100, {}}, 10, 1e-60) == "record step");
+  BOOST_TEST(refused(Record{{0, 1e-9}, 0, {0, 1e-100}}, 10, 1e-60) == "record time 2");
+}
+
+BOOST_AUTO_TEST_CASE(wrong_records_are_refused) {
+  BOOST_TEST(refused(Record{}) == "record");
+  BOOST_TEST(refused(Record{{1, not_a_number}, 0.1, {}}) == "record value 2");
+  BOOST_TEST(refused(Record{{1, 1}, 0, {}}) == "record step");
+  BOOST_TEST(refused(Record{{1, 1}, 0, {0}}) == "record");
+  BOOST_TEST(refused(Record{{1, 1}, 0, {0, 0}}) == "record time 2");
+  BOOST_TEST(refused(Record{{1, 1}, 0, {-1, 0}}) == "record time 1");
+  BOOST_TEST(refused(Record{{1, 1, 1}, 0, {0, not_a_number, 1}}) == "record time 2");
+}
+
+BOOST_AUTO_TEST_CASE(the_end_is_needed_and_bounded) {
+  BOOST_TEST(refused(Harmonic{1, 1}, std::nullopt) == "t_end");
+  BOOST_TEST(refused(Harmonic{1, 1}, 0) == "t_end");
+  BOOST_TEST(refused(Harmonic{1, 1}, -1) == "t_end");
+  BOOST_TEST(refused(Harmonic{1, 1}, not_a_number) == "t_end");
+  BOOST_TEST(refused(Harmonic{1, 1}, 1e16) == "t_end");
+}
+
+BOOST_AUTO_TEST_CASE(the_duration_is_when_w_becomes_zero) {
+  BOOST_TEST(duration(NoExcitation{}) == 0);
+  BOOST_TEST(duration(Harmonic{1, 1}) == infinity);
+  BOOST_TEST(duration(HalfSine{1, 2}) == std::numbers::pi / 2);
+  BOOST_TEST(duration(FullSine{1, 2}) == std::numbers::pi);
+  BOOST_TEST(duration(Rectangle{1, 4}) == std::numbers::pi / 4);
+  BOOST_TEST(duration(Record{{1, 2, 3}, 0.5, {}}) == 1);
+  BOOST_TEST(duration(Record{{1, 2}, 0, {0.25, 7}}) == 7);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

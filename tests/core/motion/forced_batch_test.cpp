@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "testing/checks.hpp"
+#include "testing/forced_scene.hpp"
+#include "testing/printing.hpp"
+#include "testing/random_scene.hpp"
+
+#include <stillpoint/core/forced_batch.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <string>
+#include <vector>
+
+// Scenes under one excitation, together and one by one.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_batch_test)
+
+namespace {
+
+void same(const ForcedResponse& a, const ForcedResponse& b) {
+  BOOST_TEST(name(a.outcome) == name(b.outcome));
+  BOOST_TEST(a.stops_at_zero == b.stops_at_zero);
+  BOOST_TEST(a.peak_amplitude == b.peak_amplitude);
+  BOOST_TEST(a.peak_acceleration == b.peak_acceleration);
+  BOOST_TEST(a.half_cycles == b.half_cycles);
+  BOOST_TEST(a.turning_points == b.turning_points);
+  BOOST_TEST(a.zero_passages == b.zero_passages);
+  BOOST_TEST(a.stop_time == b.stop_time);
+  BOOST_TEST(a.stop_position == b.stop_position);
+  BOOST_TEST(a.arrival_speed == b.arrival_speed);
+  BOOST_TEST(a.decision_margin == b.decision_margin);
+  BOOST_TEST(a.end_time == b.end_time);
+  BOOST_TEST(a.final_position == b.final_position);
+  BOOST_TEST(a.final_velocity == b.final_velocity);
+  BOOST_TEST(a.sticks == b.sticks);
+  BOOST_TEST(a.stick_time == b.stick_time);
+  BOOST_TEST(a.left_notch_from_rest == b.left_notch_from_rest);
+  BOOST_TEST(a.cancelled == b.cancelled);
+}
+
+ForcedBatchOptions until(double t_end, int threads) {
+  ForcedBatchOptions options;
+  options.scene.t_end = t_end;
+  options.threads = threads;
+  return options;
+}
+
+/// v0, p, f, delta in this order, each one of some value, a good part of them with equal p.
+std::vector<Eigen::ArrayXd> random_scenes(Eigen::Index size, Dice& dice) {
+  std::vector<Eigen::ArrayXd> columns(4, Eigen::ArrayXd(size));
+  for (Eigen::Index i = 0; i < size; ++i) {
+    columns[0][i] = dice.once_in(4) ? 0 : dice.sign() * dice.power_of_ten(-1, 0.5);
+    columns[1][i] = dice.once_in(2) ? 1 : dice.power_of_ten(-0.5, 0.5);
+    columns[2][i] = dice.once_in(6) ? 0 : dice.power_of_ten(-1.5, -0.5);
+    columns[3][i] = dice.once_in(3) ? 0 : dice.power_of_ten(-3, -1);
+  }
+  return columns;
+}
+
+const std::vector<Excitation>& excitations() {
+  static const std::vector<Excitation> all = [] {
+    Dice dice(911);
+    return std::vector<Excitation>{Harmonic{0.2, 1, 0.3}, FullSine{0.5, 3},
+                                   random_record(dice, 0.3), NoExcitation{}};
+  }();
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(each_scene_is_that_of_forced_response) {
+  Dice dice(912);
+  for (const Excitation& excitation : excitations()) {
+    const auto scenes = random_scenes(150, dice);
+    for (const int threads : {0, 1, 2, 3, 7}) {
+      const std::vector<ForcedResponse> together =
+          forced_batch(scenes[0], scenes[1], scenes[2], scenes[3], excitation, until(40, threads));
+      BOOST_TEST(together.size() == 150U);
+      for (Eigen::Index i = 0; i < 150; ++i) {
+        BOOST_TEST_CONTEXT("seed 912, scene " << i << ", threads " << threads) {
+          same(together[static_cast<std::size_t>(i)],
+               forced_response({scenes[1][i], scenes[2][i], scenes[3][i]}, {0, scenes[0][i]},
+                               excitation, until(40, 1).scene));
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(one_v0_and_p_for_all_and_a_free_end) {
+  Dice dice(913);
+  const auto scenes = random_scenes(50, dice);
+  const Excitation pulse = HalfSine{0.5, 2};
+  const auto together = forced_batch(0, 1.5, scenes[2], scenes[3] + 1e-3, pulse);
+  for (Eigen::Index i = 0; i < 50; ++i) {
+    same(together[static_cast<std::size_t>(i)],
+         forced_response({1.5, scenes[2][i], scenes[3][i] + 1e-3}, {0, 0}, pulse));
+  }
+  BOOST_TEST(forced_batch(0, 1, Eigen::ArrayXd(0), Eigen::ArrayXd(0), pulse).empty());
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_the_first_scene_at_fault) {
+  Eigen::ArrayXd p = Eigen::ArrayXd::Constant(400, 1);
+  Eigen::ArrayXd f = Eigen::ArrayXd::Constant(400, 0.1);
+  const Eigen::ArrayXd zero = Eigen::ArrayXd::Zero(400);
+  f[300] = -1;
+  f[301] = -2;
+  const auto message = [&](const Excitation& excitation, const ForcedBatchOptions& options) {
+    return message_of<InputError>(
+        [&] { static_cast<void>(forced_batch(zero, p, f, zero, excitation, options)); });
+  };
+  const Excitation harmonic = Harmonic{0.2, 1};
+  for (const int threads : {1, 2, 7}) {
+    BOOST_TEST(message(harmonic, until(9, threads)) ==
+               "f[300] = -1: must be a number from 0 to 1e+300");
+  }
+  // What is wrong for one p alone, although the p before was right.
+  p[200] = 1e-140;
+  BOOST_TEST(
+      message(Harmonic{0.2, 1}, until(9, 1)).starts_with("lambda = 1: lambda / p must be from"));
+  BOOST_TEST(message(harmonic, {}).starts_with("t_end = nothing: must be given"));
+  BOOST_TEST(message(harmonic, until(9, -1)) == "threads = -1: must be 0 or more");
+}
+
+BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_scene) {
+  // The free motion after the pulse; delta alone would be a closed form.
+  Eigen::ArrayXd f = Eigen::ArrayXd::Constant(20, 0.1);
+  Eigen::ArrayXd delta = f;
+  f[13] = delta[13] = 1e-9;
+  ForcedBatchOptions options;
+  options.scene.half_cycle_limit = 1000;
+  const std::string message = message_of<TooManyHalfCycles>([&] {
+    static_cast<void>(forced_batch(0, 1, f, delta, HalfSine{0.5, 2}, options));
+  });
+  BOOST_TEST(message.starts_with("entry 13: f and delta are so small"), message);
+}
+
+BOOST_AUTO_TEST_CASE(go_on_is_asked_in_every_scene) {
+  const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(8, 0.01);
+  ForcedBatchOptions options = until(1000, 2);
+  options.scene.go_on = [](double tau) { return tau < 20; };
+  options.scene.ask_every = 1;
+  for (const ForcedResponse& response : forced_batch(1, 1, f, f, Harmonic{0.2, 1}, options)) {
+    BOOST_TEST(response.cancelled);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "testing/forced_scene.hpp"
+#include "testing/scene_count.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+// Under a harmonic that exceeds the friction by little, a slip is as small as the square of what it
+// exceeds it by, and that is the difference of two inputs. Every metric must nevertheless be that
+// of inputs changed by rounding: its error is held against its condition, sum |d metric / d ln
+// input|, from runs in 50 digits. docs/forced.md section 9.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_condition_test)
+
+namespace {
+
+// Units of 2^-53 times the condition. The worst of 4000 scenes is 61: a slip is as the fourth power
+// of an angle, and the last may be one of a hundred.
+constexpr double allowed_units = 128;
+
+/// x0, v0, p, f, delta, k, lambda, phase, t_end.
+template <class Real>
+using Inputs = std::array<Real, 9>;
+
+template <class Real>
+ForcedScene<Real> scene_of(const Inputs<Real>& in) {
+  return {{in[0], in[1], in[2], in[3], in[4]}, BasicHarmonic<Real>{in[5], in[6], in[7]}, in[8]};
+}
+
+constexpr std::array<const char*, 6> names{"final position",    "final velocity", "peak amplitude",
+                                           "peak acceleration", "arrival speed",  "stick time"};
+
+template <class Real>
+std::array<Real, 6> metrics_of(const ForcedState<Real>& state, const Real& p) {
+  using std::abs;
+  return {state.u / p,
+          state.v,
+          std::max(state.farthest, Real(abs(state.u))) / p,
+          state.acceleration * p,
+          state.arrival_speed.value_or(Real(0)),
+          state.stick_time.value() / p};
+}
+
+/// From rest or not, f below |k| by 1e-9 to 1e-2 of it.
+Inputs<double> friction_near_load(Dice& dice) {
+  const double p = dice.power_of_ten(-1, 1);
+  const double lambda = p * dice.power_of_ten(-1, 1);
+  const double k = dice.power_of_ten(-1, 1);
+  const double v = k / std::max(p, lambda);
+  const bool rests = dice.once_in(2);
+  return {rests ? 0 : dice.sign() * v / p * dice.power_of_ten(-3, 0),
+          rests || dice.once_in(2) ? 0 : dice.sign() * v * dice.power_of_ten(-3, 0),
+          p,
+          k * (1 - dice.power_of_ten(-9, -2)),
+          dice.once_in(2) ? 0 : v * v * dice.power_of_ten(-12, -0.2),
+          dice.sign() * k,
+          lambda,
+          dice.uniform(-4, 4),
+          dice.uniform(1, 30) / p};
+}
+
+/// Sums over the inputs of |d metric / d ln input|, by one-sided differences. An input for which
+/// either side is another motion is left out: the bound is the stricter for it.
+std::array<Exact, 6> conditions(const Inputs<Exact>& inputs, const ForcedRecord<Exact>& run) {
+  const Exact step("1e-22");
+  const std::array<Exact, 6> metrics = metrics_of(run.state, inputs[2]);
+  std::array<Exact, 6> sums{};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    for (const int direction : {1, -1}) {
+      Inputs<Exact> moved = inputs;
+      moved[i] *= 1 + direction * step;
+      const ForcedRecord<Exact> there = run_forced(scene_of(moved));
+      if (there.seen.kinds == run.seen.kinds) {
+        const std::array<Exact, 6> others = metrics_of(there.state, moved[2]);
+        for (std::size_t j = 0; j < sums.size(); ++j) {
+          sums[j] += abs(Exact(others[j] - metrics[j])) / step;
+        }
+        break;
+      }
+    }
+  }
+  // The place is kept to an ulp of itself, so that an arrival from there at the speed v has v^2/2
+  // to an ulp of the largest force times the largest place: where that is far more than v^2, after
+  // a slip that came back hardly farther than it had gone, no input counts as much.
+  if (metrics[4] != 0) {
+    sums[4] += metrics[2] * metrics[3] / metrics[4];
+  }
+  for (std::size_t j = 0; j < sums.size(); ++j) {
+    sums[j] = std::max(sums[j], Exact(abs(metrics[j])));
+  }
+  return sums;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(where_friction_nearly_holds_the_load_errors_are_those_of_rounded_inputs) {
+  Dice dice(20281);
+  std::array<double, 6> worst{};
+  const int count = forced_scene_count() / 5;
+  for (int i = 0; i < count; ++i) {
+    const Inputs<double> inputs = friction_near_load(dice);
+    const ForcedScene<> scene = scene_of(inputs);
+    const ForcedRecord<double> got = run_forced(scene);
+    Inputs<Exact> wide;
+    std::copy(inputs.begin(), inputs.end(), wide.begin());
+    const ForcedRecord<Exact> right = run_forced(scene_of(wide));
+    BOOST_TEST((got.seen.kinds == right.seen.kinds), "events differ: " << scene);
+    if (got.seen.kinds != right.seen.kinds) {
+      continue;
+    }
+    const std::array<double, 6> values = metrics_of(got.state, inputs[2]);
+    const std::array<Exact, 6> truths = metrics_of(right.state, wide[2]);
+    const std::array<Exact, 6> sums = conditions(wide, right);
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+      const Exact error = abs(Exact(values[j] - truths[j]));
+      const double units = error == 0 ? 0 : static_cast<double>(error / (sums[j] * 0x1p-53));
+      BOOST_TEST(units <= allowed_units, names[j] << " " << values[j] << " is " << units
+                                                  << " times as far from " << truths[j].str(20)
+                                                  << " as a rounded input makes it: " << scene);
+      worst[j] = std::max(worst[j], units);
+    }
+  }
+  for (std::size_t j = 0; j < worst.size(); ++j) {
+    BOOST_TEST_MESSAGE(names[j] << ": worst error " << worst[j] << " of " << count << " scenes");
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "testing/forced_scene.hpp"
+#include "testing/scene_s5.hpp"
+
+#include <stillpoint/core/forced_half_cycles.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_half_cycles_test)
+
+namespace {
+
+constexpr std::int64_t all = 1'000'000;
+
+struct Case {
+  const char* name;
+  Oscillator oscillator;
+  Start start;
+  Excitation excitation;
+  double t_end;
+};
+
+/// Growing, sticking, shaken by a record, by a pulse and out of rest; with a notch and without.
+std::vector<Case> runs() {
+  return {{"resonance", {1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, 200},
+          {"sticks", {1, 0.18, 0}, {0, 0.5}, Harmonic{0.2, 0.35}, 200},
+          {"record", {1, 0.05, 0}, {0, 0}, record_s5(), 59.98},
+          {"record with a notch", {1, 0.05, 0.001}, {0, 0.5}, record_s5(), 59.98},
+          {"pulse", {2, 0.1, 0.01}, {0.3, -1}, HalfSine{0.5, 3}, 100},
+          {"short pulse", {1, 0.05, 0.02}, {0, 0}, Rectangle{4, 20}, 100},
+          {"from aside", {1, 0, 0.03}, {-0.7, 0}, FullSine{0.5, 2}, 100}};
+}
+
+std::vector<HalfCycle> list_of(const Case& run, std::int64_t most = all) {
+  return forced_half_cycles(run.oscillator, run.start, run.excitation, run.t_end, most);
+}
+
+bool near(double a, double b, double tolerance) {
+  return std::abs(a - b) <= tolerance * std::fmax(1, std::abs(b));
+}
+
+bool equal(const HalfCycle& a, const HalfCycle& b) {
+  return a.index == b.index && a.side == b.side && a.start_time == b.start_time &&
+         a.departure_speed == b.departure_speed && a.peak_time == b.peak_time && a.peak == b.peak &&
+         a.end_time == b.end_time && a.end_position == b.end_position &&
+         a.arrival_speed == b.arrival_speed && a.last == b.last;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(follow_one_another_and_lose_what_the_notch_takes) {
+  for (const Case& run : runs()) {
+    BOOST_TEST_CONTEXT(run.name) {
+      const auto list = list_of(run);
+      BOOST_TEST_REQUIRE(list.size() > 1U);
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        const HalfCycle& now = list[i];
+        BOOST_TEST(now.index == static_cast<std::int64_t>(i) + 1);
+        BOOST_TEST(now.last == (i + 1 == list.size()));
+        BOOST_TEST(now.start_time <= now.peak_time);
+        BOOST_TEST(now.peak_time <= now.end_time);
+        BOOST_TEST(std::abs(now.side) == 1);
+        BOOST_TEST((now.arrival_speed || now.last));
+        if (i > 0) {
+          const HalfCycle& before = list[i - 1];
+          BOOST_TEST(now.start_time == before.end_time);
+          BOOST_TEST(before.end_position == 0);
+          BOOST_TEST(now.side == -before.side);
+          const double left = std::pow(*before.arrival_speed, 2) - 2 * run.oscillator.delta;
+          BOOST_TEST(near(std::pow(now.departure_speed, 2), left, 1e-12));
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(are_those_that_the_metrics_count) {
+  for (const Case& run : runs()) {
+    BOOST_TEST_CONTEXT(run.name) {
+      ForcedOptions options;
+      options.t_end = run.t_end;
+      const auto response = forced_response(run.oscillator, run.start, run.excitation, options);
+      const auto list = list_of(run);
+      BOOST_TEST(static_cast<double>(list.size()) == *response.half_cycles);
+      const auto largest = std::ranges::max_element(list, {}, &HalfCycle::peak);
+      BOOST_TEST(largest->peak == response.peak_amplitude);
+      BOOST_TEST(list.back().end_time == *response.end_time);
+      BOOST_TEST(list.back().end_position == *response.final_position);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(end_with_the_final_rest_not_with_the_load_that_proves_it_final) {
+  Dice dice(1);
+  int under_load = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const ForcedScene<> scene = random_forced_scene(dice);
+    const auto excitation =
+        std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
+    ForcedOptions options;
+    options.t_end = scene.t_end;
+    const auto response =
+        forced_response(scene.motion.oscillator(), scene.motion.start(), excitation, options);
+    const auto list = forced_half_cycles(scene.motion.oscillator(), scene.motion.start(),
+                                         excitation, scene.t_end, all);
+    if (!list.empty() && response.stop_time) {
+      under_load += *response.stop_time < duration(excitation) ? 1 : 0;
+      BOOST_TEST(list.back().end_time == *response.stop_time, scene);
+      BOOST_TEST(list.back().end_position == *response.stop_position, scene);
+    }
+  }
+  BOOST_TEST(under_load > 10);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_rest_under_a_rectangle_end_at_its_own_instant) {
+  // Out against k + f = 1.3 with the speed 1, to x = sqrt(1 + 1.3^2) - 1.3 = 0.3401 at atan(1/1.3);
+  // c = 0.84 > f drives it back, about -(k - f) = 0.3: pi later it turns at x = 0.6 - ... held.
+  const Oscillator oscillator{1, 0.8, 0};
+  const Rectangle pulse{0.5, 0.1};
+  const auto list = forced_half_cycles(oscillator, {0, 1}, pulse, 50, all);
+  const auto response = forced_response(oscillator, {0, 1}, pulse);
+  BOOST_TEST(std::abs(list.back().end_time - 3.797288279831329) <= 1e-14);
+  BOOST_TEST(*response.stop_time == list.back().end_time);
+}
+
+BOOST_AUTO_TEST_CASE(lie_on_the_trajectory) {
+  for (const Case& run : runs()) {
+    BOOST_TEST_CONTEXT(run.name) {
+      const ForcedTrajectory path(run.oscillator, run.start, run.excitation, {run.t_end});
+      for (const HalfCycle& now : list_of(run)) {
+        BOOST_TEST(near(path.at(now.peak_time).x, now.side * now.peak, 1e-13));
+        BOOST_TEST(near(path.at(now.end_time).x, now.end_position, 1e-13));
+        // Nothing between its ends is farther out, or on the other side.
+        const double start = now.index == 1 ? std::abs(run.start.x0) : 0;
+        for (int i = 1; i < 20; ++i) {
+          const double tau = now.start_time + (now.end_time - now.start_time) * i / 20;
+          const double x = path.at(tau).x * now.side;
+          BOOST_TEST(x <= now.peak + 1e-13);
+          BOOST_TEST(x >= -start - 1e-13);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_free_motion_are_those_of_the_walk) {
+  const Oscillator oscillator{1.5, 0.02, 0.01};
+  for (const Start& start : {Start{0, 1}, Start{0.3, 0.5}, Start{0.3, -0.5}, Start{2, 0}}) {
+    const auto expected = first_half_cycles(oscillator, start, all);
+    for (const Excitation& nothing :
+         {Excitation(NoExcitation{}), Excitation(Harmonic{0, 1}), Excitation(Rectangle{0, 1}),
+          Excitation(Record{{0, 0, 0}, 1, {}})}) {
+      const auto list = forced_half_cycles(oscillator, start, nothing, 1000, all);
+      BOOST_TEST_REQUIRE(list.size() == expected.size());
+      for (std::size_t i = 0; i < list.size(); ++i) {
+        BOOST_TEST(list[i].side == expected[i].side);
+        BOOST_TEST(near(list[i].start_time, expected[i].start_time, 1e-12));
+        BOOST_TEST(near(list[i].departure_speed, expected[i].departure_speed, 1e-12));
+        BOOST_TEST(near(list[i].peak_time, expected[i].peak_time, 1e-12));
+        BOOST_TEST(near(list[i].peak, expected[i].peak, 1e-12));
+        BOOST_TEST(near(list[i].end_time, expected[i].end_time, 1e-12));
+        BOOST_TEST(near(list[i].end_position, expected[i].end_position, 1e-12));
+        BOOST_TEST(list[i].arrival_speed.has_value() == expected[i].arrival_speed.has_value());
+        BOOST_TEST(
+            near(list[i].arrival_speed.value_or(0), expected[i].arrival_speed.value_or(0), 1e-12));
+        BOOST_TEST(list[i].last == expected[i].last);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(so_many_as_asked_are_the_first_of_all) {
+  for (const Case& run : runs()) {
+    BOOST_TEST_CONTEXT(run.name) {
+      const auto whole = list_of(run);
+      for (const std::size_t most :
+           {std::size_t{0}, std::size_t{1}, whole.size() - 1, whole.size(), whole.size() + 1}) {
+        const auto some = list_of(run, static_cast<std::int64_t>(most));
+        BOOST_TEST_REQUIRE(some.size() == std::min(most, whole.size()));
+        BOOST_TEST(std::equal(some.begin(), some.end(), whole.begin(), equal));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(run_no_further_than_the_last_that_is_listed) {
+  // To its end this would take days.
+  const auto list = forced_half_cycles({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, 1e14, 5);
+  BOOST_TEST(list.size() == 5U);
+  BOOST_TEST(forced_half_cycles({1, 0.05, 0}, {0, 0.5}, Harmonic{0.2, 1}, 1e14, 0).empty());
+}
+
+BOOST_AUTO_TEST_CASE(end_where_they_are_told_to) {
+  double reached = 0;
+  int asked = 0;
+  const auto until_third_question = [&](double tau) {
+    BOOST_TEST(tau > reached);
+    reached = tau;
+    return ++asked < 3;
+  };
+  const auto list = forced_half_cycles({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, 1e14, all,
+                                       until_third_question);
+  BOOST_TEST(asked == 3);
+  BOOST_TEST_REQUIRE(!list.empty());
+  BOOST_TEST(list.back().end_time <= reached);
+  BOOST_TEST(list.size() < 10'000U);
+}
+
+BOOST_AUTO_TEST_CASE(of_nothing_that_moves_there_are_none) {
+  // Held by friction, held by the notch, not shaken.
+  BOOST_TEST(forced_half_cycles({1, 0.3, 0.1}, {0, 0}, Harmonic{0.2, 1}, 50, all).empty());
+  BOOST_TEST(forced_half_cycles({1, 0.1, 0.6}, {0, 1}, Harmonic{9, 1}, 50, all).empty());
+  BOOST_TEST(forced_half_cycles({1, 0.1, 0.1}, {0.05, 0}, NoExcitation{}, 50, all).empty());
+}
+
+BOOST_AUTO_TEST_CASE(out_of_rest_begins_without_a_speed_once_friction_gives_way) {
+  // W = k sin tau reaches f at asin(f / k); the mass sets off against W.
+  const auto list = forced_half_cycles({1, 0.1, 0.01}, {0, 0}, Harmonic{0.2, 1}, 4, all);
+  BOOST_TEST_REQUIRE(!list.empty());
+  BOOST_TEST(list.front().side == -1);
+  BOOST_TEST(list.front().departure_speed == 0);
+  BOOST_TEST(list.front().peak_time > std::numbers::pi / 6);
+}
+
+BOOST_AUTO_TEST_CASE(more_than_are_allowed_refuse_the_motion) {
+  const auto run = [](std::optional<double> limit) {
+    ForcedOptions options;
+    options.t_end = 200;
+    options.half_cycle_limit = limit;
+    return *forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, options).half_cycles;
+  };
+  const double half_cycles = run({});
+  BOOST_TEST(half_cycles > 50);
+  BOOST_TEST(run(half_cycles) == half_cycles);
+  BOOST_CHECK_THROW(run(half_cycles - 1), TooManyHalfCycles);
+  BOOST_CHECK_THROW(run(0), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(of_wrong_input_are_refused) {
+  const auto of = [](const Oscillator& oscillator, const Excitation& excitation, double t_end) {
+    return forced_half_cycles(oscillator, {0, 1}, excitation, t_end, all);
+  };
+  BOOST_CHECK_THROW(of({0, 0, 0}, NoExcitation{}, 1), InputError);
+  BOOST_CHECK_THROW(of({1, 0, 0}, Harmonic{1, 0}, 1), InputError);
+  BOOST_CHECK_THROW(of({1, 0, 0}, NoExcitation{}, 0), InputError);
+  BOOST_CHECK_THROW(of({1, 0, 0}, NoExcitation{}, std::numeric_limits<double>::infinity()),
+                    InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "testing/forced_scene.hpp"
+#include "testing/scene_count.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+// The decision margin (docs/forced.md section 7) sees what tips: where a small change of all inputs
+// changes a count or the outcome, the margin is small as well.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_margin_test)
+
+namespace {
+
+constexpr double half_circle = std::numbers::pi;
+
+/// A change of the inputs reaches a decision enlarged by the motion before it. The worst of 4 *
+/// 10^4 scenes of each kind was 94 times, at resonance.
+constexpr double enlarged = 1000;
+
+double margin_of(const ForcedState<double>& state) {
+  return state.margin.any() ? state.margin.value() : 1;
+}
+
+bool same_counts(const ForcedState<double>& a, const ForcedState<double>& b) {
+  return a.passages == b.passages && a.turning_points == b.turning_points && a.sticks == b.sticks &&
+         a.moved == b.moved && a.outcome == b.outcome;
+}
+
+/// Every input changed by up to `by` of itself.
+ForcedScene<> shifted(ForcedScene<> scene, Dice& dice, double by) {
+  const auto shift = [&](double& value) { value *= 1 + by * dice.uniform(-1, 1); };
+  Scene<>& motion = scene.motion;
+  for (double* value : {&motion.x0, &motion.v0, &motion.p, &motion.f, &motion.delta}) {
+    shift(*value);
+  }
+  shift(scene.t_end);
+  std::visit(
+      [&](auto& load) {
+        if constexpr (requires { load.lambda; }) {
+          shift(load.k);
+          shift(load.lambda);
+        }
+        if constexpr (requires { load.duration; }) {
+          shift(load.phase);
+          shift(load.duration);
+        }
+        if constexpr (requires { load.values; }) {
+          std::ranges::for_each(load.values, shift);
+          std::ranges::for_each(load.times, shift);
+          shift(load.step);
+        }
+      },
+      scene.excitation);
+  return scene;
+}
+
+/// A record that stays on a few levels, those of the friction among them.
+Record record_of_levels(Dice& dice, double p, double k, double f) {
+  const std::array levels{0.0, 0.0, f, -f, k, -k, k / 2};
+  Record record;
+  record.step = dice.once_in(2) ? half_circle / p / 4 : dice.power_of_ten(-1.5, 0.5) / p;
+  const unsigned count = 3 + dice.below(40);
+  for (unsigned i = 0; i < count; ++i) {
+    const bool repeat = i > 0 && dice.once_in(3);
+    record.values.push_back(repeat ? record.values.back() : levels.at(dice.below(levels.size())));
+  }
+  return record;
+}
+
+/// Events that meet: p over lambda simple, so that turns meet the ends of pulses; loads of f;
+/// starts at the edge of the dead zone.
+ForcedScene<> constructed_scene(Dice& dice) {
+  constexpr std::array ratios{1.0, 0.5, 0.25, 2.0, 1.0 / 3};
+  ForcedScene<> scene = random_forced_scene(dice);
+  Scene<>& motion = scene.motion;
+  const double p = motion.p;
+  const double k = p * p * dice.power_of_ten(-1, 1);
+  const double lambda = p * ratios.at(dice.below(ratios.size()));
+  motion.f = dice.once_in(6) ? k : dice.once_in(5) ? 0 : k * dice.power_of_ten(-1.5, -0.1);
+  switch (dice.below(5)) {
+    case 0:
+    case 1:
+      scene.excitation = Rectangle{k, lambda};
+      break;
+    case 2:
+      scene.excitation = HalfSine{k, lambda};
+      break;
+    case 3:
+      scene.excitation = Harmonic{k, lambda, half_circle / 2 * dice.below(4),
+                                  (1 + dice.below(9)) * half_circle / 2 / lambda};
+      break;
+    default:
+      scene.excitation = record_of_levels(dice, p, k, motion.f);
+  }
+  if (const unsigned start = dice.below(4); start < 3) {
+    motion.v0 = 0;
+    motion.x0 = start == 0 ? 0 : (start == 1 ? k : k - motion.f) * dice.sign() / (p * p);
+  }
+  scene.t_end = dice.uniform(1, 40) / p;
+  return scene;
+}
+
+template <class MakeScene>
+void margins_are_honest(MakeScene make_scene, std::uint64_t seed, int least_changes) {
+  Dice dice(seed);
+  int changed = 0;
+  for (int i = 0; i < 4 * forced_scene_count(); ++i) {
+    const ForcedScene<> scene = make_scene(dice);
+    const ForcedState<double> state = run_forced(scene).state;
+    for (const double by : {1e-13, 1e-11, 1e-9, 1e-7}) {
+      if (!same_counts(state, run_forced(shifted(scene, dice, by)).state)) {
+        ++changed;
+        BOOST_TEST(margin_of(state) <= enlarged * by,
+                   "margin " << margin_of(state) << ", changed by " << by << ": " << scene);
+      }
+    }
+  }
+  BOOST_TEST(changed >= least_changes);  // or it would have tried nothing
+}
+
+/// The mass comes to rest, and is driven back, as the rectangle ends: p / lambda = 1.
+ForcedScene<> turn_at_the_end(double lambda) {
+  return {{-0.003304324429155196, 0, 15.745363180993461, 0.021068881543849644, 0},
+          Rectangle{0.5386610473108896, lambda},
+          0.9563953391389604};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(of_random_scenes_are_honest) {
+  margins_are_honest(random_forced_scene, 20262, 0);
+}
+
+BOOST_AUTO_TEST_CASE(of_scenes_whose_events_meet_are_honest) {
+  margins_are_honest(constructed_scene, 20263, forced_scene_count() / 2);
+}
+
+BOOST_AUTO_TEST_CASE(turn_that_meets_the_end_of_a_rectangle_has_none) {
+  // A relative change of 1e-9 makes 5 or 3 of 4 turns.
+  const auto before = run_forced(turn_at_the_end(15.7453631651)).state;
+  const auto at = run_forced(turn_at_the_end(15.745363180993461)).state;
+  const auto after = run_forced(turn_at_the_end(15.7453631967)).state;
+  BOOST_TEST(before.turning_points == 5);
+  BOOST_TEST(after.turning_points == 3);
+  BOOST_TEST(margin_of(at) <= 1e-15);
+  BOOST_TEST(margin_of(before) <= 2e-9);
+  BOOST_TEST(margin_of(after) <= 2e-9);
+}
+
+BOOST_AUTO_TEST_CASE(turn_well_before_a_jump_after_which_nothing_else_happens_is_far_from_tipping) {
+  // From rest, k = 1, f = 0.45, p = 1: the turn at tau = pi, u = -1.1, is held there by k, |c| =
+  // 0.1, until 2 pi, and then released by the end: |c| = 1.1, up to u = 0.2.
+  const auto state = run_forced(ForcedScene<>{{0, 0, 1, 0.45, 0}, Rectangle{1, 0.5}, 20}).state;
+  BOOST_TEST(margin_of(state) > 0.05);
+}
+
+BOOST_AUTO_TEST_CASE(load_that_comes_near_friction_while_it_holds_is_in_it) {
+  // Largest load 1 - gap at a sample, of f = 1: a peak and a plateau, at rest at x = 0.
+  constexpr double gap = 1e-6;
+  for (const Record& record :
+       {Record{{0, 1 - gap, 0, 0}, 1, {}}, Record{{0, -1 + gap, -1 + gap, 0}, 1, {}}}) {
+    const auto state = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, 10}).state;
+    BOOST_TEST(!state.moved);
+    BOOST_TEST(margin_of(state) == gap / 2, boost::test_tools::tolerance(1e-5));
+  }
+  // The crest of a harmonic that is cut off after it, and one cut off before its crest.
+  const auto whole =
+      run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Harmonic{1 - gap, 1, 0, 0.8 * half_circle}, 10});
+  BOOST_TEST(margin_of(whole.state) == gap / 2, boost::test_tools::tolerance(1e-5));
+  const auto cut =
+      run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Harmonic{1 - gap, 1, 0, half_circle / 6}, 10});
+  BOOST_TEST(margin_of(cut.state) == 1.0 / 3, boost::test_tools::tolerance(1e-5));
+}
+
+BOOST_AUTO_TEST_CASE(load_that_hardly_releases_is_in_it) {
+  constexpr double gap = 1e-6;
+  const auto state =
+      run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Record{{0, 0.5, 1 + gap, 0}, 1, {}}, 10}).state;
+  BOOST_TEST(state.moved);
+  BOOST_TEST(margin_of(state) <= gap);
+}
+
+BOOST_AUTO_TEST_CASE(end_of_the_run_that_meets_an_event_has_none) {
+  // Without friction the free motion turns at pi/2 and passes x = 0 at pi.
+  for (const double t_end : {half_circle / 2, half_circle}) {
+    const auto state = run_forced(ForcedScene<>{{0, 1, 1, 0, 0}, Harmonic{0, 1}, t_end}).state;
+    BOOST_TEST(margin_of(state) <= 1e-15);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/pulse_speed.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+// Short pulses, p = 1: eps = 1 / lambda. Expected values in closed form.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_pulse_test)
+
+namespace {
+
+constexpr double half_circle = std::numbers::pi;
+
+/// The amplitude without friction, long after the pulse.
+double free_amplitude(const Excitation& pulse) {
+  ForcedOptions options;
+  options.t_end = 20;
+  const auto response = forced_response({1, 0, 0}, {0, 0}, pulse, options);
+  return std::hypot(*response.final_position, *response.final_velocity);
+}
+
+/// The first peak under friction f of a half-sine of peak 0.5.
+double first_peak(double eps, double f) {
+  return forced_response({1, f, 0}, {0, 0}, HalfSine{0.5, 1 / eps}).peak_amplitude;
+}
+
+/// The first peak of the free motion that starts with the speed v.
+double peak_from(double v, double f) {
+  return v * v / (std::sqrt(f * f + v * v) + f);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(without_friction_each_pulse_leaves_its_closed_form) {
+  for (const double k : {0.1, 1.0}) {
+    for (const double eps : {0.9, 0.5, 0.2, 0.05, 1e-3}) {
+      const double lambda = 1 / eps;
+      const double half = 2 * k * eps * std::cos(half_circle * eps / 2) / (1 - eps * eps);
+      const double full = 2 * k * eps * std::sin(half_circle * eps) / (1 - eps * eps);
+      const double flat = 2 * k * std::sin(half_circle * eps / 2);
+      BOOST_TEST(std::abs(free_amplitude(HalfSine{k, lambda}) - half) <= 1e-14);
+      BOOST_TEST(std::abs(free_amplitude(FullSine{k, lambda}) - full) <= 1e-14);
+      BOOST_TEST(std::abs(free_amplitude(Rectangle{k, lambda}) - flat) <= 1e-14);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_plain_velocity_of_a_half_sine_does_not_converge_under_friction) {
+  const std::array<double, 4> eps{0.2, 0.1, 0.05, 0.025};
+  const std::array<double, 4> known{0.046, 0.042, 0.046, 0.054};
+  for (std::size_t i = 0; i < eps.size(); ++i) {
+    const double right = first_peak(eps[i], 0.02);
+    const double plain = peak_from(2 * 0.5 * eps[i], 0.02);
+    BOOST_TEST(std::abs(std::abs(plain / right - 1) - known[i]) <= 6e-4, plain / right - 1);
+  }
+}
+
+// The order is that of eps -> 0 with f fixed; where V is near f, at eps = 0.025, it seems to
+// be 1.75.
+BOOST_AUTO_TEST_CASE(the_equivalent_velocity_of_a_half_sine_is_right_to_second_order) {
+  double before = 0;
+  for (const double eps : {0.00625, 0.003125, 0.0015625, 0.00078125}) {
+    const double right = first_peak(eps, 0.02);
+    const double error =
+        std::abs(peak_from(equivalent_start(HalfSine{0.5, 1 / eps}, 0.02).speed, 0.02) / right - 1);
+    if (before > 0) {
+      BOOST_TEST(std::log2(before / error) == 2, boost::test_tools::tolerance(0.06));
+    }
+    before = error;
+  }
+  BOOST_TEST(before <= 3e-7);
+}
+
+BOOST_AUTO_TEST_CASE(the_equivalent_velocity_of_a_rectangle_is_right_to_second_order) {
+  double before = 0;
+  for (const double eps : {0.00625, 0.003125, 0.0015625, 0.00078125}) {
+    const double right =
+        forced_response({1, 0.02, 0}, {0, 0}, Rectangle{0.5, 1 / eps}).peak_amplitude;
+    const double speed = equivalent_start(Rectangle{0.5, 1 / eps}, 0.02).speed;
+    const double error = std::abs(peak_from(speed, 0.02) / right - 1);
+    if (before > 0) {
+      BOOST_TEST(std::log2(before / error) == 2, boost::test_tools::tolerance(0.06));
+    }
+    before = error;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_friction_the_free_motion_starts_at_the_centroid) {
+  BOOST_TEST(equivalent_start(HalfSine{0.5, 20}, 0).tau == half_circle / 40,
+             boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(equivalent_start(Rectangle{0.5, 20}, 0).tau == half_circle / 40,
+             boost::test_tools::tolerance(1e-15));
+}
+
+// (F23): tau_s and the free stop time against the true one. The free motion rests at its turn,
+// without point friction, where f / p is more than half of the peak.
+BOOST_AUTO_TEST_CASE(the_equivalent_start_is_right_to_second_order) {
+  const auto check = [](const auto& pulse_of) {
+    double before = 0;
+    for (const double eps : {0.00625, 0.003125, 0.0015625}) {
+      const auto pulse = pulse_of(1 / eps);
+      const double f = 0.3 * eps;  // the motion keeps its shape as it shrinks
+      const auto forced = forced_response({1, f, 0}, {0, 0}, pulse);
+      const EquivalentStart start = equivalent_start(pulse, f);
+      const auto free = free_response({1, f, 0}, {0, start.speed});
+      BOOST_TEST(*forced.half_cycles == *free.half_cycles);
+      const double error = std::abs((start.tau + *free.stop_time) / *forced.stop_time - 1);
+      if (before > 0) {
+        BOOST_TEST(std::log2(before / error) > 1.9);
+      }
+      before = error;
+    }
+    BOOST_TEST(before <= 1e-6);
+  };
+  check([](double lambda) { return HalfSine{0.5, lambda}; });
+  check([](double lambda) { return Rectangle{0.5, lambda}; });
+}
+
+BOOST_AUTO_TEST_CASE(strong_friction_stops_the_mass_during_the_pulse) {
+  // f / k = 0.9: beyond the closed form's 0.725
+  double before = 0;
+  for (const double eps : {0.1, 0.05, 0.025, 0.0125}) {
+    const double speed = equivalent_start(HalfSine{0.5, 1 / eps}, 0.45).speed;
+    const double error = std::abs(peak_from(speed, 0.45) / first_peak(eps, 0.45) - 1);
+    if (before > 0) {
+      BOOST_TEST(std::log2(before / error) == 2, boost::test_tools::tolerance(0.06));
+    }
+    before = error;
+  }
+  BOOST_TEST(before <= 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(the_equivalent_velocity_of_a_half_sine_has_its_closed_form) {
+  for (const double f : {0.0, 0.02, 0.2, 0.36}) {
+    const double k = 0.5;
+    const double theta = std::asin(f / k);
+    const double cosine = std::cos(theta);
+    const double square =
+        2 * (k * k * (cosine + (1 + cosine * cosine) / 2) - k * f * (half_circle - theta) + f * f);
+    BOOST_TEST(std::abs(equivalent_start(HalfSine{k, 20}, f).speed - std::sqrt(square) / 20) <=
+               1e-16);
+  }
+  BOOST_TEST(equivalent_start(HalfSine{-0.5, 20}, 0).speed == 0.05);
+  BOOST_TEST(equivalent_start(HalfSine{0.5, 20}, 0.5).speed == 0);
+  BOOST_TEST(equivalent_start(Rectangle{0.5, 20}, 0.6).speed == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

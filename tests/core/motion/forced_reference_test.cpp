@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "testing/scene_s5.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Whole motions against numbers that other programs found. The first three are the scenes of the
+// speed comparison; the file is written by data/reference/make_forced_reference.py.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_reference_test)
+
+namespace {
+
+// Some hundreds of events, each of which may add the rounding of a time: 1e-15 each.
+constexpr double position_tolerance = 1e-12;
+constexpr double time_tolerance = 1e-12;
+
+ForcedResponse until(double t_end, const Oscillator& oscillator, const Start& start,
+                     const Excitation& excitation) {
+  ForcedOptions options;
+  options.t_end = t_end;
+  return forced_response(oscillator, start, excitation, options);
+}
+
+void near(const char* what, double value, double expected, double tolerance) {
+  BOOST_TEST(std::abs(value - expected) <= tolerance * std::fmax(1, std::abs(expected)),
+             what << ": " << value << " expected " << expected << " off by " << value - expected);
+}
+
+/// One row of the file; an empty or `record` cell is kept as text.
+struct Row {
+  std::vector<std::string> cells;
+  double operator[](std::size_t i) const { return std::strtod(cells[i].c_str(), nullptr); }
+};
+
+std::vector<Row> rows() {
+  std::ifstream file(std::string(STILLPOINT_DATA_DIR) + "/reference/forced_motion.csv");
+  BOOST_REQUIRE(file);
+  std::vector<Row> all;
+  std::string line;
+  bool header = true;
+  while (std::getline(file, line)) {
+    if (line.starts_with('#')) {
+      continue;
+    }
+    if (!header) {
+      Row row;
+      std::istringstream text(line);
+      for (std::string cell; std::getline(text, cell, ',');) {
+        row.cells.push_back(cell);
+      }
+      all.push_back(row);
+    }
+    header = false;
+  }
+  return all;
+}
+
+void check(const Row& row) {
+  BOOST_TEST_CONTEXT(row.cells[0]) {
+    const bool wave = row.cells[6] != "record";
+    const Record record = rounded_record_s5();
+    const double t_end =
+        wave ? row[9] : record.step * static_cast<double>(record.values.size() - 1);
+    const Excitation excitation =
+        wave ? Excitation(Harmonic{row[6], row[7], row[8]}) : Excitation(record);
+    const ForcedResponse response =
+        until(t_end, {row[3], row[4], row[5]}, {row[1], row[2]}, excitation);
+    near("peak", response.peak_amplitude, row[10], position_tolerance);
+    near("final position", *response.final_position, row[11], position_tolerance);
+    near("final velocity", *response.final_velocity, row[12], position_tolerance);
+    BOOST_TEST(*response.zero_passages == row[13]);
+    BOOST_TEST(*response.turning_points == row[14]);
+    BOOST_TEST(response.sticks == row[15]);
+    near("stick time", response.stick_time, row[16], time_tolerance);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(scene_s3_has_its_known_peak_end_and_count) {
+  const auto response = until(200, {1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1});
+  near("peak", response.peak_amplitude, 13.432292785823942, position_tolerance);
+  near("x(200)", *response.final_position, 6.6071415781915130, position_tolerance);
+  BOOST_TEST(*response.zero_passages == 64);
+}
+
+BOOST_AUTO_TEST_CASE(scene_s4_has_its_known_peak_end_and_counts) {
+  const auto response = until(200, {1, 0.18, 0}, {0, 0.5}, Harmonic{0.2, 0.35});
+  near("peak", response.peak_amplitude, 0.33344255898459425, position_tolerance);
+  near("x(200)", *response.final_position, 0.078877420102046286, position_tolerance);
+  BOOST_TEST(*response.zero_passages == 22);
+  BOOST_TEST(response.sticks == 22);
+}
+
+BOOST_AUTO_TEST_CASE(scene_s5_has_its_known_peak_end_and_count) {
+  const auto response = until(59.98, {1, 0.05, 0}, {0, 0}, record_s5());
+  near("peak", response.peak_amplitude, 0.098335012538125103, position_tolerance);
+  near("x(59.98)", *response.final_position, -0.0015776946596039220, position_tolerance);
+  BOOST_TEST(*response.zero_passages == 18);
+}
+
+BOOST_AUTO_TEST_CASE(every_motion_of_the_reference_file_is_reproduced) {
+  const std::vector<Row> all = rows();
+  BOOST_TEST(all.size() == 10U);
+  for (const Row& row : all) {
+    check(row);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

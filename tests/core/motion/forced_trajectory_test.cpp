@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "testing/forced_scene.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+// The state at any instant: it obeys the equation between events, and agrees with the metrics.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(forced_trajectory_test)
+
+namespace {
+
+double load(const Harmonic& wave, double tau) {
+  return wave.k * std::sin(wave.lambda * tau + wave.phase);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(between_events_the_state_obeys_the_equation_of_motion) {
+  const Oscillator oscillator{1.5, 0.05, 0.004};
+  const Harmonic wave{0.3, 1.1, 0.4};
+  const ForcedTrajectory path(oscillator, {0, 0.5}, wave, {30});
+  constexpr double h = 1e-4;
+  for (std::size_t i = 0; i + 1 < path.events().size(); ++i) {
+    const double from = path.events()[i].state.tau;
+    const double to = path.events()[i + 1].state.tau;
+    const double tau = (from + to) / 2;
+    if (to - from < 10 * h || path.events()[i].kind == ForcedEventKind::stick) {
+      continue;
+    }
+    const State now = path.at(tau);
+    const double slope = (path.at(tau + h).v - path.at(tau - h).v) / (2 * h);
+    const double right = -load(wave, tau) - oscillator.p * oscillator.p * now.x -
+                         (now.v > 0 ? 1 : -1) * oscillator.f;
+    BOOST_TEST(std::abs(slope - right) <= 1e-7);
+    BOOST_TEST(std::abs((path.at(tau + h).x - path.at(tau - h).x) / (2 * h) - now.v) <= 1e-7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(events_come_in_order_and_lie_on_the_path) {
+  Dice dice(5);
+  for (int i = 0; i < 50; ++i) {
+    const ForcedScene<> scene = random_forced_scene(dice);
+    const Excitation excitation =
+        std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
+    const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), excitation,
+                                {scene.t_end});
+    double before = 0;
+    for (const ForcedEvent& event : path.events()) {
+      BOOST_TEST(event.state.tau >= before);
+      before = event.state.tau;
+      const State at = path.at(std::min(event.state.tau, path.horizon()));
+      BOOST_TEST(std::abs(at.x - event.state.x) <= 1e-9 * std::max(1.0, std::abs(at.x)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_largest_x_and_the_last_state_are_those_of_the_metrics) {
+  Dice dice(6);
+  for (int i = 0; i < 30; ++i) {
+    const ForcedScene<> scene = random_forced_scene(dice);
+    const Excitation excitation =
+        std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
+    ForcedOptions options;
+    options.t_end = scene.t_end;
+    const auto response =
+        forced_response(scene.motion.oscillator(), scene.motion.start(), excitation, options);
+    const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), excitation,
+                                {scene.t_end});
+    double most = 0;
+    for (const State& state : path.sampled(400)) {
+      most = std::max(most, std::abs(state.x));
+    }
+    BOOST_TEST(most == response.peak_amplitude, boost::test_tools::tolerance(1e-12));
+    const State last = path.at(scene.t_end);
+    BOOST_TEST(std::abs(last.x - *response.final_position) <=
+               1e-12 * std::max(1.0, response.peak_amplitude));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(at_a_passage_the_state_is_that_after_the_notch) {
+  const ForcedTrajectory path({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, {20});
+  for (const ForcedEvent& event : path.events()) {
+    if (event.kind == ForcedEventKind::passage) {
+      BOOST_TEST(path.at(event.state.tau).v == event.state.v);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(it_ends_where_it_is_told_to) {
+  ForcedTrajectoryOptions limits;
+  limits.horizon = 1e6;
+  int asked = 0;
+  limits.go_on = [&asked](double) { return ++asked < 3; };
+  const ForcedTrajectory path({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, limits);
+  BOOST_TEST(asked == 3);
+  BOOST_TEST(path.events().size() > 100U);
+  BOOST_TEST(path.events().size() < 20'000U);
+}
+
+BOOST_AUTO_TEST_CASE(outside_the_horizon_and_beyond_the_limit_it_refuses) {
+  const ForcedTrajectory path({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, {20});
+  BOOST_CHECK_THROW((void)path.at(-1), InputError);
+  BOOST_CHECK_THROW((void)path.at(20.1), InputError);
+  BOOST_CHECK_THROW((void)path.sampled(1), InputError);
+  BOOST_CHECK_THROW(ForcedTrajectory({1, 0.05, 0}, {0, 0.5}, Harmonic{0.2, 1}, {1e6, 100}),
+                    InputError);
+}
+
+BOOST_AUTO_TEST_CASE(the_final_rest_under_a_load_is_an_event_of_its_own_instant) {
+  const Oscillator oscillator{1, 0.8, 0};
+  const Rectangle pulse{0.5, 0.1};
+  const double stop = forced_response(oscillator, {0, 1}, pulse).stop_time.value();
+  const ForcedTrajectory whole(oscillator, {0, 1}, pulse, {50});
+  const auto rest = std::ranges::find(whole.events(), ForcedEventKind::rest, &ForcedEvent::kind);
+  BOOST_TEST_REQUIRE((rest != whole.events().end()));
+  BOOST_TEST(rest->state.tau == stop);
+  BOOST_TEST(whole.events().back().kind == ForcedEventKind::excitation_end);
+  BOOST_TEST(whole.horizon() == 50);
+  BOOST_TEST(whole.at(50).x == rest->state.x);
+  // Or it ends there.
+  const ForcedTrajectory moving(oscillator, {0, 1}, pulse, {.horizon = 50, .to_rest = true});
+  BOOST_TEST(moving.horizon() == stop);
+  BOOST_TEST(moving.events().back().kind == ForcedEventKind::rest);
+  BOOST_TEST(moving.sampled(10).back().tau == stop);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

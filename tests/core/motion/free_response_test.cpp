@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "testing/checks.hpp"
+#include "testing/printing.hpp"
+#include "testing/random_scene.hpp"
+#include "testing/scene.hpp"
+
+#include <stillpoint/core/outcome.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+// What free_response computes when asked, and free_peak.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(free_response_test)
+
+namespace {
+
+/// Bit for bit, but for what was not asked for.
+void equal_but_for_times_and_margin(const Response& a, const Response& b) {
+  BOOST_TEST(a.outcome == b.outcome);
+  BOOST_TEST(a.stops_at_zero == b.stops_at_zero);
+  BOOST_TEST(a.peak_amplitude == b.peak_amplitude);
+  BOOST_TEST(a.peak_acceleration == b.peak_acceleration);
+  BOOST_TEST(a.half_cycles == b.half_cycles);
+  BOOST_TEST(a.turning_points == b.turning_points);
+  BOOST_TEST(a.zero_passages == b.zero_passages);
+  BOOST_TEST(a.stop_position == b.stop_position);
+  BOOST_TEST(a.arrival_speed == b.arrival_speed);
+}
+
+Scene<> any_scene(Dice& dice) {
+  Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+  if (dice.once_in(4)) {
+    scene.f = 0;
+  }
+  if (dice.once_in(4)) {
+    scene.delta = 0;
+  }
+  return scene;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(only_what_is_asked_for_is_there_and_the_rest_is_the_same) {
+  Dice dice(801);
+  for (int i = 0; i < 2000; ++i) {
+    const Scene<> scene = any_scene(dice);
+    BOOST_TEST_CONTEXT("seed 801, scene " << scene) {
+      const Response all = response(scene);
+      const Response no_times = response(scene, {.times = false});
+      const Response no_margin = response(scene, {.margin = false});
+      const Response bare = response(scene, {.times = false, .margin = false});
+      for (const Response* part : {&no_times, &no_margin, &bare}) {
+        equal_but_for_times_and_margin(*part, all);
+      }
+      BOOST_TEST((!no_times.stop_time && !bare.stop_time));
+      BOOST_TEST((!no_margin.decision_margin && !bare.decision_margin));
+      BOOST_TEST(no_times.decision_margin == all.decision_margin);
+      BOOST_TEST(no_margin.stop_time == all.stop_time);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(free_peak_is_the_peak_amplitude_bit_for_bit) {
+  Dice dice(802);
+  for (int i = 0; i < 20000; ++i) {
+    const Scene<> scene = any_scene(dice);
+    const double peak = response(scene, {.times = false, .margin = false}).peak_amplitude;
+    BOOST_TEST(free_peak(scene.oscillator(), scene.start()) == peak,
+               "seed 802, scene " << scene << ": peak_amplitude " << peak << ", free_peak "
+                                  << free_peak(scene.oscillator(), scene.start()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_least_speed_moves_against_friction_far_above_it) {
+  // f = 1/2, V0 = 1e-150: the peak V0^2 / (2f) = 1e-300 is about the least that is taken.
+  const Response r = response({0, 1e-150, 1, 0.5, 0});
+  BOOST_TEST(name(r.outcome) == "stopped_in_dead_zone");
+  near("peak_amplitude", r.peak_amplitude, 1e-300, 1e-15);
+  near("stop_position", *r.stop_position, 1e-300, 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(outcomes_have_the_names_of_their_enumerators) {
+  BOOST_TEST(name(Outcome::stopped_at_zero) == "stopped_at_zero");
+  BOOST_TEST(name(Outcome::stopped_in_dead_zone) == "stopped_in_dead_zone");
+  BOOST_TEST(name(Outcome::never_stops) == "never_stops");
+  BOOST_TEST(name(Outcome::caught_at_start) == "caught_at_start");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "testing/checks.hpp"
+#include "testing/near_tie.hpp"
+#include "testing/random_scene.hpp"
+#include "testing/scene.hpp"
+
+#include <stillpoint/core/half_cycle_walk.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(half_cycle_walk_test)
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double length_tolerance = 1e-14;  // relative
+constexpr double time_tolerance = 1e-14;    // relative
+constexpr double speed_tolerance = 1e-14;   // relative
+constexpr double energy_tolerance = 1e-13;  // relative to the energy of the half-cycle
+
+std::vector<HalfCycle> rows(const Scene<>& scene, std::int64_t most = 100000) {
+  return first_half_cycles(scene.oscillator(), scene.start(), most);
+}
+
+/// What a half-cycle says of itself, and what the one before left it.
+void is_consistent(const Scene<>& scene, const std::vector<HalfCycle>& list, std::size_t k) {
+  const HalfCycle& now = list[k];
+  BOOST_TEST(now.index == static_cast<std::int64_t>(k) + 1);
+  BOOST_TEST(now.last == (k + 1 == list.size()));
+  BOOST_TEST(now.start_time <= now.peak_time);
+  BOOST_TEST(now.peak_time <= now.end_time);
+  BOOST_TEST(now.start_time < now.end_time);
+  BOOST_TEST(now.arrival_speed.has_value() == (now.end_position == 0));
+  // Constant friction takes f for every length gone: v-^2 = V^2 + p^2 x0^2 - 2 f (2 A - |x0|).
+  const double from = k == 0 ? std::abs(scene.x0) : 0;
+  const double way = now.peak_time > now.start_time ? 2 * now.peak - from : from;
+  if (now.arrival_speed) {
+    const double stored = std::pow(now.departure_speed, 2) + std::pow(scene.p * from, 2);
+    const double left = stored - 2 * scene.f * way;
+    BOOST_TEST(std::abs(std::pow(*now.arrival_speed, 2) - left) <= energy_tolerance * stored);
+  }
+  if (k == 0) {
+    return;
+  }
+  const HalfCycle& before = list[k - 1];
+  BOOST_TEST(now.start_time == before.end_time);
+  BOOST_TEST(now.side == -before.side);
+  BOOST_TEST(now.departure_speed <= *before.arrival_speed);
+  const double arrival = std::pow(*before.arrival_speed, 2);
+  BOOST_TEST(std::abs(std::pow(now.departure_speed, 2) - (arrival - 2 * scene.delta)) <=
+             energy_tolerance * arrival);
+  if (k > 1 && scene.f > 0) {
+    BOOST_TEST(now.peak < before.peak);
+  }
+}
+
+void agrees_with_free_response(const Scene<>& scene, const std::vector<HalfCycle>& list) {
+  const Response r = response(scene);
+  BOOST_TEST(static_cast<double>(list.size()) == *r.half_cycles);
+  const auto highest = std::max_element(
+      list.begin(), list.end(), [](const auto& a, const auto& b) { return a.peak < b.peak; });
+  near("peak", highest->peak, r.peak_amplitude, length_tolerance);
+  const HalfCycle& last = list.back();
+  near("end_time", last.end_time, *r.stop_time, 1e-13);
+  BOOST_TEST(std::abs(last.end_position - *r.stop_position) <= length_tolerance * r.peak_amplitude);
+  if (last.arrival_speed) {
+    const double energy = std::pow(scene.p * r.peak_amplitude, 2);
+    const double difference = std::pow(*last.arrival_speed, 2) - std::pow(*r.arrival_speed, 2);
+    BOOST_TEST(std::abs(difference) <= energy_tolerance * energy);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(two_half_cycles_by_hand) {
+  // f = 7, V0 = 24, Delta = 20 (p = 1): peak 18, v-^2 = 72, v+^2 = 32, peak 2.
+  const std::vector<HalfCycle> list = rows({0, 24, 1, 7, 20});
+  BOOST_REQUIRE(list.size() == 2U);
+  const double up = std::atan2(24.0, 7.0);
+  const double down = pi / 2 + std::atan2(7.0, std::sqrt(72.0));
+  const HalfCycle& first = list[0];
+  BOOST_TEST(first.side == 1);
+  BOOST_TEST(first.start_time == 0);
+  BOOST_TEST(first.departure_speed == 24);
+  near("peak_time", first.peak_time, up, time_tolerance);
+  near("peak", first.peak, 18, length_tolerance);
+  near("end_time", first.end_time, up + down, time_tolerance);
+  near("arrival_speed", *first.arrival_speed, std::sqrt(72.0), speed_tolerance);
+  const HalfCycle& second = list[1];
+  BOOST_TEST(second.side == -1);
+  near("departure_speed", second.departure_speed, std::sqrt(32.0), speed_tolerance);
+  near("peak", second.peak, 2, length_tolerance);
+  near("end_position", second.end_position, -2, length_tolerance);
+  near("end_time", second.end_time, up + down + std::atan2(std::sqrt(32.0), 7.0), time_tolerance);
+  BOOST_TEST(second.peak_time == second.end_time);
+  BOOST_TEST(second.last);
+}
+
+BOOST_AUTO_TEST_CASE(an_inward_start_has_its_peak_at_the_start) {
+  // x0 = -4, v0 = 4, f = 1: zero with v-^2 = 24 after acos(-1/5) - atan2(4, 3).
+  const std::vector<HalfCycle> list = rows({-4, 4, 1, 1, 1});
+  BOOST_TEST(list[0].side == -1);
+  BOOST_TEST(list[0].peak_time == 0);
+  BOOST_TEST(list[0].peak == 4);
+  BOOST_TEST(list[0].departure_speed == 4);
+  near("end_time", list[0].end_time, std::acos(-0.2) - std::atan2(4.0, 3.0), time_tolerance);
+  near("arrival_speed", *list[0].arrival_speed, std::sqrt(24.0), speed_tolerance);
+  BOOST_TEST(list[1].side == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_rest_after_a_swing_back_is_part_of_the_half_cycle) {
+  // f = 5, V0 = 12: peak 8 and a swing of pi back to 2.
+  const std::vector<HalfCycle> list = rows({0, 12, 1, 5, 0.5});
+  BOOST_REQUIRE(list.size() == 1U);
+  near("end_time", list[0].end_time, std::atan2(12.0, 5.0) + pi, time_tolerance);
+  near("end_position", list[0].end_position, 2, length_tolerance);
+  BOOST_TEST(!list[0].arrival_speed);
+}
+
+BOOST_AUTO_TEST_CASE(a_peak_at_two_dead_zones_comes_back_without_speed) {
+  // x0 = 4, v0 = 12, f = 5: S = 15 = 3f, and the peak is 10 = 2f.
+  for (const double delta : {0.0, 0.5}) {
+    const std::vector<HalfCycle> list = rows({4, 12, 1, 5, delta});
+    BOOST_REQUIRE(list.size() == 1U);
+    BOOST_TEST(list[0].peak == 10);
+    BOOST_TEST(list[0].arrival_speed.value() == 0);
+    BOOST_TEST(list[0].end_position == 0);
+    near("end_time", list[0].end_time, std::atan2(12.0, 9.0) + pi, time_tolerance);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(point_friction_alone_gives_peaks_of_falling_energy) {
+  // v_k^2 = V0^2 - 2 (k - 1) Delta, A_k = v_k / p, each half-cycle pi / p long.
+  const std::vector<HalfCycle> list = rows({0, 2, 4, 0, 0.01});
+  BOOST_TEST(list.size() == 200U);
+  for (std::size_t k = 0; k + 1 < list.size(); ++k) {
+    const double speed = std::sqrt(4 - 0.02 * static_cast<double>(k));
+    near("departure_speed", list[k].departure_speed, speed, 1e-12);
+    near("peak", list[k].peak, speed / 4, 1e-12);
+    near("end_time", list[k].end_time, pi * static_cast<double>(k + 1) / 4, time_tolerance);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(constant_friction_alone_gives_peaks_falling_by_two_dead_zones) {
+  // f = 20, V0 = 99: S = 101, A_k = 81 - 40 (k - 1).
+  const std::vector<HalfCycle> list = rows({0, 99, 1, 20, 0});
+  BOOST_REQUIRE(list.size() == 3U);
+  near("peak", list[0].peak, 81, length_tolerance);
+  near("peak", list[1].peak, 41, length_tolerance);
+  near("peak", list[2].peak, 1, 1e-12);
+  const double up = std::atan2(99.0, 20.0);
+  near("peak_time", list[1].peak_time, up + pi, time_tolerance);
+  near("peak_time", list[2].peak_time, up + 2 * pi, time_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(random_walks_are_consistent_and_agree_with_free_response) {
+  Dice dice(501);
+  for (int i = 0; i < 3000; ++i) {
+    const Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+    BOOST_TEST_CONTEXT("seed 501, scene " << scene) {
+      const std::vector<HalfCycle> list = rows(scene);
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        is_consistent(scene, list, k);
+      }
+      BOOST_TEST(list.empty() == (end_of(scene).half_cycles == 0));
+      if (!list.empty()) {
+        agrees_with_free_response(scene, list);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(next_to_ties_the_walk_agrees_with_free_response) {
+  Dice dice(502);
+  for (int found = 0; found < 1000;) {
+    const Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
+    if (const auto tie = near_tie(scene, dice); tie && end_of(*tie).half_cycles > 0) {
+      ++found;
+      BOOST_TEST_CONTEXT("seed 502, scene " << *tie) {
+        agrees_with_free_response(*tie, rows(*tie));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_more_half_cycles_are_listed_than_asked_for) {
+  BOOST_TEST(rows({0, 2, 1, 0, 0.01}, 7).size() == 7U);
+  BOOST_TEST(rows({0, 2, 1, 0, 0.01}, 0).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_without_friction_goes_on) {
+  const std::vector<HalfCycle> list = rows({0, 3, 2, 0, 0}, 1000);
+  BOOST_TEST(list.size() == 1000U);
+  near("end_time", list.back().end_time, 1000 * pi / 2, time_tolerance);
+  near("peak", list.back().peak, 1.5, length_tolerance);
+  BOOST_TEST(!list.back().last);
+  // Nothing is lost, not even a last bit.
+  Dice dice(503);
+  for (int i = 0; i < 100; ++i) {
+    Scene<> scene = general_start_scene(dice);
+    scene.f = scene.delta = 0;
+    const std::vector<HalfCycle> same = rows(scene, 3);
+    BOOST_TEST(*same[1].arrival_speed == same[1].departure_speed, "seed 503, scene " << scene);
+    BOOST_TEST(same[2].departure_speed == same[1].departure_speed, "seed 503, scene " << scene);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(where_nothing_moves_there_is_no_half_cycle) {
+  BOOST_TEST(rows({0, 1, 1, 0.1, 0.6}).empty());
+  BOOST_TEST(rows({0.5, 0, 1, 1, 0}).empty());
+  BOOST_TEST(rows({0, 0, 1, 1, 0}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(from_rest_two_dead_zones_out_the_times_are_numbers) {
+  const std::vector<HalfCycle> list = rows({2, 0, 1, 1, 0});  // x = 1 + cos tau
+  BOOST_REQUIRE(list.size() == 1U);
+  near("end_time", list[0].end_time, pi, time_tolerance);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

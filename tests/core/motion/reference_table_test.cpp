@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "testing/backward_error.hpp"
+#include "testing/exact_run.hpp"
+#include "testing/scene.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+// data/reference/free_motion.csv was made by a time-domain solution at 40 digits that shares
+// nothing with the kernel. It checks the rules that the 50-digit run of the kernel's own template
+// cannot.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(reference_table_test)
+
+namespace {
+
+// The table has 40 digits; 50 digits less the condition of the near ties must agree to:
+const Exact table_tolerance("1e-35");  // relative to condition and value
+// The table takes decisions closer than 1e-45 for ties, which 50 digits may round either way.
+const Exact tie_margin("1e-45");
+
+struct Row {
+  std::string name;
+  Scene<> scene;
+  Run<Exact> run;
+};
+
+/// Fields between commas; the table quotes none.
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> list(1);
+  for (const char c : line) {
+    if (c == ',') {
+      list.emplace_back();
+    } else if (c != '\r') {
+      list.back() += c;
+    }
+  }
+  return list;
+}
+
+double to_double(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw std::runtime_error("no number: " + text);
+  }
+  return value;
+}
+
+Outcome to_outcome(const std::string& text) {
+  for (const Outcome outcome : {Outcome::stopped_at_zero, Outcome::stopped_in_dead_zone,
+                                Outcome::never_stops, Outcome::caught_at_start}) {
+    if (text == name(outcome)) {
+      return outcome;
+    }
+  }
+  throw std::runtime_error("no outcome: " + text);
+}
+
+Row to_row(const std::vector<std::string>& list) {
+  const auto number = [&](std::size_t i) { return to_double(list.at(i)); };
+  const auto count = [&](std::size_t i) { return list.at(i).empty() ? 0 : number(i); };
+  const auto exact = [&](std::size_t i) {
+    return list.at(i).empty() ? std::nullopt : std::optional(Exact(list.at(i)));
+  };
+  return {list.at(0),
+          {number(1), number(2), number(3), number(4), number(5)},
+          {{to_outcome(list.at(14)), count(8), count(9), count(10)},
+           {exact(6), exact(7), exact(11), exact(12), exact(13)},
+           std::nullopt}};
+}
+
+const std::vector<Row>& table() {
+  static const std::vector<Row> rows = [] {
+    const std::string path = STILLPOINT_DATA_DIR "/reference/free_motion.csv";
+    std::ifstream file(path);
+    std::vector<Row> list;
+    bool heading_seen = false;
+    for (std::string line; std::getline(file, line);) {
+      if (line.empty() || line.front() == '#') {
+        continue;
+      }
+      if (!heading_seen) {
+        heading_seen = true;
+        const std::string expected =
+            "name,x0,v0,p,f,delta,peak_amplitude,peak_acceleration,half_cycles,turning_points,"
+            "zero_passages,stop_time,stop_position,arrival_speed,outcome";
+        if (line != expected) {
+          throw std::runtime_error("other columns than expected: " + line);
+        }
+        continue;
+      }
+      list.push_back(to_row(fields(line)));
+    }
+    return list;
+  }();
+  return rows;
+}
+
+/// Within the bounds of stillpoint/core/oscillator.hpp; the table goes beyond them.
+bool in_range(const Scene<>& scene) {
+  const double reach = std::abs(scene.p * scene.x0);
+  const double speed = std::abs(scene.v0);
+  const double phi = scene.f / scene.p;
+  const bool f_fits =
+      scene.f == 0 ||
+      (phi >= smallest_friction_speed && phi <= largest_speed &&
+       (speed == 0 || phi <= speed || speed * (speed / phi) >= smallest_peak_speed));
+  const bool x0_fits = scene.x0 == 0 || (reach >= smallest_speed && reach <= largest_speed);
+  return f_fits && x0_fits;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_table_is_there_and_has_every_outcome) {
+  BOOST_TEST(table().size() >= 100U);
+  for (const Outcome outcome : {Outcome::stopped_at_zero, Outcome::stopped_in_dead_zone,
+                                Outcome::never_stops, Outcome::caught_at_start}) {
+    BOOST_TEST(std::any_of(table().begin(), table().end(),
+                           [&](const Row& row) { return row.run.end.outcome == outcome; }),
+               name(outcome));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_50_digit_run_agrees_with_the_independent_table) {
+  Exact worst = 0;
+  for (const Row& row : table()) {
+    BOOST_TEST_CONTEXT(row.name << ' ' << row.scene) {
+      const Run<Exact> run = run_in(widened<Exact>(row.scene));
+      if (run.end != row.run.end) {
+        BOOST_TEST((run.margin && *run.margin <= tie_margin),
+                   "got " << run.end << ", expected " << row.run.end);
+        continue;
+      }
+      const std::array<Exact, 5> sums = conditions(row.scene, run);
+      for (std::size_t i = 0; i < sums.size(); ++i) {
+        const auto& got = run.metrics[i];
+        const auto& expected = row.run.metrics[i];
+        BOOST_TEST(got.has_value() == expected.has_value(), metric_names[i]);
+        if (got && expected) {
+          const Exact error = abs(Exact(*got - *expected));
+          const Exact bound = table_tolerance * (abs(*expected) + sums[i]);
+          worst = bound == 0 ? worst : std::max(worst, Exact(error / bound));
+          BOOST_TEST(error <= bound, metric_names[i] << " = " << got->str(40) << ", expected "
+                                                     << expected->str(40));
+        }
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE("worst error/bound: " << worst.str(3));
+}
+
+BOOST_AUTO_TEST_CASE(double_keeps_the_promise_about_the_independent_table) {
+  WorstRatios worst{};
+  for (const Row& row : table()) {
+    if (!in_range(row.scene)) {
+      continue;
+    }
+    BOOST_TEST_CONTEXT(row.name << ' ' << row.scene) {
+      const Run<double> run = as_run(response(row.scene));
+      const Run<Exact> exact = run_in(widened<Exact>(row.scene));
+      Run<Exact> expected = row.run;
+      expected.margin = exact.margin;
+      if (ends_agree(run, expected) && exact.end == expected.end) {
+        metrics_agree(run, expected, conditions(row.scene, exact), worst);
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE("worst error/bound: " << text(worst));
+}
+
+BOOST_AUTO_TEST_CASE(rows_beyond_the_range_of_the_kernel_are_refused) {
+  for (const Row& row : table()) {
+    if (!in_range(row.scene)) {
+      BOOST_CHECK_THROW((void)response(row.scene), InputError);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test

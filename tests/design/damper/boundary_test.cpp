@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+
+BOOST_AUTO_TEST_SUITE(boundary_test)
+
+// The region's edges to the last bit, in the formulas and in the simulation.
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// The simulation of one half-cycle decides rightly beyond this margin (free_motion.hpp).
+constexpr double simulation_margin = 6e-16;
+/// The formulas decide beyond this: a few roundings of each edge, at a condition of at most 4.
+constexpr double formula_margin = 4e-15;
+
+double below(double value) {
+  return std::nextafter(value, 0.0);
+}
+double above(double value) {
+  return std::nextafter(value, HUGE_VAL);
+}
+
+Response simulate(const Problem& problem, double f, double delta) {
+  return free_response({problem.p, f, delta}, {0, problem.v0}, {.times = false});
+}
+
+bool stops_at_first_return(const Response& response) {
+  return response.outcome == Outcome::stopped_at_zero && *response.half_cycles == 1;
+}
+
+std::array<bool, 5> met(const Problem& problem, double f, double delta) {
+  std::array<bool, 5> list{};
+  std::size_t i = 0;
+  for (const Constraint& constraint : constraints(problem, f, delta)) {
+    list[i++] = constraint.satisfied;
+  }
+  return list;
+}
+
+/// A half-cycle in whole numbers: f^2 + (V0 p)^2 = S^2 with S >= 3 f, p = 1.
+struct Triple {
+  double f;
+  double v0;
+  double s;
+
+  [[nodiscard]] double peak() const { return s - f; }
+  [[nodiscard]] double published() const { return (s - 2 * f) * (s - 2 * f) / 2; }
+  [[nodiscard]] double exact() const { return (s - f) * (s - 3 * f) / 2; }
+};
+
+constexpr std::array<Triple, 8> triples{{{7, 24, 25},
+                                         {9, 40, 41},
+                                         {11, 60, 61},
+                                         {12, 35, 37},
+                                         {13, 84, 85},
+                                         {16, 63, 65},
+                                         {20, 99, 101},
+                                         {28, 96, 100}}};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(delta_of_a_whole_number_triple_tips_both_bounds_at_the_last_bit) {
+  for (const Triple& t : triples) {
+    for (const double scale : {0x1p-30, 1.0, 0x1p30}) {  // of lengths
+      const double f = t.f * scale;
+      const Problem published{t.v0 * scale, 1, 10 * t.v0 * scale, Criterion::published};
+      const Problem exact{t.v0 * scale, 1, 10 * t.v0 * scale, Criterion::exact};
+      const double at_published = t.published() * scale * scale;
+      const double at_exact = t.exact() * scale * scale;
+      BOOST_TEST(delta1_published(published, f) == at_published);
+      BOOST_TEST(delta1_exact(exact, f).value() == at_exact);
+      BOOST_TEST(!admissible(published, {}, f, at_published));
+      BOOST_TEST(admissible(published, {}, f, above(at_published)));
+      BOOST_TEST(!admissible(exact, {}, f, at_exact));
+      BOOST_TEST(admissible(exact, {}, f, above(at_exact)));
+      // The published bound is safe on both of its sides; the exact one is where the motion tips.
+      // At v_-^2 = 2 Delta itself it stops, which the region leaves out: there nothing is to spare.
+      BOOST_TEST(stops_at_first_return(simulate(exact, f, below(at_published))));
+      BOOST_TEST(stops_at_first_return(simulate(exact, f, at_exact)));
+      BOOST_TEST(*simulate(exact, f, below(at_exact)).zero_passages >= 1);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(beta_of_a_whole_number_triple_tips_the_amplitude_at_the_last_bit) {
+  for (const Triple& t : triples) {
+    const double delta = t.v0 * t.v0 / 2;
+    Problem problem{t.v0, 1, t.peak()};
+    BOOST_TEST(admissible_region(problem).f2 == t.f);
+    BOOST_TEST(simulate(problem, t.f, delta).peak_amplitude == t.peak());
+    BOOST_TEST(admissible(problem, {}, t.f, delta));
+    BOOST_TEST(!admissible(problem, {}, below(t.f), delta));
+    problem.beta = below(t.peak());
+    BOOST_TEST(!admissible(problem, {}, t.f, delta));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_start_tips_at_the_same_bit_in_formula_and_simulation) {
+  RandomSource random(301);
+  for (int i = 0; i < 5000; ++i) {
+    const Problem problem = random_problem(random, 1.5, 3);
+    const Region region = admissible_region(problem);
+    const double f = random.uniform(0.05, 0.95) * region.f3;
+    for (const double delta : {below(region.delta2), region.delta2}) {
+      BOOST_TEST(admissible(problem, {}, f, delta));
+      BOOST_TEST(stops_at_first_return(simulate(problem, f, delta)));
+    }
+    BOOST_TEST(!admissible(problem, {}, f, above(region.delta2)));
+    BOOST_TEST(simulate(problem, f, above(region.delta2)).outcome == Outcome::caught_at_start);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_return_tips_at_f3_in_formula_and_simulation) {
+  RandomSource random(302);
+  int decided = 0;
+  int count = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Problem problem = random_problem(random, 1.5, 3);
+    const Region region = admissible_region(problem);
+    const double delta = region.delta2 / 2;
+    double inside = region.f3;
+    double outside = above(region.f3);
+    for (int ulps = 0; ulps < 20; ++ulps, inside = below(inside), outside = above(outside)) {
+      BOOST_TEST(admissible(problem, {}, inside, delta));
+      BOOST_TEST(!admissible(problem, {}, outside, delta));
+      const Response in = simulate(problem, inside, delta);
+      const Response out = simulate(problem, outside, delta);
+      ++count;
+      if (*in.decision_margin > simulation_margin) {
+        ++decided;
+        BOOST_TEST(stops_at_first_return(in));
+      }
+      if (*out.decision_margin > simulation_margin) {
+        BOOST_TEST(out.outcome == Outcome::stopped_in_dead_zone);
+      }
+    }
+  }
+  BOOST_TEST(decided > count / 10);
+}
+
+BOOST_AUTO_TEST_CASE(the_amplitude_tips_at_f2_in_formula_and_simulation) {
+  RandomSource random(303);
+  for (int i = 0; i < 5000; ++i) {
+    const Problem problem = random_problem(random, 0.72, 0.99);
+    const Region region = admissible_region(problem);
+    const double delta = region.delta2;
+    double inside = region.f2;
+    double outside = below(region.f2);
+    // The peak falls more slowly than f grows, so an ulp of f may be none of the peak.
+    constexpr double peak_rounding = 6e-16;
+    for (int ulps = 0; ulps < 20; ++ulps, inside = above(inside), outside = below(outside)) {
+      BOOST_TEST(admissible(problem, {}, inside, delta));
+      BOOST_TEST(!admissible(problem, {}, outside, delta));
+      const double low = simulate(problem, inside, delta).peak_amplitude;
+      const double high = simulate(problem, outside, delta).peak_amplitude;
+      BOOST_TEST(low <= problem.beta * (1 + peak_rounding));
+      BOOST_TEST(high >= problem.beta * (1 - peak_rounding));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_stop_tips_at_the_exact_bound_in_formula_and_simulation) {
+  RandomSource random(304);
+  int decided = 0;
+  int count = 0;
+  for (int i = 0; i < 5000; ++i) {
+    Problem problem = random_problem(random, 1.5, 3);
+    problem.criterion = Criterion::exact;
+    const double f = random.uniform(0.01, 0.99) * admissible_region(problem).f3;
+    double inside = above(delta1(problem, f));
+    double outside = delta1(problem, f);
+    for (int ulps = 0; ulps < 40; ++ulps, inside = above(inside), outside = below(outside)) {
+      BOOST_TEST(admissible(problem, {}, f, inside));
+      BOOST_TEST(!admissible(problem, {}, f, outside));
+      const Response in = simulate(problem, f, inside);
+      const Response out = simulate(problem, f, outside);
+      ++count;
+      if (*in.decision_margin > formula_margin) {
+        ++decided;
+        BOOST_TEST(stops_at_first_return(in));
+      }
+      if (*out.decision_margin > formula_margin) {
+        BOOST_TEST(!stops_at_first_return(out));
+      }
+    }
+  }
+  BOOST_TEST_MESSAGE(decided << " of " << count << " decided");
+}
+
+BOOST_AUTO_TEST_CASE(the_dead_zone_tips_at_f1_to_the_last_bit) {
+  RandomSource random(305);
+  for (int i = 0; i < 5000; ++i) {
+    const Problem problem = random_problem(random, 0.1, 3);
+    const double f1 = admissible_region(problem).f1;
+    BOOST_TEST(met(problem, below(f1), 0)[0]);
+    BOOST_TEST(!met(problem, f1, 0)[0]);
+    BOOST_TEST(!met(problem, above(f1), 0)[0]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(limits_bind_to_the_last_bit) {
+  const Problem problem{1, 1, 0.9};
+  const Limits limits{0.2, 0.3, 0};
+  BOOST_TEST(admissible(problem, limits, 0.2, 0.3));
+  BOOST_TEST(!admissible(problem, limits, above(0.2), 0.3));
+  BOOST_TEST(!admissible(problem, limits, 0.2, above(0.3)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

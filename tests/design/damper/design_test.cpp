@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/design.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <optional>
+
+BOOST_AUTO_TEST_SUITE(design_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
+  RandomSource random(1301);
+  for (int i = 0; i < 100; ++i) {
+    DesignRequest request;
+    request.problem = random_feasible_problem(random);
+    const DesignResult result = design::design(request);
+    BOOST_TEST(result.region.feasible);
+    BOOST_TEST(result.reason.empty());
+    BOOST_TEST(result.mends.empty());
+    BOOST_REQUIRE(result.finding.has_value());
+    const Finding& finding = *result.finding;
+    BOOST_TEST(finding.point.f >= *result.region.f_lower);
+    BOOST_TEST(finding.point.f <= *result.region.f_upper);
+    for (const Constraint& constraint : finding.constraints) {
+      BOOST_TEST(constraint.satisfied);
+    }
+    // The requirements themselves, as the simulation of the response shows them.
+    const Response& response = finding.response;
+    BOOST_TEST(response.outcome == Outcome::stopped_at_zero);
+    BOOST_TEST(*response.half_cycles == 1);
+    BOOST_TEST(response.peak_amplitude <= request.problem.beta);
+    BOOST_TEST(*response.decision_margin > 0);
+    BOOST_TEST(finding.cross_check.passed);
+    BOOST_TEST(finding.search.evaluations > 0);
+    BOOST_TEST(finding.search.wall_time_s >= 0);
+    BOOST_TEST(finding.search.algorithm == "LD_SLSQP");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_empty_region_is_a_result_that_explains_itself) {
+  DesignRequest request;
+  request.problem = {1, 1, 0.5, Criterion::published};
+  const DesignResult result = design::design(request);
+  BOOST_TEST(!result.region.feasible);
+  BOOST_TEST(!result.finding);
+  BOOST_TEST(!result.reason.empty());
+  BOOST_TEST(result.mends.size() == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(the_box_of_a_design_is_safe_in_simulation) {
+  // What the tolerance promises: every f and Delta within it stops at x = 0 with a peak within
+  // beta.
+  constexpr double rounding = 1e-14;
+  RandomSource random(1302);
+  for (int i = 0; i < 200; ++i) {
+    DesignRequest request;
+    request.problem = random_feasible_problem(random);
+    const auto& [v0, p, beta, criterion] = request.problem;
+    const DesignPoint point = design::design(request).finding->point;
+    for (int j = -10; j <= 10; ++j) {
+      for (int k = -10; k <= 10; ++k) {
+        const double r = point.tolerance * (1 - rounding) / 10;
+        const double f = point.f * (1 + r * j);
+        const double delta = point.delta * (1 + r * k);
+        const Response response = free_response({p, f, delta}, {0, v0}, {.times = false});
+        BOOST_TEST(response.outcome == Outcome::stopped_at_zero);
+        BOOST_TEST(*response.half_cycles == 1);
+        BOOST_TEST(response.peak_amplitude <= beta * (1 + rounding));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_of_a_design_is_an_input_error) {
+  DesignRequest request;
+  request.problem = {-1, 1, 1, Criterion::published};
+  BOOST_CHECK_THROW((void)design::design(request), InputError);
+  request.problem = {1, 1, 1, Criterion::published};
+  request.limits.tolerance = 1;
+  BOOST_CHECK_THROW((void)design::design(request), InputError);
+  request.limits.tolerance = 0;
+  request.search.algorithm = "BEST";
+  BOOST_CHECK_THROW((void)design::design(request), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

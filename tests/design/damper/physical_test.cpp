@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/physical.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(physical_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// Relative, of scales and of what is computed from them: a few roundings.
+constexpr double scale_tolerance = 2e-15;
+/// Relative, of designs found twice on different scales: the search's 1e-10 in f, doubled.
+constexpr double design_tolerance = 1e-8;
+
+void check_close(double value, double expected, double tolerance = scale_tolerance) {
+  BOOST_TEST(std::abs(value - expected) <= tolerance * std::abs(expected),
+             value << " instead of " << expected);
+}
+
+PhysicalIsolator with_period(double period) {
+  PhysicalIsolator isolator;
+  isolator.period_s = period;
+  return isolator;
+}
+
+PhysicalIsolator with_stiffness(double stiffness, double mass) {
+  PhysicalIsolator isolator;
+  isolator.stiffness_n_per_m = stiffness;
+  isolator.mass_kg = mass;
+  return isolator;
+}
+
+void check_refused(const std::string& field, const PhysicalIsolator& isolator, double velocity) {
+  const auto names_the_field = [&](const InputError& error) {
+    BOOST_TEST(error.field() == field);
+    return true;
+  };
+  BOOST_CHECK_EXCEPTION((void)physical_scales(isolator, velocity), InputError, names_the_field);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_isolator_of_three_seconds_by_hand) {
+  // omega = 2 pi/3, H = 0.4/omega, sqrt(H/g), sqrt(H g), p = omega sqrt(H/g); in 40 digits by hand.
+  PhysicalIsolator isolator = with_period(3);
+  isolator.mass_kg = 20'000;
+  const Scales scales = physical_scales(isolator, 0.4);
+  check_close(scales.omega_rad_per_s, 2.0943951023931954923);
+  check_close(scales.length_m, 0.19098593171027440293);
+  check_close(scales.time_s, 0.1395533772488728529);
+  check_close(scales.velocity_m_per_s, 1.3685511269976589637);
+  check_close(scales.p, 0.2922799098324692971);
+  check_close(*scales.stiffness_n_per_m(), 87729.816898572076611);
+  check_close(scales.delta_m(0.05), 0.0095492965855137201);
+  check_close(*scales.friction_force_n(0.02), 3922.66);
+  check_close(*scales.energy_per_passage_j(0.05), 1872.9321872065624734);
+}
+
+BOOST_AUTO_TEST_CASE(period_and_stiffness_are_two_words_for_the_same) {
+  // 4 pi^2 N/m under 1 kg swing once a second.
+  const double stiffness = 4 * std::numbers::pi * std::numbers::pi;
+  const Scales by_stiffness = physical_scales(with_stiffness(stiffness, 1), 0.4);
+  const Scales by_period = physical_scales(with_period(1), 0.4);
+  check_close(by_stiffness.omega_rad_per_s, by_period.omega_rad_per_s);
+  check_close(by_stiffness.p, by_period.p);
+  check_close(by_stiffness.length_m, by_period.length_m);
+  check_close(*by_stiffness.stiffness_n_per_m(), stiffness);
+}
+
+BOOST_AUTO_TEST_CASE(forces_and_energies_need_a_mass) {
+  const Scales scales = physical_scales(with_period(3), 0.4);
+  BOOST_TEST(!scales.mass_kg);
+  BOOST_TEST(!scales.stiffness_n_per_m());
+  BOOST_TEST(!scales.friction_force_n(0.1));
+  BOOST_TEST(!scales.energy_per_passage_j(0.1));
+  BOOST_TEST(scales.delta_m(0.1) > 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_scales_satisfy_their_definitions) {
+  RandomSource random(1201);
+  for (int i = 0; i < 1000; ++i) {
+    PhysicalIsolator isolator = with_period(random.log_uniform(1e-3, 1e3));
+    isolator.gravity_m_per_s2 = random.log_uniform(1, 30);
+    isolator.mass_kg = random.log_uniform(1e-3, 1e6);
+    const double velocity = random.log_uniform(1e-3, 10);
+    const Scales scales = physical_scales(isolator, velocity);
+    const double g = isolator.gravity_m_per_s2;
+    BOOST_TEST(scales.gravity_m_per_s2 == g);
+    check_close(scales.omega_rad_per_s * scales.omega_rad_per_s,
+                g * scales.p * scales.p / scales.length_m);
+    check_close(scales.length_m / scales.time_s, scales.velocity_m_per_s);
+    check_close(scales.length_m / scales.time_s / scales.time_s, g);
+    // H = V/omega makes V0 and p one number.
+    check_close(velocity / scales.velocity_m_per_s, scales.p);
+    // The energy of a passage is that of the speed sqrt(2 g delta_m), the force that of m f g.
+    check_close(*scales.energy_per_passage_j(0.3), *isolator.mass_kg * g * scales.delta_m(0.3));
+    check_close(*scales.friction_force_n(0.3), *isolator.mass_kg * 0.3 * g);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_passage_takes_the_energy_that_the_scales_say) {
+  PhysicalIsolator isolator = with_period(2.5);
+  isolator.mass_kg = 1500;
+  const Scales scales = physical_scales(isolator, 0.5);
+  const double v0 = 0.5 / scales.velocity_m_per_s;
+  const double delta = 0.2 * v0 * v0;
+  // Point friction alone: the second half-cycle's peak is (m V^2/2 - E) = m omega^2 A^2/2.
+  const Oscillator oscillator{scales.p, 0, delta};
+  const double energy = 1500 * 0.5 * 0.5 / 2 - *scales.energy_per_passage_j(delta);
+  const double amplitude = std::sqrt(2 * energy / *scales.stiffness_n_per_m());
+  const double left = std::sqrt(v0 * v0 - 2 * delta);
+  check_close(free_peak(oscillator, {0, left}) * scales.length_m, amplitude);
+}
+
+BOOST_AUTO_TEST_CASE(a_design_in_metres_does_not_depend_on_the_unit_of_length) {
+  // Any H serves, not only V/omega: the dimensionless problem changes, the damper does not.
+  constexpr double velocity = 0.4;
+  constexpr double displacement = 0.16;
+  for (const Objective objective :
+       {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+    DesignRequest request;
+    request.search.objective = objective;
+    request.limits.tolerance = objective == Objective::robust ? 0 : 0.1;
+    const auto design_with = [&](double reference_velocity) {
+      const Scales scales = physical_scales(with_period(3), reference_velocity);
+      request.problem = {velocity / scales.velocity_m_per_s, scales.p,
+                         displacement / scales.length_m, Criterion::published};
+      const DesignResult result = design::design(request);
+      BOOST_REQUIRE(result.finding.has_value());
+      BOOST_TEST(result.finding->cross_check.passed);
+      struct {
+        double f, delta_m, peak_m, stop_s, tolerance;
+      } answer{result.finding->point.f, scales.delta_m(result.finding->point.delta),
+               result.finding->response.peak_amplitude * scales.length_m,
+               *result.finding->response.stop_time * scales.time_s,
+               result.finding->point.tolerance};
+      return answer;
+    };
+    const auto usual = design_with(velocity);
+    BOOST_TEST(usual.peak_m <= displacement);
+    for (const double factor : {1e-3, 0.1, 7.0, 1e3}) {
+      const auto other = design_with(velocity * factor);
+      check_close(other.f, usual.f, design_tolerance);
+      check_close(other.delta_m, usual.delta_m, design_tolerance);
+      check_close(other.peak_m, usual.peak_m, design_tolerance);
+      check_close(other.stop_s, usual.stop_s, design_tolerance);
+      check_close(other.tolerance, usual.tolerance, design_tolerance);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_physical_input_is_refused_with_the_name_of_its_field) {
+  for (const double wrong : {0.0, -1.0, 1e-31, 1e31, std::nan(""), double(HUGE_VAL)}) {
+    check_refused("period", with_period(wrong), 0.4);
+    check_refused("stiffness", with_stiffness(wrong, 1), 0.4);
+    check_refused("mass", with_stiffness(1, wrong), 0.4);
+    check_refused("velocity", with_period(3), wrong);
+    PhysicalIsolator floating = with_period(3);
+    floating.gravity_m_per_s2 = wrong;
+    check_refused("gravity", floating, 0.4);
+    PhysicalIsolator weightless = with_period(3);
+    weightless.mass_kg = wrong;
+    check_refused("mass", weightless, 0.4);
+  }
+  check_refused("period", PhysicalIsolator{}, 0.4);
+  PhysicalIsolator both = with_stiffness(1, 1);
+  both.period_s = 3;
+  check_refused("stiffness", both, 0.4);
+  PhysicalIsolator massless;
+  massless.stiffness_n_per_m = 1;
+  check_refused("mass", massless, 0.4);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+#include "reference.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(region_empty_test)
+
+namespace {
+
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+/// Relative: on which side of a double an edge lies, long double may tell wrongly within this.
+constexpr double long_double_doubt = 1e-18;
+/// Raising beta by an ulp, 2.2e-16, lowers f2 by three times that; twice, where a first one is not
+/// enough for a double to fit.
+constexpr double single_f_width = 1.4e-15;
+
+/// Whether some double lies between f2 and f3, both taken exactly.
+bool holds_a_double(const Problem& problem) {
+  const Reference reference(problem);
+  auto f = static_cast<double>(reference.f3());
+  if (Precise(f) > reference.f3()) {
+    f = std::nextafter(f, 0.0);
+  }
+  return Precise(f) >= reference.f2();
+}
+
+void check_explained(const Problem& problem, const Limits& limits, Conflict conflict,
+                     const std::vector<std::string>& words) {
+  const Region region = admissible_region(problem, limits);
+  BOOST_TEST(!region.feasible);
+  BOOST_TEST(region.conflict == conflict);
+  BOOST_TEST((!region.f_lower && !region.f_upper));
+  const std::string text = reason(region, problem, limits);
+  for (const std::string& word : words) {
+    BOOST_TEST((text.find(word) != std::string::npos), "\"" << text << "\" lacks " << word);
+  }
+}
+
+void check_refused(const std::string& field, const std::function<void()>& call) {
+  const auto names_the_field = [&](const stillpoint::InputError& error) {
+    BOOST_TEST(error.field() == field);
+    return std::string(error.what()).starts_with(field + " = ");
+  };
+  BOOST_CHECK_EXCEPTION(call(), stillpoint::InputError, names_the_field);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_region_is_not_empty_exactly_from_beta_min_on) {
+  RandomSource random(201);
+  int in_doubt = 0;
+  constexpr int count = 1000;
+  for (int i = 0; i < count; ++i) {
+    Problem problem = random_problem(random, 1, 2);
+    const double least = admissible_region(problem).beta_min;
+    const auto feasible_at = [&](double beta) {
+      problem.beta = beta;
+      return admissible_region(problem).feasible;
+    };
+    BOOST_TEST(feasible_at(least));
+    BOOST_TEST(feasible_at(std::nextafter(least, HUGE_VAL)));
+    BOOST_TEST(!feasible_at(std::nextafter(least, 0.0)));
+    BOOST_TEST(admissible_region(problem).conflict == Conflict::amplitude_against_return);
+    // beta_min is the first double that leaves a double between f2 and f3.
+    for (const double beta : {std::nextafter(least, 0.0), least}) {
+      problem.beta = beta;
+      in_doubt += holds_a_double(problem) != feasible_at(beta);
+    }
+    // Never below condition (10).
+    BOOST_TEST(
+        (Precise(least) >= Reference(problem).beta_min() * (1 - Precise(long_double_doubt))));
+  }
+  BOOST_TEST(in_doubt <= count / 100);
+}
+
+BOOST_AUTO_TEST_CASE(at_beta_min_a_single_f_is_left) {
+  RandomSource random(202);
+  for (int i = 0; i < 1000; ++i) {
+    Problem problem = random_problem(random, 1, 2);
+    problem.beta = admissible_region(problem).beta_min;
+    const Region region = admissible_region(problem);
+    BOOST_TEST(*region.f_upper == region.f3);
+    BOOST_TEST(*region.f_upper - *region.f_lower <= single_f_width * region.f3);
+    BOOST_TEST(admissible(problem, {}, *region.f_upper, region.delta2 / 2));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_region_that_is_not_empty_has_no_reason) {
+  const Region region = admissible_region({1, 1, 0.8});
+  BOOST_TEST(region.feasible);
+  BOOST_TEST(region.conflict == Conflict::none);
+  BOOST_TEST(reason(region, {1, 1, 0.8}) == "");
+}
+
+BOOST_AUTO_TEST_CASE(amplitude_against_return_is_explained) {
+  // f2 = (1 - 0.25)/1 = 0.75, f3 = 0.353553.
+  check_explained({1, 1, 0.5}, {}, Conflict::amplitude_against_return,
+                  {"amplitude", "return", "f2 = 0.75", "f3 = 0.353553"});
+  // f2 = 0.225 and f3 = 0.3536 do not fit with 25 %: 0.281 > 0.265.
+  check_explained({1, 1, 0.8}, {std::nullopt, std::nullopt, 0.25},
+                  Conflict::amplitude_against_return, {"tolerance of 0.25"});
+}
+
+BOOST_AUTO_TEST_CASE(an_amplitude_missed_by_an_ulp_is_explained_in_all_digits) {
+  Problem problem{1, 1, 1};
+  problem.beta = std::nextafter(admissible_region(problem).beta_min, 0.0);
+  const Region region = admissible_region(problem);
+  BOOST_TEST(!region.feasible);
+  // Nothing to see in six digits, so more are shown.
+  BOOST_TEST(reason(region, problem).find("0.353553 ") == std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(amplitude_against_f_max_is_explained) {
+  check_explained({1, 1, 0.8}, {0.2, std::nullopt, 0}, Conflict::amplitude_against_f_max,
+                  {"amplitude", "f_max", "f2 = 0.225", "0.2"});
+}
+
+BOOST_AUTO_TEST_CASE(stop_against_start_is_explained) {
+  // f <= 0.01 leaves a strip of 4 %, too narrow for +-10 %.
+  check_explained({1, 1, 1.1}, {0.01, std::nullopt, 0.1}, Conflict::stop_against_start,
+                  {"stop", "start", "delta2 = 0.5", "tolerance of 0.1"});
+}
+
+BOOST_AUTO_TEST_CASE(stop_against_delta_max_is_explained) {
+  // Even at f3 the published Delta1 is 1/16.
+  check_explained({1, 1, 1.1}, {std::nullopt, 0.06, 0}, Conflict::stop_against_delta_max,
+                  {"stop", "delta_max is 0.06", "0.0625"});
+  const Problem exact{1, 1, 1.1, Criterion::exact};
+  BOOST_TEST(admissible_region(exact, {std::nullopt, 0.06, 0}).feasible);
+}
+
+BOOST_AUTO_TEST_CASE(a_region_narrower_than_rounding_is_explained) {
+  Region region;
+  region.conflict = Conflict::narrower_than_rounding;
+  BOOST_TEST((reason(region, {1, 1, 1}).find("neighbouring doubles") != std::string::npos));
+}
+
+BOOST_AUTO_TEST_CASE(what_the_limits_leave_of_f_agrees_with_admissible) {
+  constexpr double step = 1e-9;
+  RandomSource random(203);
+  int met = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Problem problem = random_feasible_problem(random);
+    const double f3 = admissible_region(problem).f3;
+    const double delta2 = admissible_region(problem).delta2;
+    Limits limits;
+    limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0, 0.3);
+    limits.delta_max = random.uniform(0.05, 1.1) * delta2;
+    if (random.pick(2) == 0) {
+      limits.f_max = random.uniform(0.2, 1.1) * f3;
+    }
+    const Region region = admissible_region(problem, limits);
+    const double cap = std::min(delta2, *limits.delta_max) * (1 - 1e-15) / (1 + limits.tolerance);
+    const auto fits = [&](double f) { return admissible(problem, limits, f, cap); };
+    if (!region.feasible) {
+      for (int k = 0; k <= 40; ++k) {
+        BOOST_TEST(!fits(f3 * k / 40));
+      }
+      continue;
+    }
+    ++met;
+    const double lower = *region.f_lower;
+    const double upper = *region.f_upper;
+    BOOST_TEST(fits(upper));
+    BOOST_TEST(!fits(upper * (1 + step)));
+    BOOST_TEST(!fits(lower * (1 - step)));
+    BOOST_TEST(fits(std::min(upper, lower * (1 + step) + step * f3)));
+  }
+  BOOST_TEST(met > 1000);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_is_refused_with_the_name_of_its_field) {
+  for (const double wrong : {0.0, -1.0, 1e-151, 1e151, double(HUGE_VAL), not_a_number}) {
+    check_refused("v0", [&] { (void)admissible_region({wrong, 1, 1}); });
+    check_refused("p", [&] { (void)admissible_region({1, wrong, 1}); });
+  }
+  for (const double wrong : {0.0, -1.0, 1e-301, 1e301, double(HUGE_VAL), not_a_number}) {
+    check_refused("beta", [&] { (void)admissible_region({1, 1, wrong}); });
+    check_refused("f_max", [&] { (void)admissible_region({1, 1, 1}, {wrong, std::nullopt, 0}); });
+    check_refused("delta_max", [&] {
+      (void)admissible_region({1, 1, 1}, {std::nullopt, wrong, 0});
+    });
+  }
+  for (const double wrong : {-0.1, 1.0, double(HUGE_VAL), not_a_number}) {
+    check_refused("tolerance", [&] {
+      (void)admissible_region({1, 1, 1}, {std::nullopt, std::nullopt, wrong});
+    });
+  }
+  check_refused("beta", [] { (void)admissible_region({1e100, 1e140, 1e20}); });     // p beta
+  check_refused("beta", [] { (void)admissible_region({1e-150, 1e-140, 1e-20}); });  // p beta
+  check_refused("beta", [] { (void)admissible_region({1e100, 1, 1e-50}); });        // p beta / v0
+  check_refused("beta", [] { (void)admissible_region({1e150, 1e100, 1e-8}); });     // v0^2 / beta
+  for (const double wrong : {-0.1, 1e301, double(HUGE_VAL), not_a_number}) {
+    check_refused("f", [&] { (void)constraints({1, 1, 1}, wrong, 0.1); });
+    check_refused("f", [&] { (void)delta1_published({1, 1, 1}, wrong); });
+    check_refused("f", [&] { (void)delta1_exact({1, 1, 1}, wrong); });
+    check_refused("delta", [&] { (void)constraints({1, 1, 1}, 0.1, wrong); });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_constraint_is_ever_not_a_number) {
+  for (const double f : {0.0, 1e-300, 1.0, 1e160, 1e300}) {
+    for (const Problem& problem :
+         {Problem{1e-150, 1e-150, 1}, Problem{1, 1, 1}, Problem{1e150, 1e150, 1}}) {
+      for (const Constraint& constraint : constraints(problem, f, 1e300)) {
+        BOOST_TEST(!std::isnan(constraint.limit));
+        BOOST_TEST(!std::isnan(constraint.slack));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/runge_kutta.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(runge_kutta_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+using std::numbers::pi;
+
+constexpr double tight = 1e-12;  ///< the integrator's
+/// Of times, p T, for each half-cycle, and of lengths, relative to V0/p, at that tolerance.
+constexpr double time_tolerance = 5e-10;
+constexpr double length_tolerance = 2e-10;
+/// Of v^2/V0^2 after a half-cycle; divided by its margin it is what a near thing turns it into.
+constexpr double energy_error = 1e-11;
+/// Below this decision margin the integrator's errors may tip a count.
+constexpr double clear_margin = 1e-7;
+
+IntegratedMotion integrate(double v0, double p, double f, double delta) {
+  return integrate_free_motion({p, f, delta}, v0, tight);
+}
+
+void check_refused(const std::string& field, const Oscillator& oscillator, double v0,
+                   double tolerance) {
+  const auto names_the_field = [&](const InputError& error) { return error.field() == field; };
+  BOOST_CHECK_EXCEPTION((void)integrate_free_motion(oscillator, v0, tolerance), InputError,
+                        names_the_field);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(point_friction_alone_counts_and_times_as_in_closed_form) {
+  // v_k^2 = V0^2 - 2 (k - 1) Delta > 0, T = pi N / p.
+  for (const double delta : {0.45, 0.3, 0.12, 0.021, 0.0077}) {
+    for (const auto& [v0, p] : {std::pair{1.0, 1.0}, {300.0, 0.02}, {2e-3, 50.0}}) {
+      const double half_cycles = std::ceil(1 / (2 * delta));
+      const IntegratedMotion motion = integrate(v0, p, 0, delta * v0 * v0);
+      BOOST_TEST(motion.stopped);
+      BOOST_TEST(static_cast<double>(motion.half_cycles) == half_cycles);
+      BOOST_TEST(motion.stop_position == 0);
+      BOOST_TEST(std::abs(motion.stop_time * p - pi * half_cycles) <= time_tolerance * half_cycles);
+      BOOST_TEST(std::abs(motion.peak_amplitude * p / v0 - 1) <= length_tolerance);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(constant_friction_alone_counts_and_times_as_in_closed_form) {
+  // N = ceil(S/(2f)) - 1 half-swings follow the first peak, T = (atan2(V0 p, f) + pi N)/p, and the
+  // peaks fall by 2 f/p^2.
+  for (const double a : {2.0, 0.9, 0.35, 0.2, 0.1, 0.03, 0.004}) {
+    for (const auto& [v0, p] : {std::pair{1.0, 1.0}, {300.0, 0.02}, {2e-3, 50.0}}) {
+      const double s = std::sqrt(1 + a * a);
+      const double swings = std::ceil(s / (2 * a)) - 1;
+      const IntegratedMotion motion = integrate(v0, p, a * v0 * p, 0);
+      BOOST_TEST(motion.stopped);
+      BOOST_TEST(std::abs(motion.stop_time * p - std::atan2(1, a) - pi * swings) <=
+                 time_tolerance * (1 + swings));
+      BOOST_TEST(std::abs(motion.peak_amplitude * p / v0 - (s - a)) <= length_tolerance);
+      const double side = std::fmod(swings, 2) == 0 ? 1 : -1;
+      const double rest = side * (s - a - 2 * a * swings);
+      BOOST_TEST(std::abs(motion.stop_position * p / v0 - rest) <= length_tolerance * (1 + swings));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(motions_of_many_half_cycles_are_those_of_the_map) {
+  RandomSource random(1001);
+  int clear = 0;
+  int longest = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const double v0 = random.log_uniform(1e-4, 1e4);
+    const double p = random.log_uniform(1e-4, 1e4);
+    const double f = random.log_uniform(1e-2, 0.5) * v0 * p;
+    const double delta = random.log_uniform(1e-3, 0.5) * v0 * v0;
+    const Response expected = free_response({p, f, delta}, {0, v0});
+    if (*expected.decision_margin < clear_margin) {
+      continue;
+    }
+    ++clear;
+    longest = std::max(longest, static_cast<int>(*expected.half_cycles));
+    const IntegratedMotion motion = integrate(v0, p, f, delta);
+    BOOST_TEST_CONTEXT("v0 = " << v0 << ", p = " << p << ", f = " << f << ", delta = " << delta
+                               << ", margin = " << *expected.decision_margin) {
+      BOOST_TEST(motion.stopped);
+      BOOST_TEST(static_cast<double>(motion.half_cycles) == *expected.half_cycles);
+      BOOST_TEST(std::abs(motion.peak_amplitude / expected.peak_amplitude - 1) <= length_tolerance);
+      BOOST_TEST(std::abs(motion.stop_time - *expected.stop_time) * p <=
+                 *expected.half_cycles *
+                     (time_tolerance + energy_error / *expected.decision_margin));
+      BOOST_TEST((motion.stop_position == 0) == expected.stops_at_zero);
+    }
+  }
+  BOOST_TEST_MESSAGE(clear << " motions, the longest with " << longest << " half-cycles");
+  BOOST_TEST(clear > 1400);
+  BOOST_TEST(longest > 20);
+}
+
+BOOST_AUTO_TEST_CASE(the_error_falls_with_the_tolerance) {
+  const Oscillator oscillator{1, 0.02, 0.03};
+  const Response exact = free_response(oscillator, {0, 1});
+  BOOST_TEST(*exact.half_cycles > 5);
+  std::vector<double> errors;
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+    const IntegratedMotion motion = integrate_free_motion(oscillator, 1, tolerance);
+    BOOST_TEST(static_cast<double>(motion.half_cycles) == *exact.half_cycles);
+    errors.push_back(std::abs(motion.stop_time - *exact.stop_time));
+    BOOST_TEST_MESSAGE("tolerance " << tolerance << ", error " << errors.back());
+    BOOST_TEST(errors.back() <= 1000 * tolerance);
+  }
+  // Two decades of tolerance are at least one of error; half-way that of a fifth-order method.
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    BOOST_TEST(errors[i] < errors[i - 1] / 10);
+  }
+  BOOST_TEST(errors.back() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(an_arrival_that_grazes_x_0_is_counted_right) {
+  const double f3 = 1 / std::sqrt(8.0);
+  for (const double distance : {1e-9, 1e-7, 1e-5, 1e-3}) {
+    BOOST_TEST_CONTEXT("a relative " << distance << " from f3") {
+      const IntegratedMotion returns = integrate(1, 1, f3 * (1 - distance), 0.3);
+      BOOST_TEST(returns.stopped);
+      BOOST_TEST(returns.half_cycles == 1);
+      BOOST_TEST(returns.stop_position == 0);
+      // Rests a little before x = 0, at 2f - B = 3f - S.
+      const double f = f3 * (1 + distance);
+      const IntegratedMotion stays = integrate(1, 1, f, 0.3);
+      BOOST_TEST(stays.stopped);
+      BOOST_TEST(stays.half_cycles == 1);
+      BOOST_TEST(std::abs(stays.stop_position - (3 * f - std::sqrt(1 + f * f))) <=
+                 length_tolerance);
+      BOOST_TEST(stays.stop_position > 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_caught_at_the_start_takes_no_time) {
+  const IntegratedMotion motion = integrate(1, 1, 0.1, 0.6);
+  BOOST_TEST(motion.stopped);
+  BOOST_TEST(motion.half_cycles == 0);
+  BOOST_TEST(motion.stop_time == 0);
+  BOOST_TEST(motion.peak_amplitude == 0);
+  // At Delta = V0^2/2 itself it starts.
+  BOOST_TEST(integrate(1, 1, 0.1, 0.5).half_cycles == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_longer_than_allowed_is_not_said_to_stop) {
+  const IntegratedMotion motion = integrate_free_motion({1, 0, 0.01}, 1, tight, 10);
+  BOOST_TEST(!motion.stopped);
+  BOOST_TEST(motion.half_cycles == 10);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_of_the_integrator_is_refused) {
+  for (const double wrong : {0.0, -1.0, 1e-151, std::nan(""), double(HUGE_VAL)}) {
+    check_refused("v0", {1, 0.1, 0.1}, wrong, tight);
+    check_refused("p", {wrong, 0.1, 0.1}, 1, tight);
+  }
+  for (const double wrong : {-1.0, std::nan(""), double(HUGE_VAL)}) {
+    check_refused("f", {1, wrong, 0.1}, 1, tight);
+    check_refused("delta", {1, 0.1, wrong}, 1, tight);
+  }
+  for (const double wrong : {0.0, 1e-17, 0.1, std::nan("")}) {
+    check_refused("tolerance", {1, 0.1, 0.1}, 1, wrong);
+  }
+  check_refused("f, delta", {1, 0, 0}, 1, tight);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

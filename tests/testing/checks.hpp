@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Checks that several tests share.
+
+#include "testing/exact_run.hpp"
+#include "testing/scene.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <string>
+
+namespace stillpoint::test {
+
+/// |value - expected| <= tolerance * |expected|; failures print both.
+inline void near(const char* what, double value, double expected, double tolerance) {
+  BOOST_TEST(std::abs(value - expected) <= tolerance * std::abs(expected),
+             what << " = " << value << ", expected " << expected);
+}
+
+/// The counts and the outcome of a motion.
+inline void ends(const Response& response, const End& expected) {
+  BOOST_TEST(as_run(response).end == expected,
+             "got " << as_run(response).end << ", expected " << expected);
+}
+
+/// What `action` throws as an Error; empty, with a failure, where it throws none.
+template <class Error>
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  BOOST_ERROR("nothing was thrown");
+  return {};
+}
+
+}  // namespace stillpoint::test

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A forced motion's inputs in any scalar, its run by the kernel's own template, and how tests print
+// and compare them.
+
+#include "testing/exact_run.hpp"
+#include "testing/random_scene.hpp"
+#include "testing/scene.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/excitation_run.hpp>
+#include <stillpoint/core/forced_event.hpp>
+#include <stillpoint/core/forced_run.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace stillpoint::test {
+
+template <class Real>
+using AnyExcitation = std::variant<NoExcitation, BasicHarmonic<Real>, BasicHalfSine<Real>,
+                                   BasicFullSine<Real>, BasicRectangle<Real>, BasicRecord<Real>>;
+
+template <class Real = double>
+struct ForcedScene {
+  Scene<Real> motion;
+  AnyExcitation<Real> excitation;
+  Real t_end{1};
+};
+
+/// A piece and how long the motion stayed on it, for looking at it closely.
+template <class Real>
+struct SeenPiece {
+  std::variant<HarmonicFlow<Real>, LinearPiece<Real>> motion;
+  Real begin;
+};
+
+/// What a run decided, in order, and its pieces.
+template <class Real>
+class Recorder {
+ public:
+  static constexpr bool watches = true;
+
+  void event(ForcedEventKind kind, const ExactSum<Real>& now, const Real& /*u*/,
+             const Real& /*v*/) {
+    kinds.push_back(kind);
+    times.push_back(now.value());
+  }
+  template <class Piece>
+  void piece(const ExactSum<Real>& begin, int /*direction*/, const Piece& piece) {
+    if constexpr (std::is_same_v<Piece, LinearPiece<Real>>) {
+      pieces.push_back({piece, begin.value()});
+    } else {
+      pieces.push_back({piece.flow(), begin.value()});
+    }
+  }
+
+  std::vector<ForcedEventKind> kinds;
+  std::vector<Real> times;  ///< p tau
+  std::vector<SeenPiece<Real>> pieces;
+};
+
+template <class Real>
+struct ForcedRecord {
+  ForcedState<Real> state;
+  Recorder<Real> seen;
+};
+
+template <class Real>
+ForcedRecord<Real> run_forced(const ForcedScene<Real>& scene) {
+  ForcedRecord<Real> record;
+  ForcedRun<Real, Recorder<Real>> run(scene.motion.oscillator(), scene.motion.start(), record.seen);
+  std::visit([&](const auto& kind) { run_until(run, kind, scene.t_end); }, scene.excitation);
+  record.state = run.state();
+  return record;
+}
+
+template <class Wide>
+struct Widen {
+  AnyExcitation<Wide> operator()(const NoExcitation& none) const { return none; }
+  AnyExcitation<Wide> operator()(const Harmonic& e) const {
+    return BasicHarmonic<Wide>{Wide(e.k), Wide(e.lambda), Wide(e.phase), Wide(e.duration)};
+  }
+  AnyExcitation<Wide> operator()(const HalfSine& e) const {
+    return BasicHalfSine<Wide>{Wide(e.k), Wide(e.lambda)};
+  }
+  AnyExcitation<Wide> operator()(const FullSine& e) const {
+    return BasicFullSine<Wide>{Wide(e.k), Wide(e.lambda)};
+  }
+  AnyExcitation<Wide> operator()(const Rectangle& e) const {
+    return BasicRectangle<Wide>{Wide(e.k), Wide(e.lambda)};
+  }
+  AnyExcitation<Wide> operator()(const Record& e) const {
+    return BasicRecord<Wide>{
+        {e.values.begin(), e.values.end()}, Wide(e.step), {e.times.begin(), e.times.end()}};
+  }
+};
+
+template <class Wide>
+ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
+  return {widened<Wide>(scene.motion), std::visit(Widen<Wide>(), scene.excitation),
+          Wide(scene.t_end)};
+}
+
+/// So that a failing scene can be pasted into a test.
+inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& scene) {
+  const auto digits = out.precision(17);
+  out << "ForcedScene<>{" << scene.motion << ", ";
+  struct Print {
+    std::ostream& out;
+    void operator()(const NoExcitation& /*none*/) { out << "none"; }
+    void operator()(const Harmonic& e) {
+      out << "harmonic " << e.k << ", " << e.lambda << ", " << e.phase << ", " << e.duration;
+    }
+    void operator()(const HalfSine& e) { out << "half-sine " << e.k << ", " << e.lambda; }
+    void operator()(const FullSine& e) { out << "full-sine " << e.k << ", " << e.lambda; }
+    void operator()(const Rectangle& e) { out << "rectangle " << e.k << ", " << e.lambda; }
+    void operator()(const Record& e) {
+      out << "record of " << e.values.size() << ", step " << e.step << ": ";
+      for (std::size_t i = 0; i < e.values.size() && i < 12; ++i) {
+        out << e.values[i] << ' ';
+      }
+    }
+  };
+  std::visit(Print{out}, scene.excitation);
+  out << ", t_end " << scene.t_end << '}';
+  out.precision(digits);
+  return out;
+}
+
+inline Record random_record(Dice& dice, double k) {
+  Record record;
+  const std::size_t count = 2 + dice.below(60);
+  const bool even = dice.once_in(2);
+  double time = dice.once_in(3) ? 0 : dice.uniform(0, 2);
+  const double step = dice.power_of_ten(-2, 0.7);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool repeat = i > 0 && dice.once_in(4);
+    const double fresh = dice.once_in(5) ? 0 : k * dice.uniform(-1, 1);
+    record.values.push_back(repeat ? record.values.back() : fresh);
+    if (!even) {
+      record.times.push_back(time);
+      time += step * dice.power_of_ten(-1, 0.5);
+    }
+  }
+  record.step = even ? step : 0;
+  return record;
+}
+
+/// Every kind of excitation, all forces of comparable size, some tens of events.
+inline ForcedScene<> random_forced_scene(Dice& dice) {
+  ForcedScene<> scene;
+  const double p = dice.power_of_ten(-1, 1);
+  const double k = dice.power_of_ten(-1, 1);
+  const double v = k / p * dice.power_of_ten(-1, 1);
+  scene.motion = {0, dice.once_in(3) ? 0 : dice.sign() * v, p,
+                  dice.once_in(6) ? 0 : k * dice.power_of_ten(-1.5, 0.1),
+                  dice.once_in(2) ? 0 : v * v * dice.power_of_ten(-3, -0.2)};
+  if (dice.once_in(4)) {
+    scene.motion.x0 = dice.sign() * k / (p * p) * dice.power_of_ten(-1, 0.7);
+  }
+  const double lambda = dice.once_in(4) ? p * (1 + dice.sign() * dice.power_of_ten(-13, -1))
+                                        : p * dice.power_of_ten(-1, 1);
+  switch (dice.below(6)) {
+    case 0:
+    case 1:
+      scene.excitation = Harmonic{dice.sign() * k, lambda, dice.uniform(-4, 4)};
+      break;
+    case 2:
+      scene.excitation = Harmonic{k, lambda, dice.uniform(-4, 4), dice.uniform(0, 30) / lambda};
+      break;
+    case 3:
+      scene.excitation = dice.once_in(2) ? AnyExcitation<double>(HalfSine{k, lambda})
+                                         : AnyExcitation<double>(FullSine{-k, lambda});
+      break;
+    case 4:
+      scene.excitation = Rectangle{k, lambda};
+      break;
+    default:
+      scene.excitation = random_record(dice, k);
+  }
+  scene.t_end = dice.uniform(1, 60) / p;
+  return scene;
+}
+
+}  // namespace stillpoint::test

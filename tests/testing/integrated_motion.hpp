@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A forced motion by Boost.Odeint's dopri5 with dense output, its events looked for on a fine grid
+// and bisected: nothing in common with the kernel but the rules.
+
+#include "testing/forced_scene.hpp"
+
+#include <boost/numeric/odeint.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::test {
+
+/// A stretch of time on which W is smooth, and its formula, which may be used a little beyond.
+struct SmoothLoad {
+  double end;
+  double scale;  ///< a time in which W changes little when divided by a thousand
+  std::function<double(double)> w;
+};
+
+/// In order, from tau = 0 to for ever.
+inline std::vector<SmoothLoad> smooth_loads(const AnyExcitation<double>& excitation) {
+  constexpr double for_ever = std::numeric_limits<double>::infinity();
+  const auto nothing = [](double /*t*/) { return 0.0; };
+  std::vector<SmoothLoad> list;
+  const auto wave = [&](double k, double lambda, double phase, double lasts) {
+    list.push_back({lasts, 1 / lambda, [=](double t) { return k * std::sin(lambda * t + phase); }});
+  };
+  struct Make {
+    std::vector<SmoothLoad>& list;
+    const decltype(wave)& add_wave;
+
+    void operator()(const NoExcitation& /*none*/) const {}
+    void operator()(const Harmonic& e) const { add_wave(e.k, e.lambda, e.phase, e.duration); }
+    void operator()(const HalfSine& e) const {
+      add_wave(e.k, e.lambda, 0, std::acos(-1.0) / e.lambda);
+    }
+    void operator()(const FullSine& e) const {
+      add_wave(e.k, e.lambda, 0, 2 * std::acos(-1.0) / e.lambda);
+    }
+    void operator()(const Rectangle& e) const {
+      list.push_back({std::acos(-1.0) / e.lambda, 1 / e.lambda, [e](double /*t*/) { return e.k; }});
+    }
+    void operator()(const Record& e) const {
+      const auto time = [&](std::size_t i) {
+        return e.times.empty() ? static_cast<double>(i) * e.step : e.times[i];
+      };
+      list.push_back({time(0), 1, [](double /*t*/) { return 0.0; }});
+      for (std::size_t i = 0; i + 1 < e.values.size(); ++i) {
+        const double begin = time(i);
+        const double length = time(i + 1) - begin;
+        list.push_back(
+            {time(i + 1), length, [=, from = e.values[i], to = e.values[i + 1]](double t) {
+               return from + (to - from) * ((t - begin) / length);
+             }});
+      }
+    }
+  };
+  std::visit(Make{list, wave}, excitation);
+  list.push_back({for_ever, 1, nothing});
+  return list;
+}
+
+class IntegratedMotion {
+ public:
+  /// `size` of x and v, for the absolute tolerance.
+  IntegratedMotion(const ForcedScene<>& scene, double size)
+      : scene_(scene.motion), loads_(smooth_loads(scene.excitation)), size_(size) {}
+
+  double x{0};
+  double v{0};
+  int passages{0};
+  int turns{0};
+  int sticks{0};
+
+  void run(double t_end) {
+    x = scene_.x0;
+    v = scene_.v0;
+    if (x == 0 && v != 0 && v * v < 2 * scene_.delta) {
+      v = 0;
+      return;
+    }
+    direction_ = v > 0 ? 1 : -1;
+    resting_ = v == 0;
+    for (const SmoothLoad& load : loads_) {
+      load_ = &load;
+      const double end = std::min(load.end, t_end);
+      while (t_ < end && !held_) {
+        resting_ ? rest(end) : slide(end);
+      }
+    }
+    if (resting_ && !held_) {
+      count_stick();
+    }
+  }
+
+ private:
+  using State = std::array<double, 2>;
+
+  [[nodiscard]] double load(double t) const { return load_->w(t) + scene_.p * scene_.p * x; }
+
+  /// The bisection of a rest that ends at once leaves some rounding of its length.
+  void count_stick() { sticks += scene_.p * (t_ - rest_begin_) > 1e-12 ? 1 : 0; }
+
+  void rest(double end) {
+    const double step = std::min({1e-3 * load_->scale, (end - t_) / 8, 0.1 / scene_.p});
+    double before = t_;
+    while (t_ < end && std::abs(load(t_)) <= scene_.f) {
+      before = t_;
+      t_ = std::min(t_ + step, end);
+    }
+    if (std::abs(load(t_)) <= scene_.f) {
+      return;
+    }
+    if (t_ > before) {
+      t_ = bisected(before, t_, [&](double t) { return std::abs(load(t)) <= scene_.f; });
+    }
+    count_stick();
+    resting_ = false;
+    direction_ = load(t_) > 0 ? -1 : 1;
+    v = 0;
+  }
+
+  void slide(double end) {
+    namespace odeint = boost::numeric::odeint;
+    const double s = direction_;
+    const auto motion = [&](const State& state, State& rate, double t) {
+      rate = {state[1], -load_->w(t) - scene_.p * scene_.p * state[0] - s * scene_.f};
+    };
+    auto stepper =
+        odeint::make_dense_output(1e-14 * size_, 1e-13, odeint::runge_kutta_dopri5<State>());
+    stepper.initialize(State{x, v}, t_, std::min({1e-4 * load_->scale, 1e-4 / scene_.p, end - t_}));
+    const bool inward = s * x < 0;
+    while (t_ < end) {
+      const auto [from, to] = stepper.do_step(motion);
+      const double until = std::min(to, end);
+      const auto at = [&](double t) {
+        State state;
+        stepper.calc_state(t, state);
+        return state;
+      };
+      constexpr int looks = 32;
+      for (int look = 1; look <= looks; ++look) {
+        const double t = look == looks ? until : from + (until - from) * look / looks;
+        const State state = at(t);
+        if (inward && s * state[0] >= 0 && scene_.delta > 0) {
+          return arrive(bisected(t_, t, [&](double when) { return s * at(when)[0] < 0; }), at);
+        }
+        if (s * state[1] < 0) {
+          t_ = bisected(t_, t, [&](double when) { return s * at(when)[1] >= 0; });
+          return turn(at(t_)[0], inward);
+        }
+        t_ = t;
+      }
+    }
+    State state;
+    stepper.calc_state(t_, state);
+    passages += inward && s * state[0] >= 0 ? 1 : 0;
+    x = state[0];
+    v = state[1];
+  }
+
+  template <class Before>
+  static double bisected(double low, double high, Before before) {
+    for (int i = 0; i < 60; ++i) {
+      const double middle = low + (high - low) / 2;
+      (before(middle) ? low : high) = middle;
+    }
+    return high;
+  }
+
+  template <class At>
+  void arrive(double t, At at) {
+    t_ = t;
+    const double speed = at(t)[1];
+    x = 0;
+    const double left = speed * speed - 2 * scene_.delta;
+    held_ = left <= 0;
+    v = held_ ? 0 : direction_ * std::sqrt(left);
+    passages += held_ ? 0 : 1;
+  }
+
+  void turn(double where, bool inward) {
+    passages += inward && direction_ * where >= 0 ? 1 : 0;
+    x = where;
+    v = 0;
+    ++turns;
+    resting_ = true;
+    rest_begin_ = t_;
+  }
+
+  Scene<> scene_;
+  std::vector<SmoothLoad> loads_;
+  double size_;
+  const SmoothLoad* load_{nullptr};
+  double t_{0};
+  double rest_begin_{0};
+  int direction_{1};
+  bool resting_{false};
+  bool held_{false};
+};
+
+}  // namespace stillpoint::test
