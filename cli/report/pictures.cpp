@@ -26,6 +26,12 @@
 
 namespace stillpoint::cli {
 
+using figures::Figure;
+using figures::Frame;
+using figures::HtmlPage;
+using figures::HtmlTable;
+using figures::Ink;
+
 namespace {
 
 using fmt::format;
