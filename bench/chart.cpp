@@ -4,8 +4,8 @@
 
 #include "reports.hpp"
 
-#include <figure.hpp>
-#include <html_page.hpp>
+#include <stillpoint/figures/figure.hpp>
+#include <stillpoint/figures/html_page.hpp>
 
 #include <fmt/format.h>
 
@@ -21,17 +21,17 @@ namespace stillpoint::bench {
 
 namespace {
 
-using cli::Figure;
-using cli::FigureAxis;
-using cli::FigureCurve;
-using cli::FigureMarks;
-using cli::FigurePoint;
-using cli::FigureSheet;
-using cli::Fill;
-using cli::HtmlPage;
-using cli::Ink;
-using cli::Scale;
-using cli::Shape;
+using figures::Figure;
+using figures::FigureAxis;
+using figures::FigureCurve;
+using figures::FigureMarks;
+using figures::FigurePoint;
+using figures::FigureSheet;
+using figures::Fill;
+using figures::HtmlPage;
+using figures::Ink;
+using figures::Scale;
+using figures::Shape;
 
 constexpr double microsecond = 1e-6;
 
@@ -119,7 +119,7 @@ FigureSheet sheet(const Comparison& comparison) {
 }  // namespace
 
 std::string chart(const Comparison& comparison) {
-  return cli::svg(sheet(comparison));
+  return figures::svg(sheet(comparison));
 }
 
 std::string chart_page(const Comparison& comparison) {
@@ -131,7 +131,7 @@ std::string chart_page(const Comparison& comparison) {
       fmt::format("{}. {}, {}, {}.", all.title, machine.processor, machine.compiler, machine.date);
   page.footer = "./dev bench";
   page.figures = std::move(all.figures);
-  return cli::html(page);
+  return figures::html(page);
 }
 
 }  // namespace stillpoint::bench
