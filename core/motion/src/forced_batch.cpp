@@ -36,8 +36,7 @@ class SceneCheck {
 std::vector<ForcedResponse> run(const BatchEntries& entries, const Excitation& excitation,
                                 const ForcedBatchOptions& options) {
   std::vector<ForcedResponse> responses(static_cast<std::size_t>(entries.size));
-  BatchWork work(entries, 1);
-  work.in_threads(options.threads, [&] {
+  run_batch(entries, 1, options.threads, [&](EntryThreads& work) {
     SceneCheck check(excitation, options.scene.t_end);
     for (EntryRange scene = work.next(); scene.begin < scene.end; scene = work.next()) {
       const std::ptrdiff_t i = scene.begin;
