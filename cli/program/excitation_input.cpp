@@ -73,12 +73,8 @@ ExcitationInput record(const Settings& settings, const RecordClock& clock, doubl
     time /= clock.per_tau;
   }
   return {Record{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
-          "record",
-          path,
-          file.description,
-          settings.text("record-units"),
-          settings.number("record-step"),
-          settings.number("record-scale")};
+          report::RecordOrigin{*path, file.description, settings.text("record-units"),
+                               settings.number("record-step"), settings.number("record-scale")}};
 }
 
 }  // namespace
@@ -110,9 +106,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, const 
       throw InputError("excitation", type,
                        "must be harmonic, half-sine, full-sine, rectangle or record");
     }
-    input.emplace();
-    input->excitation = excitation;
-    input->type = type;
+    input = ExcitationInput{excitation, {}};
   }
   require_valid(input->excitation);
   return input;
