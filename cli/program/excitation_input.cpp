@@ -74,12 +74,8 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
     time /= clock.per_tau;
   }
   return {Record{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
-          "record",
-          path,
-          file.description,
-          settings.text("record-units"),
-          settings.number("record-step"),
-          settings.number("record-scale")};
+          report::RecordOrigin{*path, file.description, settings.text("record-units"),
+                               settings.number("record-step"), settings.number("record-scale")}};
 }
 
 }  // namespace
@@ -111,9 +107,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings,
       throw InputError("excitation", type,
                        "must be harmonic, half-sine, full-sine, rectangle or record");
     }
-    input.emplace();
-    input->excitation = excitation;
-    input->type = type;
+    input = ExcitationInput{excitation, {}};
   }
   require_valid(input->excitation);
   return input;

@@ -5,21 +5,16 @@
 #include "settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/report/record_origin.hpp>
 
 #include <optional>
-#include <string>
 
 namespace stillpoint::cli {
 
-/// What shakes the base, and how a report names it.
+/// What shakes the base, and where a record comes from.
 struct ExcitationInput {
   Excitation excitation;
-  std::string type;                         ///< as in --excitation
-  std::optional<std::string> record;        ///< the file
-  std::string description;                  ///< what the file says of itself
-  std::optional<std::string> record_units;  ///< these three as asked for
-  std::optional<double> record_step;
-  std::optional<double> record_scale;
+  std::optional<report::RecordOrigin> record;
 };
 
 /// Empty where nothing is asked for. A record's times become tau by its `clock`.

@@ -30,9 +30,9 @@ void prepare_pictures(const Settings& settings);
 
 [[nodiscard]] figures::HtmlPage design_page(const DesignInput& input,
                                             const design::DesignResult& result);
-[[nodiscard]] figures::HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
-[[nodiscard]] figures::HtmlPage simulate_page(const SimulateInput& input,
-                                              const SimulateAnswer& answer);
+[[nodiscard]] figures::HtmlPage region_page(const RegionInput& input,
+                                            const design::RegionAnswer& answer);
+[[nodiscard]] figures::HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer);
 
 [[nodiscard]] figures::HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary,
                                            const SweepMap& map);
