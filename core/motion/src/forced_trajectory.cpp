@@ -96,7 +96,7 @@ State ForcedTrajectory::at(double tau) const {
       [](double instant, const ForcedEvent& later) { return instant < later.state.tau; });
   assert(event != events_.begin());
   const ForcedEvent& before = *std::prev(event);
-  if (before.state.tau == tau || before.kind == ForcedEventKind::rest) {
+  if (before.state.tau == tau) {
     return {tau, before.state.x, before.state.v};
   }
   const double phase = p_ * tau;

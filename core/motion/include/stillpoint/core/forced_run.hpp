@@ -27,6 +27,7 @@
 #include <stillpoint/core/piece_end.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -67,9 +68,8 @@ class ForcedRun {
   void through(Drive& drive, const ExactSum<Real>& length, bool for_ever,
                std::optional<Crossing<Drive, Real>>& last) {
     ExactSum<Real> left = length;
-    if (s_.mode == ForcedMode::sliding && s_.v == 0) {
-      s_.mode = ForcedMode::resting;  // a kink just when the mass set off: the new load decides
-    }
+    // What sets off slides under the same drive: it has waited for less than was left.
+    assert(s_.mode != ForcedMode::sliding || s_.v != 0);
     while (!over() && left.value() > 0 && tick()) {
       if (s_.mode == ForcedMode::resting) {
         rest(drive, left, for_ever);
@@ -90,7 +90,7 @@ class ForcedRun {
   /// Follows the motion under a drive that lasts until v = 0, and leaves the decision there open.
   template <class Drive>
   void slide_to_turn(Drive& drive) {
-    while (s_.mode == ForcedMode::sliding && s_.v != 0 && tick()) {
+    while (s_.mode == ForcedMode::sliding && tick()) {
       std::optional<Crossing<Drive, Real>> last;
       ExactSum<Real> left(Real(8));  // more than 2 pi, where every piece ends
       slide(drive, left, last);
@@ -356,7 +356,8 @@ class ForcedRun {
     if constexpr (Watcher::watches) {
       watcher_.piece(s_.now, from.direction, piece);
     }
-    if (map_.notch == 0 && inward && (end.at.y > 0 || (end.at.y == 0 && end.at.v > 0))) {
+    if (map_.notch == 0 && inward &&
+        (end.at.y > 0 || (end.at.y == 0 && end.event == PieceEvent::none))) {
       pass();
       last.emplace(piece, end);
       watch_crossing(*last);
