@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Small multiples: a figure a scene, error across, time up, both logarithmic.
+// Small multiples: one figure per scene, error across, time up, both logarithmic.
 
 #include "reports.hpp"
 
@@ -35,7 +35,7 @@ using figures::Shape;
 
 constexpr double microsecond = 1e-6;
 
-/// How a method looks, by its place in the list; the kernel is the first.
+/// The looks of a method, by its place in the list; the kernel is the first.
 constexpr std::array<std::pair<Shape, Ink>, 6> looks{{{Shape::star, Ink::orange},
                                                       {Shape::disc, Ink::blue},
                                                       {Shape::square, Ink::amber},
@@ -44,7 +44,7 @@ constexpr std::array<std::pair<Shape, Ink>, 6> looks{{{Shape::star, Ink::orange}
                                                       {Shape::wedge, Ink::grey}}};
 
 FigurePoint place(const Row& row) {
-  // What is below the spacing of doubles is luck.
+  // An error below the spacing of doubles is luck.
   return {std::clamp(row.verdict.largest(), 1e-16, 10.0), row.time.median / microsecond};
 }
 
@@ -73,7 +73,7 @@ std::string description(const SceneRows& scene) {
   return text + ".";
 }
 
-/// A line through the settings that count right; marks of those that do not are crossed.
+/// A line through the settings with right counts; the marks of the others are crossed.
 void add_method(Figure& figure, const MethodRows& method, std::size_t index) {
   const auto [shape, ink] = looks.at(index % looks.size());
   const std::string name = method.method.name;

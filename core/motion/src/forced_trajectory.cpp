@@ -13,7 +13,7 @@
 
 namespace stillpoint {
 
-/// Keeps what the run shows.
+/// Records what the run shows.
 class ForcedTrajectory::Watcher {
  public:
   static constexpr bool watches = true;
@@ -23,7 +23,7 @@ class ForcedTrajectory::Watcher {
   void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
     const ForcedEvent event{kind,
                             {std::min(now.value() / path_.p_, path_.horizon_), u / path_.p_, v}};
-    // That a rest is the final one may be known only after the end of the excitation.
+    // Only the end of the excitation may show that a rest is final.
     const auto later = std::upper_bound(
         path_.events_.begin(), path_.events_.end(), event,
         [](const ForcedEvent& a, const ForcedEvent& b) { return a.state.tau < b.state.tau; });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What shakes the base: W(tau) in units of g, tau >= 0. Outside of what is said here W = 0.
+// The base acceleration W(tau) in units of g, tau >= 0. Outside the stated intervals W = 0.
 
 #include <limits>
 #include <string_view>
@@ -44,8 +44,8 @@ struct BasicRectangle {
 };
 using Rectangle = BasicRectangle<double>;
 
-/// W goes straight from one sample to the next. It is 0 before the first and after the last, where
-/// it may jump; a single sample lasts no time at all.
+/// W is linear between samples. It is 0 before the first and after the last sample, where it may
+/// jump; a single sample has no duration.
 template <class Real>
 struct BasicRecord {
   std::vector<Real> values;
@@ -62,11 +62,11 @@ using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rect
 /// "harmonic", "half-sine", "full-sine", "rectangle", "record"; "none".
 [[nodiscard]] std::string_view name(const Excitation& excitation) noexcept;
 
-/// p tau, lambda tau and the phase are at most this in a run under an excitation: further on sines
+/// p tau, lambda tau and the phase are at most this in a run under an excitation: beyond it sines
 /// lose their digits.
 inline constexpr double largest_phase = 1e15;
 
-/// The excitation is 0 from here on; infinite where it never ends.
+/// The excitation is 0 from here on; infinite if it never ends.
 [[nodiscard]] double duration(const Excitation& excitation);
 
 /// Throws InputError, naming the field ("lambda", "record value 17", ...), unless
