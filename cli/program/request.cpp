@@ -290,7 +290,7 @@ SimulateInput simulate_input(const Settings& settings) {
                    forced ? largest_speed : unlimited);
   }
   if (input.excitation) {
-    if (!input.t_end && std::isinf(duration(input.excitation->excitation))) {
+    if (!input.t_end && !duration(input.excitation->excitation)) {
       throw InputError::missing("t-end", "give --t-end, the excitation never ends");
     }
     require_valid(input.oscillator, input.start, input.excitation->excitation, input.t_end);

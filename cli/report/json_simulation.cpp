@@ -27,8 +27,7 @@ ordered_json excitation_json(const std::optional<ExcitationInput>& input) {
                     {"record_units", text(input->record_units.value_or(""))},
                     {"record_step", number(input->record_step)},
                     {"record_scale", number(input->record_scale)}};
-  const double lasts = duration(input->excitation);
-  json["duration"] = std::isfinite(lasts) ? number(lasts) : ordered_json(nullptr);
+  json["duration"] = number(duration(input->excitation));
   if (const auto* harmonic = std::get_if<Harmonic>(&input->excitation)) {
     json["phase"] = number(harmonic->phase);
   }

@@ -92,8 +92,8 @@ void add_excitation(Page& page, const ExcitationInput& input,
   if (!input.description.empty()) {
     page.row("", spelled_out(input.description));
   }
-  if (const double lasts = duration(input.excitation); std::isfinite(lasts)) {
-    page.row("lasts", format("{:.6g}{}", lasts, in_seconds(physical, lasts)));
+  if (const auto lasts = duration(input.excitation)) {
+    page.row("lasts", format("{:.6g}{}", *lasts, in_seconds(physical, *lasts)));
   }
 }
 

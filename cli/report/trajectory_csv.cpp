@@ -52,10 +52,10 @@ double forced_horizon(const SimulateInput& input, const ForcedResponse& response
   // The end of the motion comes from the free kernel, which may round it an ulp earlier than the
   // forced one that lists what led to it. A rest under a load is the final one once that is over.
   constexpr double behind_the_end = 1 + 1e-12;
-  const double lasts = duration(input.excitation->excitation);
   if (input.t_end) {
     return *input.t_end;
   }
+  const double lasts = duration(input.excitation->excitation).value();
   return comes_to_rest(response) ? std::max(*response.stop_time, lasts) * behind_the_end
                                  : lasts + ten_periods(input);
 }

@@ -3,9 +3,10 @@
 
 // What a forced run carries along and counts. Units and symbols as in forced_run.hpp.
 
-#include <stillpoint/core/exact_sum.hpp>
+#include "kernel/exact_sum.hpp"
+#include "kernel/piece_end.hpp"
+
 #include <stillpoint/core/outcome.hpp>
-#include <stillpoint/core/piece_end.hpp>
 
 #include <cstdint>
 #include <functional>

@@ -7,7 +7,7 @@
 // not by the luck of rounding. Where they are too near each other to tell, W, p u and f themselves
 // decide.
 
-#include <stillpoint/core/exact_sum.hpp>
+#include "kernel/exact_sum.hpp"
 
 #include <cmath>
 #include <limits>

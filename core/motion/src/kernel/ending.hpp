@@ -4,7 +4,8 @@
 // From a peak to the end of a free motion: by a remainder where only one friction acts, else by the
 // map. docs/theory.md sections 3 and 5; the words are those of half_cycle_map.hpp.
 
-#include <stillpoint/core/half_cycle_map.hpp>
+#include "kernel/half_cycle_map.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>
