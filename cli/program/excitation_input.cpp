@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <limits>
 
 namespace stillpoint::cli {
 
@@ -50,8 +49,7 @@ Excitation pulse(const Settings& settings, std::string_view type) {
 
 Excitation harmonic(const Settings& settings) {
   const auto [k, lambda] = wave(settings);
-  return Harmonic{k, lambda, settings.number("phase").value_or(0),
-                  settings.number("duration").value_or(std::numeric_limits<double>::infinity())};
+  return Harmonic{k, lambda, settings.number("phase").value_or(0), settings.number("duration")};
 }
 
 ExcitationInput record(const Settings& settings, const records::RecordClock& clock,

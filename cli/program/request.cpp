@@ -280,7 +280,7 @@ SimulateInput simulate_input(const Settings& settings) {
                    forced ? largest_speed : unlimited);
   }
   if (forced) {
-    if (!request.t_end && std::isinf(duration(request.excitation))) {
+    if (!request.t_end && !duration(request.excitation)) {
       throw InputError::missing("t-end", "give --t-end, the excitation never ends");
     }
     require_valid(request.oscillator, request.start, request.excitation, request.t_end);

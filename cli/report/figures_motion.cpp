@@ -284,7 +284,7 @@ struct Wave {
     return {{0, 0}, {horizon, 0}};
   }
   std::vector<FigurePoint> operator()(const Harmonic& wave) const {
-    return sine(wave.k, wave.lambda, wave.phase, wave.duration);
+    return sine(wave.k, wave.lambda, wave.phase, wave.duration.value_or(horizon));
   }
   std::vector<FigurePoint> operator()(const HalfSine& wave) const {
     return sine(wave.k, wave.lambda, 0, std::numbers::pi / wave.lambda);

@@ -157,7 +157,7 @@ std::optional<design::PulseProblem> pulse_problem(const std::optional<design::Pu
 Figure pulse_figure(const design::Pulse& pulse, const design::Problem& problem,
                     const design::Finding& found, const FigureUnits& units) {
   const Excitation shaking = design::excitation(pulse);
-  const double ends = duration(shaking);
+  const double ends = duration(shaking).value();
   constexpr double periods = 3;  // where it does not stop
   constexpr double behind_the_end = 1.04;
   const double horizon = behind_the_end * found.pulse->response.stop_time.value_or(

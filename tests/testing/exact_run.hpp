@@ -4,12 +4,12 @@
 // The kernel's own template in another scalar: with 50 digits the reference of the tests of double.
 // What it shares with double, the rules themselves, is checked against data/reference instead.
 
+#include "kernel/free_run.hpp"
+#include "kernel/margin_keeper.hpp"
+#include "kernel/phase_clock.hpp"
 #include "testing/scene.hpp"
 
-#include <stillpoint/core/free_run.hpp>
-#include <stillpoint/core/margin_keeper.hpp>
 #include <stillpoint/core/outcome.hpp>
-#include <stillpoint/core/phase_clock.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

@@ -39,7 +39,9 @@ inline std::vector<SmoothLoad> smooth_loads(const AnyExcitation<double>& excitat
     const decltype(wave)& add_wave;
 
     void operator()(const NoExcitation& /*none*/) const {}
-    void operator()(const Harmonic& e) const { add_wave(e.k, e.lambda, e.phase, e.duration); }
+    void operator()(const Harmonic& e) const {
+      add_wave(e.k, e.lambda, e.phase, e.duration.value_or(for_ever));
+    }
     void operator()(const HalfSine& e) const {
       add_wave(e.k, e.lambda, 0, std::acos(-1.0) / e.lambda);
     }

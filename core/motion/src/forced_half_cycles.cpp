@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/excitation_run.hpp>
+#include "kernel/excitation_run.hpp"
+#include "kernel/forced_run.hpp"
+
 #include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_run.hpp>
 
 #include <cmath>
 #include <functional>

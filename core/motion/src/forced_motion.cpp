@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "forced_response_of_valid.hpp"
+#include "kernel/excitation_run.hpp"
+#include "kernel/forced_run.hpp"
+#include "kernel/free_run.hpp"
+#include "kernel/margin_keeper.hpp"
+#include "kernel/phase_clock.hpp"
 
-#include <stillpoint/core/excitation_run.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_run.hpp>
-#include <stillpoint/core/free_run.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/margin_keeper.hpp>
-#include <stillpoint/core/phase_clock.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -26,8 +26,8 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "lane_rotor-inl.hpp"
-#include "lane_vectors-inl.hpp"
+#include "kernel/lane_rotor-inl.hpp"
+#include "kernel/lane_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace stillpoint::HWY_NAMESPACE {

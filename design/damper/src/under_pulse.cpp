@@ -50,7 +50,7 @@ PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
   PulseCheck result;
   result.shortness = problem.p / angular_frequency(problem.pulse);
   result.friction_ratio = f / peak_load(problem.pulse);
-  result.start = equivalent_start(problem.pulse, f);
+  result.start = equivalent_start(problem.pulse, f).value();
 
   CheckMethod method;
   method.wall_time_s = timed([&] {

@@ -34,7 +34,7 @@ double rate(const Scene& scene) {
         if constexpr (requires { kind.lambda; }) {
           return std::max(scene.oscillator.p, kind.lambda);
         } else if constexpr (requires { kind.values; }) {
-          const double last = duration(scene.excitation);
+          const double last = duration(scene.excitation).value();
           return std::max(scene.oscillator.p,
                           last > 0 ? static_cast<double>(kind.values.size()) / last : 0);
         } else {
@@ -126,7 +126,7 @@ std::optional<double> far_enough(const Oscillator& oscillator, const Start& star
   }
   // A rest under a load is the final one once that is over.
   const double moving = *stop_time > 0 ? past_the_rest * *stop_time : 1;
-  return std::max(moving, past_the_load * duration(excitation));
+  return std::max(moving, past_the_load * duration(excitation).value());
 }
 
 double longest(const Scene& scene) {

@@ -174,7 +174,7 @@ void add_motion(SweepTask& task, const Settings& settings) {
   task.t_end = settings.number("t-end");
   if (task.t_end) {
     require_within("t-end", *task.t_end, smallest_speed, largest_speed);
-  } else if (std::isinf(duration(task.excitation))) {
+  } else if (!duration(task.excitation)) {
     throw InputError::missing("t-end", "give --t-end, the excitation never ends");
   }
 }

@@ -49,6 +49,7 @@ BOOST_AUTO_TEST_CASE(waves_out_of_range_are_refused) {
   BOOST_TEST(refused(Harmonic{1, 0}) == "lambda");
   BOOST_TEST(refused(Harmonic{1, -1}) == "lambda");
   BOOST_TEST(refused(Harmonic{1, not_a_number}) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, 1, 0, infinity}) == "duration");
   BOOST_TEST(refused(Harmonic{1, 1, infinity}) == "phase");
   BOOST_TEST(refused(Harmonic{1, 1, 0, -1}) == "duration");
   BOOST_TEST(refused(Harmonic{1, 1, 0, not_a_number}) == "duration");
@@ -92,13 +93,14 @@ BOOST_AUTO_TEST_CASE(the_end_is_needed_and_bounded) {
 }
 
 BOOST_AUTO_TEST_CASE(the_duration_is_when_w_becomes_zero) {
-  BOOST_TEST(duration(NoExcitation{}) == 0);
-  BOOST_TEST(duration(Harmonic{1, 1}) == infinity);
-  BOOST_TEST(duration(HalfSine{1, 2}) == std::numbers::pi / 2);
-  BOOST_TEST(duration(FullSine{1, 2}) == std::numbers::pi);
-  BOOST_TEST(duration(Rectangle{1, 4}) == std::numbers::pi / 4);
-  BOOST_TEST(duration(Record{{1, 2, 3}, 0.5, {}}) == 1);
-  BOOST_TEST(duration(Record{{1, 2}, 0, {0.25, 7}}) == 7);
+  BOOST_TEST(*duration(NoExcitation{}) == 0);
+  BOOST_TEST(!duration(Harmonic{1, 1}).has_value());
+  BOOST_TEST(*duration(Harmonic{1, 1, 0, 3}) == 3);
+  BOOST_TEST(*duration(HalfSine{1, 2}) == std::numbers::pi / 2);
+  BOOST_TEST(*duration(FullSine{1, 2}) == std::numbers::pi);
+  BOOST_TEST(*duration(Rectangle{1, 4}) == std::numbers::pi / 4);
+  BOOST_TEST(*duration(Record{{1, 2, 3}, 0.5, {}}) == 1);
+  BOOST_TEST(*duration(Record{{1, 2}, 0, {0.25, 7}}) == 7);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -50,7 +50,9 @@ ForcedScene<> shifted(ForcedScene<> scene, Dice& dice, double by) {
         }
         if constexpr (requires { load.duration; }) {
           shift(load.phase);
-          shift(load.duration);
+          if (load.duration) {
+            shift(*load.duration);
+          }
         }
         if constexpr (requires { load.values; }) {
           std::ranges::for_each(load.values, shift);

@@ -19,8 +19,9 @@ struct BatchOptions {
 
 /// The metrics of entry i are the i-th of each array, and they are those of free_response.
 ///
-/// An entry that never stops has infinite half_cycles and stop_time, and its stop_position is 0
-/// because it has no place of rest: look at the outcome.
+/// An array cannot hold an empty value, so the outcome says which values exist: where outcome[i] is
+/// never_stops, half_cycles[i] and stop_time[i] are infinite and stop_position[i] is 0, and none of
+/// the three means anything.
 struct BatchResult {
   Eigen::ArrayXd peak_amplitude;
   Eigen::ArrayXd half_cycles;

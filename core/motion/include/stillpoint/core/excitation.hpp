@@ -3,7 +3,7 @@
 
 // The base acceleration W(tau) in units of g, tau >= 0. Outside the stated intervals W = 0.
 
-#include <limits>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -16,7 +16,7 @@ struct BasicHarmonic {
   Real k{0};
   Real lambda{1};  ///< > 0
   Real phase{0};
-  Real duration{std::numeric_limits<Real>::infinity()};  ///< >= 0
+  std::optional<Real> duration{};  ///< >= 0; empty: it never ends
 };
 using Harmonic = BasicHarmonic<double>;
 
@@ -66,13 +66,13 @@ using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rect
 /// lose their digits.
 inline constexpr double largest_phase = 1e15;
 
-/// The excitation is 0 from here on; infinite if it never ends.
-[[nodiscard]] double duration(const Excitation& excitation);
+/// The excitation is 0 from here on; empty where it never ends.
+[[nodiscard]] std::optional<double> duration(const Excitation& excitation);
 
 /// Throws InputError, naming the field ("lambda", "record value 17", ...), unless
-///   |k| <= 1e150, lambda and duration within [1e-150, 1e150] (duration 0 and infinity are right as
-///   well), |phase| <= 1e15, and in a record at least one sample, values as k, step as lambda,
-///   times within [0, 1e150], growing.
+///   |k| <= 1e150, lambda and duration within [1e-150, 1e150] (a duration of 0 is right as well),
+///   |phase| <= 1e15, and in a record at least one sample, values as k, step as lambda, times
+///   within [0, 1e150], growing.
 void require_valid(const Excitation& excitation);
 
 }  // namespace stillpoint

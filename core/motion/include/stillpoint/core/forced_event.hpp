@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 namespace stillpoint {
@@ -21,5 +22,9 @@ enum class ForcedEventKind {
 
 /// The name in output: the enumerator's own.
 [[nodiscard]] std::string_view name(ForcedEventKind kind) noexcept;
+
+/// The enumerator of that name; empty where there is none.
+[[nodiscard]] std::optional<ForcedEventKind> parse_forced_event_kind(
+    std::string_view name) noexcept;
 
 }  // namespace stillpoint

@@ -7,18 +7,19 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 namespace stillpoint {
 
 struct ForcedOptions {
   /// The tau at which the run ends. Without it the run continues to the end of the free motion
   /// after the excitation; an excitation that lasts for ever needs it.
-  std::optional<double> t_end;
+  std::optional<double> t_end{};
   /// A motion with more half-cycles is refused. Without it, only a free motion after the excitation
   /// has a limit, that of FreeOptions, and only without t_end.
-  std::optional<double> half_cycle_limit;
+  std::optional<double> half_cycle_limit{};
   /// Called now and then with the tau reached; false ends the run there. Empty: never called.
-  std::function<bool(double)> go_on;
+  std::function<bool(double)> go_on{};
   int ask_every{1024};  ///< pieces between two calls; >= 1
 };
 
@@ -48,6 +49,9 @@ struct ForcedResponse : Response {
 [[nodiscard]] ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
                                              const Excitation& excitation,
                                              const ForcedOptions& options = {});
+
+/// As of a Response; of a motion that still goes on it says where it is.
+[[nodiscard]] std::string summary(const ForcedResponse& response);
 
 /// The input of a forced run: what require_valid says of each part, and
 ///   |k| / p and record values / p are 0 or within [1e-150, 1e150], lambda / p within [1e-12,

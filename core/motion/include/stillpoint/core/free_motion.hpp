@@ -5,6 +5,7 @@
 #include <stillpoint/core/outcome.hpp>
 
 #include <optional>
+#include <string>
 
 namespace stillpoint {
 
@@ -42,6 +43,10 @@ struct Response {
 /// says when) and TooManyHalfCycles. docs/theory.md sections 2-6.
 [[nodiscard]] Response free_response(const Oscillator& oscillator, const Start& start,
                                      const FreeOptions& options = {});
+
+/// The response in one line for people: "stops at x = 0 at tau = 34.6 after 11 half-cycles, peak
+/// 0.98".
+[[nodiscard]] std::string summary(const Response& response);
 
 /// Only peak_amplitude, in constant time for any number of half-cycles. Throws InputError.
 [[nodiscard]] double free_peak(const Oscillator& oscillator, const Start& start);

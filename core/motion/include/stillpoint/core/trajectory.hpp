@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/half_cycle_walk.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
 
@@ -24,6 +23,9 @@ enum class EventKind {
 
 /// The name in output: the enumerator's own.
 [[nodiscard]] std::string_view name(EventKind kind) noexcept;
+
+/// The enumerator of that name; empty where there is none.
+[[nodiscard]] std::optional<EventKind> parse_event_kind(std::string_view name) noexcept;
 
 struct Event {
   EventKind kind{EventKind::start};
@@ -70,8 +72,7 @@ class Trajectory {
     double lever;  ///< x less the centre of the arc
   };
 
-  void add(const HalfCycle& now, const HalfCycleWalk& walk);
-  void add_event(EventKind kind, double tau, double x, double v);
+  class Builder;
 
   double p_;
   double horizon_;

@@ -5,6 +5,7 @@
 #include <stillpoint/core/pulse_speed.hpp>
 #include <stillpoint/design/problem.hpp>
 
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -30,9 +31,10 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 [[nodiscard]] double angular_frequency(const Pulse& pulse);  ///< lambda
 [[nodiscard]] std::string_view name(const Pulse& pulse);     ///< "half-sine" or "rectangle"
 [[nodiscard]] Excitation excitation(const Pulse& pulse);
-[[nodiscard]] EquivalentStart equivalent_start(const Pulse& pulse, double f);
+/// Of core, empty where the mass never moves.
+[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f);
 
-/// The problem with the velocity that the pulse leaves under friction f < k.
+/// The problem with the velocity that the pulse leaves under friction f; 0 where f >= k.
 [[nodiscard]] Problem problem_at(const PulseProblem& problem, double f);
 
 }  // namespace stillpoint::design

@@ -4,7 +4,7 @@
 // From any start to the first peak, the first arrival at x = 0, or rest: docs/theory.md section 4.
 // Speeds throughout, as in half_cycle_map.hpp; distance = p |x0|, speed = |v0|.
 
-#include <stillpoint/core/half_cycle_map.hpp>
+#include "kernel/half_cycle_map.hpp"
 
 #include <algorithm>
 #include <cmath>

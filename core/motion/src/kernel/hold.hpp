@@ -6,7 +6,7 @@
 // separately, so for a load that equals f exactly, such as a plateau of a record, rounding would
 // decide whether it is held. Where they are too close to tell, W, p u and f themselves decide.
 
-#include <stillpoint/core/exact_sum.hpp>
+#include "kernel/exact_sum.hpp"
 
 #include <cmath>
 #include <limits>

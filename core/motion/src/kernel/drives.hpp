@@ -4,12 +4,12 @@
 // The excitations as the forced run uses them: the load on the mass now, the sliding piece ahead,
 // and the release from rest. In units where p = 1: w = W / p, h = p times a time.
 
-#include <stillpoint/core/drive_phase.hpp>
-#include <stillpoint/core/exact_sum.hpp>
-#include <stillpoint/core/harmonic_piece.hpp>
-#include <stillpoint/core/hold.hpp>
-#include <stillpoint/core/linear_piece.hpp>
-#include <stillpoint/core/piece_end.hpp>
+#include "kernel/drive_phase.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/harmonic_piece.hpp"
+#include "kernel/hold.hpp"
+#include "kernel/linear_piece.hpp"
+#include "kernel/piece_end.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,10 @@
 
 // The state and the counts of a forced run. Units and symbols as in forced_run.hpp.
 
-#include <stillpoint/core/exact_sum.hpp>
+#include "kernel/exact_sum.hpp"
+#include "kernel/piece_end.hpp"
+
 #include <stillpoint/core/outcome.hpp>
-#include <stillpoint/core/piece_end.hpp>
 
 #include <cstdint>
 #include <functional>

@@ -4,7 +4,8 @@
 // From a peak to the end of a free motion: by a remainder where only one friction acts, otherwise
 // by the map. docs/theory.md sections 3 and 5; names as in half_cycle_map.hpp.
 
-#include <stillpoint/core/half_cycle_map.hpp>
+#include "kernel/half_cycle_map.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 // The closed form of a sliding piece under W = k sin(lambda tau + phase): docs/forced.md section 2.
 // Symbols as in harmonic_point.hpp.
 
-#include <stillpoint/core/drive_phase.hpp>
-#include <stillpoint/core/harmonic_point.hpp>
+#include "kernel/drive_phase.hpp"
+#include "kernel/harmonic_point.hpp"
 
 #include <cmath>
 #include <utility>

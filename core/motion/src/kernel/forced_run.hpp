@@ -16,15 +16,16 @@
 // A drive (drives.hpp) is a stretch of the excitation without a kink. `through` takes the motion
 // through one; kinks are where the next begins. A watcher sees every event and every piece.
 
-#include <stillpoint/core/drives.hpp>
-#include <stillpoint/core/exact_sum.hpp>
+#include "kernel/drives.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/forced_state.hpp"
+#include "kernel/half_cycle_map.hpp"
+#include "kernel/hold.hpp"
+#include "kernel/piece_end.hpp"
+
 #include <stillpoint/core/forced_event.hpp>
-#include <stillpoint/core/forced_state.hpp>
-#include <stillpoint/core/half_cycle_map.hpp>
-#include <stillpoint/core/hold.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/outcome.hpp>
-#include <stillpoint/core/piece_end.hpp>
 
 #include <algorithm>
 #include <cassert>

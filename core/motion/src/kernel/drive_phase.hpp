@@ -4,8 +4,8 @@
 // The phase psi = lambda tau + phase of a harmonic excitation, kept modulo 2 pi without loss:
 // docs/forced.md (F6).
 
-#include <stillpoint/core/exact_sum.hpp>
-#include <stillpoint/core/phase_clock.hpp>
+#include "kernel/exact_sum.hpp"
+#include "kernel/phase_clock.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 // both ends, by halving where that is not enough. An interval halved below the resolution of time
 // is a graze, not an event. Symbols as in harmonic_point.hpp.
 
-#include <stillpoint/core/harmonic_crest.hpp>
-#include <stillpoint/core/harmonic_flow.hpp>
-#include <stillpoint/core/harmonic_zeros.hpp>
-#include <stillpoint/core/piece_end.hpp>
-#include <stillpoint/core/positivity.hpp>
+#include "kernel/harmonic_crest.hpp"
+#include "kernel/harmonic_flow.hpp"
+#include "kernel/harmonic_zeros.hpp"
+#include "kernel/piece_end.hpp"
+#include "kernel/positivity.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 // rectangle pulse, and after the end of any excitation. docs/forced.md section 5.
 // Mirrored as in harmonic_point.hpp: y = p x, v = x', a = x''/p; `rate` = dw/dh, w = W / p.
 
-#include <stillpoint/core/phase_clock.hpp>
-#include <stillpoint/core/piece_end.hpp>
+#include "kernel/phase_clock.hpp"
+#include "kernel/piece_end.hpp"
 
 #include <algorithm>
 #include <cmath>

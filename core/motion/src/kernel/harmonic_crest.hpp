@@ -5,8 +5,8 @@
 // section 6. Its stationary points are the zeros of the jerk, which obeys the equation of v with
 // the forcing differentiated twice, so that the proofs of positivity.hpp hold for it.
 
-#include <stillpoint/core/harmonic_flow.hpp>
-#include <stillpoint/core/positivity.hpp>
+#include "kernel/harmonic_flow.hpp"
+#include "kernel/positivity.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,10 @@
 // multiplications with coefficients that depend on the interval alone. The others go through
 // ForcedRun::through.
 
+#include "kernel/forced_run.hpp"
+#include "kernel/linear_piece.hpp"
+
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/forced_run.hpp>
-#include <stillpoint/core/linear_piece.hpp>
 
 #include <algorithm>
 #include <cstddef>

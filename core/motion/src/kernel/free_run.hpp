@@ -6,9 +6,10 @@
 // counts (times: phase_clock.hpp; margin: margin_keeper.hpp); without a watcher none of it is
 // computed.
 
-#include <stillpoint/core/ending.hpp>
-#include <stillpoint/core/first_leg.hpp>
-#include <stillpoint/core/half_cycle_map.hpp>
+#include "kernel/ending.hpp"
+#include "kernel/first_leg.hpp"
+#include "kernel/half_cycle_map.hpp"
+
 #include <stillpoint/core/outcome.hpp>
 
 #include <algorithm>

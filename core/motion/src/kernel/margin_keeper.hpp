@@ -11,8 +11,8 @@
 // (22)). `spread(q)` below stands for the sum over the inputs of |input dq/dinput|, or a bound of
 // it.
 
-#include <stillpoint/core/first_leg.hpp>
-#include <stillpoint/core/half_cycle_map.hpp>
+#include "kernel/first_leg.hpp"
+#include "kernel/half_cycle_map.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,13 +3,14 @@
 
 // Takes a forced run through each kind of excitation, one overload a kind.
 
-#include <stillpoint/core/drive_phase.hpp>
-#include <stillpoint/core/drives.hpp>
-#include <stillpoint/core/exact_sum.hpp>
+#include "kernel/drive_phase.hpp"
+#include "kernel/drives.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/forced_run.hpp"
+#include "kernel/phase_clock.hpp"
+#include "kernel/record_run.hpp"
+
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/forced_run.hpp>
-#include <stillpoint/core/phase_clock.hpp>
-#include <stillpoint/core/record_run.hpp>
 
 #include <limits>
 
@@ -54,7 +55,7 @@ Real duration_of(const NoExcitation& /*excitation*/) {
 }
 template <class Real>
 Real duration_of(const BasicHarmonic<Real>& excitation) {
-  return excitation.duration;
+  return excitation.duration.value_or(std::numeric_limits<Real>::infinity());
 }
 template <class Real>
 Real duration_of(const BasicHalfSine<Real>& pulse) {
@@ -86,9 +87,10 @@ Load<Real> excite(ForcedRun<Real, Watcher>& /*run*/, const NoExcitation& /*excit
 template <class Real, class Watcher>
 Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicHarmonic<Real>& excitation,
                   const ExactSum<Real>& end) {
-  const bool for_ever = excitation.duration == std::numeric_limits<Real>::infinity();
+  const bool for_ever = !excitation.duration;
   return detail::harmonic(run, excitation.k, excitation.lambda, excitation.phase,
-                          detail::earlier(run.map().p, excitation.duration, end), for_ever);
+                          detail::earlier(run.map().p, duration_of<Real>(excitation), end),
+                          for_ever);
 }
 
 template <class Real, class Watcher>

@@ -4,8 +4,8 @@
 // Sufficient conditions for v > 0 between two points of a harmonic piece, from the states at both
 // ends alone: docs/forced.md section 4. They use no trigonometry.
 
-#include <stillpoint/core/harmonic_point.hpp>
-#include <stillpoint/core/phase_clock.hpp>
+#include "kernel/harmonic_point.hpp"
+#include "kernel/phase_clock.hpp"
 
 #include <algorithm>
 #include <cmath>

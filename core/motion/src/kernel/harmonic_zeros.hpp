@@ -4,8 +4,8 @@
 // Zeros of v and of y on a harmonic piece, found fast: docs/forced.md (F11). The caller proves that
 // a zero is the first one. Symbols as in harmonic_point.hpp.
 
-#include <stillpoint/core/harmonic_flow.hpp>
-#include <stillpoint/core/piece_end.hpp>
+#include "kernel/harmonic_flow.hpp"
+#include "kernel/piece_end.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 // is exactly 0 where either friction is. All angles are added as a product, with one arctangent at
 // the end.
 
-#include <stillpoint/core/first_leg.hpp>
-#include <stillpoint/core/half_cycle_map.hpp>
-#include <stillpoint/core/rotor.hpp>
+#include "kernel/first_leg.hpp"
+#include "kernel/half_cycle_map.hpp"
+#include "kernel/rotor.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -10,7 +10,7 @@
 #define STILLPOINT_LANE_ROTOR_INL
 #endif
 
-#include "lane_vectors-inl.hpp"
+#include "kernel/lane_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace stillpoint::HWY_NAMESPACE {
