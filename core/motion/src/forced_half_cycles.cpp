@@ -12,7 +12,7 @@ namespace stillpoint {
 
 namespace {
 
-/// Makes half-cycles of the events it sees.
+/// Builds half-cycles from the events it sees.
 class HalfCycleCollector {
  public:
   static constexpr bool watches = true;

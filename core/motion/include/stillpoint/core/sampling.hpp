@@ -11,8 +11,8 @@
 namespace stillpoint {
 
 /// `samples` >= 2 evenly spaced instants of [0, path.horizon()] and every event of the path, in
-/// order of time; the events alone where the horizon is 0. An event that falls on an instant stands
-/// for it.
+/// order of time; only the events if the horizon is 0. An event that falls on an instant replaces
+/// it.
 template <class Path>
 std::vector<State> sampled_states(const Path& path, std::int64_t samples) {
   require_within("samples", static_cast<double>(samples), 2, 1e9);
