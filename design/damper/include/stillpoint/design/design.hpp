@@ -20,14 +20,14 @@ struct DesignRequest {
   SearchOptions search{};
 };
 
-/// What was found for an admissible region.
+/// The design found for an admissible region.
 struct Finding {
   DesignPoint point;
   std::vector<Constraint> constraints;
   Response response;  ///< by the half-cycle map
   SearchRecord search;
   CrossCheck cross_check;
-  std::optional<PulseCheck> pulse;  ///< where a pulse gave the initial velocity
+  std::optional<PulseCheck> pulse;  ///< if a pulse gave the initial velocity
 };
 
 /// The whole answer to a request. Without a finding the region is empty: `reason` says why and
