@@ -20,8 +20,8 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_design_test)
 
-// Designs for a pulse, held against the conditions (32) of docs/theory.md written out with V(f), a
-// scan of the (f, Delta) plane, and the forced motion.
+// Designs for a pulse, compared with the conditions (32) of docs/theory.md written out with V(f),
+// with a scan of the (f, Delta) plane, and with the forced motion.
 
 namespace {
 
@@ -99,7 +99,7 @@ PulseRequest random_request(RandomSource& random) {
   return request;
 }
 
-/// Of the points of a grid whose box holds: the best value of the objective, and whether any does.
+/// The grid points whose box is admissible: whether there are any, and the best objective.
 struct Scan {
   bool any{false};
   double best{0};
@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_mends_it) {
   BOOST_TEST((fields == std::vector<std::string>{"k", "lambda", "p", "beta"}));
 }
 
-// Neither p nor lambda is mended to beyond what a forced run can follow.
+// No mend of p or lambda goes beyond what a forced run can follow.
 BOOST_AUTO_TEST_CASE(the_shortest_pulses_are_mended_too) {
   for (const double lambda : {1e6, 1.1e6, 1e9, 1e12}) {
     PulseRequest request;

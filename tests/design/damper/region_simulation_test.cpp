@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(the_simulation_shows_the_region_on_a_million_points) {
                                   << ", f = " << sample.f << ", delta = " << sample.delta);
     }
   }
-  // Inside of either region every requirement holds; outside of the exact one, one fails at least.
+  // Inside either region every requirement holds; outside the exact one at least one fails.
   BOOST_TEST(all.published_but_unsafe == 0);
   BOOST_TEST(all.exact_but_unsafe == 0);
   BOOST_TEST(all.outside_but_safe == 0);

@@ -57,7 +57,7 @@ class Scan {
     return std::min(linear, low);
   }
 
-  /// The most tolerance of any Delta that goes with f.
+  /// The largest tolerance of any Delta for f.
   [[nodiscard]] Wide best_tolerance(Wide f, int steps) const {
     const Wide floor = std::max<Wide>(delta1(f), 0);
     Wide best = -1;
@@ -67,7 +67,7 @@ class Scan {
     return best;
   }
 
-  /// Whether some Delta goes with f at the tolerance that is asked for.
+  /// Whether some Delta is admissible with f at the requested tolerance.
   [[nodiscard]] bool serves(Wide f) const {
     const Wide lowest = std::max<Wide>(delta1(f * (1 - asked_)), 0) / (1 - asked_);
     return f * (1 - asked_) >= f2_ && f * (1 + asked_) <= f_cap_ &&

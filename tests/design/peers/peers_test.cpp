@@ -20,8 +20,8 @@
 #include <variant>
 #include <vector>
 
-// The speed comparison is worth as much as the methods that it compares with: each must find the
-// reference motions where its setting is fine, and be shown as it is where it is coarse.
+// The speed comparison is only as good as the methods that it compares: each must find the
+// reference motions with a fine setting, and be shown with its errors with a coarse one.
 
 namespace stillpoint::peers {
 
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(peers_that_come_to_the_end_have_finished) {
 }
 
 // The same motion in units 2^-17 times as large (f by it, Delta by its square): the arithmetic is
-// the same but for exponents, so that a method that is told of the size says the same.
+// the same except for exponents, so a method that knows the size gives the same result.
 BOOST_AUTO_TEST_CASE(a_scene_in_other_units_is_no_other_problem) {
   const double unit = std::ldexp(1, -17);
   const Scene& s = scene("S1").scene;
@@ -212,8 +212,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_end_to_follow_it_to_is_refused) {
                     TooManyHalfCycles);
 }
 
-// f a hair below k: the mass moves by 1e-23, and what the width of the regularised model then is
-// makes it stiffer than anybody would wait for.
+// f just below k: the mass moves by 1e-23, and the width of the regularised model is then so small
+// that its run would take for ever.
 BOOST_AUTO_TEST_CASE(what_hardly_moves_is_given_up) {
   const Comparison found = compare(with(FullSine{1, 0.5}, {1, 0.999999999999, 0.125}, {0, 0}, 30));
   BOOST_TEST(found.rows.front().result.turns == 1);
