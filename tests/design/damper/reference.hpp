@@ -85,7 +85,7 @@ class Reference {
   design::Criterion criterion_;
 };
 
-/// |value - expected| <= bound, and both numbers where it is not.
+/// |value - expected| <= bound; prints both numbers if not.
 inline boost::test_tools::predicate_result within(double value, const Precise& expected,
                                                   const Precise& bound) {
   const Precise error = abs(Precise(value) - expected);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The best design by looking at every point of a grid: slow, but nothing to go wrong. In long
+// The best design of all points of a grid: slow, but simple. In long
 // double and in the paper's own units, so that it shares no formula with the search.
 
 #include <stillpoint/design/problem.hpp>
@@ -74,7 +74,7 @@ class Scan {
            lowest < delta_cap_ / (1 + asked_);
   }
 
-  /// What the objective makes small.
+  /// What the objective minimises.
   [[nodiscard]] Wide cost(design::Objective objective, Wide f, int delta_steps = 100) const {
     const Wide s = radius(f);
     switch (objective) {
@@ -90,8 +90,8 @@ class Scan {
     return 0;
   }
 
-  /// The least cost of all f of the grid that serve (for `robust`, the cost itself says whether one
-  /// does); HUGE_VAL where none does.
+  /// The least cost of all feasible f of the grid (for `robust`, the cost itself says whether f is
+  /// feasible); HUGE_VAL if none is.
   [[nodiscard]] Wide least_cost(design::Objective objective) const {
     Wide best = HUGE_VAL;
     const bool robust = objective == design::Objective::robust;

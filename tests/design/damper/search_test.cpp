@@ -22,7 +22,7 @@ using namespace stillpoint::design_test;
 
 /// Of a cost, relative (of R, absolute): the design stays a relative 1e-9 inside of open edges.
 constexpr double cost_tolerance = 1e-8;
-/// What the scan of 100 by 100 points may miss of R, absolute.
+/// Error in R of the scan of 100 by 100 points, absolute.
 constexpr double scan_miss = 0.02;
 /// Of the reported R, as in tolerance_test.
 constexpr double reported_tolerance = 4e-15;

@@ -74,7 +74,7 @@ Scene with(const Excitation& excitation, const Oscillator& oscillator, const Sta
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(dopri5_finds_the_references) {
-  // 1e-12 a step; resonance enlarges what is lost on the way, 424 half-cycles add theirs up.
+  // 1e-12 per step; resonance amplifies the errors, and 424 half-cycles add theirs up.
   finds(scene("S1"), dopri5(scene("S1").scene, 1e-12), 1e-10);
   finds(scene("S2"), dopri5(scene("S2").scene, 1e-12), 1e-7);
   finds(scene("FR"), dopri5(scene("FR").scene, 1e-12), 1e-10);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(dopri5_finds_the_references) {
 }
 
 BOOST_AUTO_TEST_CASE(runge_kutta4_finds_the_references) {
-  // Its error is some step^4 a unit of time, and more at resonance.
+  // Its error is some step^4 per unit of time, and more at resonance.
   finds(scene("S1"), runge_kutta4(scene("S1").scene, 0.005), 1e-8);
   finds(scene("S2"), runge_kutta4(scene("S2").scene, 0.01), 1e-6);
   finds(scene("FR"), runge_kutta4(scene("FR").scene, 0.005), 1e-9);
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(peers_give_up_when_told) {
     BOOST_TEST(result.end_time > 0);
     BOOST_TEST(result.end_time < long_one.t_end);
   }
-  // Held for long by friction under a fast load: looks at the load are effort as well.
+  // Held for long by friction under a fast load: checks of the load are effort too.
   const Scene held = with(Harmonic{0.05, 1000}, {1, 0.1, 0}, {0, 0}, 1000);
   BOOST_TEST(!runge_kutta4(held, 1e-2, most).finished);
   BOOST_TEST(runge_kutta4(held, 1e-2).finished);
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_scene_in_other_units_is_no_other_problem) {
     same(dopri5(small, tolerance, size), dopri5(s, tolerance));
   }
   same(regularised(small, 1e-2, size), regularised(s, 1e-2));
-  // Not told, it takes the small motion for nearly nothing.
+  // Without the size, it treats the small motion as nearly nothing.
   BOOST_TEST(dopri5(small, 1e-6).turns != scene("S1").truth.turns);
 }
 
