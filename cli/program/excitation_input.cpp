@@ -54,12 +54,13 @@ Excitation harmonic(const Settings& settings) {
                   settings.number("duration").value_or(std::numeric_limits<double>::infinity())};
 }
 
-ExcitationInput record(const Settings& settings, const RecordClock& clock, double gravity) {
+ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
+                       double gravity) {
   refuse(settings, wave_options, "record");
-  RecordOptions options;
+  records::RecordOptions options;
   options.step = settings.number("record-step");
   if (const auto units = settings.text("record-units")) {
-    options.units = parse_record_units(*units);
+    options.units = records::parse_record_units(*units);
   }
   options.scale = settings.number("record-scale").value_or(1);
   options.gravity_m_per_s2 = gravity;
@@ -68,7 +69,7 @@ ExcitationInput record(const Settings& settings, const RecordClock& clock, doubl
   if (!path) {
     throw InputError::missing("record", "give --record FILE");
   }
-  RecordFile file = read_record(*path, options);
+  records::RecordFile file = records::read_record(*path, options);
   for (double& time : file.times) {
     time /= clock.per_tau;
   }
@@ -83,8 +84,8 @@ ExcitationInput record(const Settings& settings, const RecordClock& clock, doubl
 
 }  // namespace
 
-std::optional<ExcitationInput> excitation_input(const Settings& settings, const RecordClock& clock,
-                                                double gravity) {
+std::optional<ExcitationInput> excitation_input(const Settings& settings,
+                                                const records::RecordClock& clock, double gravity) {
   const std::string type =
       settings.text("excitation").value_or(settings.has("record") ? "record" : "");
   if (type.empty() && !settings.has("excitation")) {

@@ -26,7 +26,7 @@ struct ExcitationInput {
 /// Throws UsageError for options that do not go together or a file that is not in order, and
 /// InputError for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
-                                                              const RecordClock& clock,
+                                                              const records::RecordClock& clock,
                                                               double gravity);
 
 }  // namespace stillpoint::cli
