@@ -5,8 +5,9 @@
 #include "json_report.hpp"
 #include "output.hpp"
 #include "settings.hpp"
-#include "sweep_map.hpp"
 #include "sweep_report.hpp"
+
+#include <stillpoint/sweep/map.hpp>
 
 #include <span>
 #include <string>
@@ -31,8 +32,8 @@ void prepare_pictures(const Settings& settings);
 [[nodiscard]] HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
 [[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer);
 
-[[nodiscard]] HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary,
-                                  const SweepMap& map);
+[[nodiscard]] HtmlPage sweep_page(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
+                                  const sweep::SweepMap& map);
 
 /// Writes the page, with the title and the input that `settings` have, and each figure alone, where
 /// they are asked for. Throws UsageError.
