@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "axis.hpp"
 #include "options.hpp"
 
 #include <stillpoint/records/number.hpp>
+#include <stillpoint/sweep/axis.hpp>
 
 #include <cstdint>
 #include <map>
@@ -25,6 +25,7 @@ class UsageError : public std::runtime_error {
 
 using records::parse_integer;
 using records::parse_number;
+using sweep::Axis;
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {

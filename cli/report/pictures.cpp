@@ -297,16 +297,17 @@ HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer) {
   return page;
 }
 
-HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary, const SweepMap& map) {
+HtmlPage sweep_page(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
+                    const sweep::SweepMap& map) {
   HtmlPage page;
   page.title = "Sweep";
   page.verdict = format(
       "{} motions. At 0: it rests at x = 0; off 0: in the dead zone; the number is of half-cycles.",
       summary.state.rows);
-  if (task.output) {
-    page.report = sweep_text(task, summary, {}, Style(false));
+  if (spec.output) {
+    page.report = sweep_text(spec, summary, {}, Style(false));
   }
-  page.figures = {sweep_figure(task, map)};
+  page.figures = {sweep_figure(spec, map)};
   return page;
 }
 
