@@ -113,7 +113,7 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
   spec.t_end = settings.number("t-end");
   if (spec.t_end) {
     require_within("t-end", *spec.t_end, smallest_speed, largest_speed);
-  } else if (std::isinf(duration(spec.excitation))) {
+  } else if (!duration(spec.excitation)) {
     throw InputError::missing("t-end", "give --t-end, the excitation never ends");
   }
 }
