@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "excitation_input.hpp"
 
-#include "record_file.hpp"
-
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/record_file.hpp>
 
 #include <fmt/format.h>
 
@@ -68,10 +67,7 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
     throw InputError::missing("record", "give --record FILE");
   }
   records::RecordFile file = records::read_record(*path, options);
-  for (double& time : file.times) {
-    time /= clock.per_tau;
-  }
-  return {Record{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
+  return {std::move(file.record),
           report::RecordOrigin{*path, file.description, settings.text("record-units"),
                                settings.number("record-step"), settings.number("record-scale")}};
 }
