@@ -5,6 +5,7 @@
 #include "settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/design/pulse.hpp>
 
 #include <optional>
 #include <string>
@@ -22,11 +23,18 @@ struct ExcitationInput {
   std::optional<double> record_scale;
 };
 
-/// Empty where nothing is asked for. A record's times become tau by its `clock`.
+/// What --excitation names; with --record alone "record". Empty: free motion.
+[[nodiscard]] std::optional<std::string> excitation_type(const Settings& settings);
+
+/// Empty for a free motion. A record's times become tau by its `clock`.
 /// Throws UsageError for options that do not go together or a file that is not in order, and
 /// InputError for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
                                                               const RecordClock& clock,
                                                               double gravity);
+
+/// The pulse that gives the initial velocity of a design; empty where none is asked for. Throws
+/// UsageError for its options without it, and InputError for a wrong value.
+[[nodiscard]] std::optional<design::Pulse> pulse_input(const Settings& settings);
 
 }  // namespace stillpoint::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "request.hpp"
 
-#include "pulse_input.hpp"
+#include "choices.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -9,10 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <string_view>
 
@@ -27,52 +26,50 @@ constexpr double largest_physical = 1e30;
 /// Of a limit of Delta, as problem.hpp has it.
 constexpr double smallest_limit = 1e-300;
 
-constexpr std::array physical_names{"velocity", "period",  "stiffness",
-                                    "mass",     "gravity", "max-displacement",
-                                    "x0-m",     "delta-m", "delta-max-m"};
-
-void require_one_of(const Settings& settings, std::initializer_list<std::string_view> names) {
-  std::string_view first;
-  for (const std::string_view name : names) {
-    if (!settings.has(name)) {
+/// UsageError where more than one option of a set of rivals is given. Of the hits a command looks
+/// only at those that it has: a scene's pulse is for design.
+void require_no_rivals(const Settings& settings, Command command) {
+  std::map<Rivals, std::string_view> given;
+  for (const Option& option : options()) {
+    if (option.traits.rivals == Rivals::none || !settings.has(option.name) ||
+        (option.traits.rivals == Rivals::hit && !option.serves(command))) {
       continue;
     }
-    if (!first.empty()) {
-      throw UsageError(fmt::format("{} and {} exclude each other: give one of them", first, name));
+    const auto [first, alone] = given.emplace(option.traits.rivals, option.name);
+    if (!alone) {
+      throw UsageError(fmt::format("{} and {} exclude each other: give one of them", first->second,
+                                   option.name));
     }
-    first = name;
   }
 }
 
-/// The physical option that is set, if any; UsageError where dimensionless ones are set as well.
-bool is_physical(const Settings& settings) {
-  require_one_of(settings, {"v0", "velocity"});
-  require_one_of(settings, {"p", "period", "stiffness"});
-  require_one_of(settings, {"beta", "max-displacement"});
-  require_one_of(settings, {"x0", "x0-m"});
-  require_one_of(settings, {"delta", "delta-m"});
-  require_one_of(settings, {"delta-max", "delta-max-m"});
-  for (const std::string_view physical : physical_names) {
+/// The first option that is set of those in these units; null where there is none.
+const Option* first_in(const Settings& settings, Units units) {
+  for (const Option& option : options()) {
     // The gravity that turns a record's m/s2 into g says nothing of the motion.
-    if (!settings.has(physical) ||
-        (physical == std::string_view("gravity") && settings.has("record"))) {
-      continue;
+    const bool of_a_record = option.name == "gravity" && settings.has("record");
+    if (option.traits.units == units && settings.has(option.name) && !of_a_record) {
+      return &option;
     }
-    for (const std::string_view plain : {"v0", "p", "beta", "x0"}) {
-      if (settings.has(plain)) {
-        throw UsageError(fmt::format(
-            "{} and {} exclude each other: give all in metres and seconds or all dimensionless",
-            plain, physical));
-      }
-    }
-    return true;
   }
-  return false;
+  return nullptr;
+}
+
+/// Whether physical options are set; UsageError where dimensionless ones are set as well.
+bool is_physical(const Settings& settings) {
+  const Option* const plain = first_in(settings, Units::dimensionless);
+  const Option* const physical = first_in(settings, Units::physical);
+  if (plain != nullptr && physical != nullptr) {
+    throw UsageError(fmt::format(
+        "{} and {} exclude each other: give all in metres and seconds or all dimensionless",
+        plain->name, physical->name));
+  }
+  return physical != nullptr;
 }
 
 /// A motion needs a start, unless something shakes it out of rest.
 bool starts_from_rest(const Settings& settings) {
-  return settings.has("excitation") || settings.has("record") || settings.has("k");
+  return excitation_type(settings) || settings.has("k");
 }
 
 double initial_velocity(const Settings& settings, std::string_view name, bool may_be_missing,
@@ -114,7 +111,8 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
 }
 
 /// `from_rest`: the velocity may be missing, because something else sets the mass off.
-MotionInput motion_input(const Settings& settings, bool from_rest) {
+MotionInput motion_input(const Settings& settings, Command command, bool from_rest) {
+  require_no_rivals(settings, command);
   if (is_physical(settings)) {
     return physical_motion(settings, from_rest);
   }
@@ -150,8 +148,8 @@ struct Task {
 };
 
 /// What design and region have in common; with a pulse, without a velocity.
-Task task(const Settings& settings, bool pulse) {
-  MotionInput motion = motion_input(settings, pulse);
+Task task(const Settings& settings, Command command, bool pulse) {
+  MotionInput motion = motion_input(settings, command, pulse);
   Task result;
   result.problem.v0 = motion.v0;
   result.problem.p = motion.p;
@@ -190,24 +188,11 @@ std::int64_t count(const Settings& settings, std::string_view name, std::int64_t
 }  // namespace
 
 design::Criterion criterion(const Settings& settings) {
-  const std::string wanted = settings.text("criterion").value_or("published");
-  for (const auto value : {design::Criterion::published, design::Criterion::exact}) {
-    if (wanted == name(value)) {
-      return value;
-    }
-  }
-  throw InputError("criterion", wanted, "must be published or exact");
+  return chosen(settings, "criterion", criteria);
 }
 
 design::Objective objective(const Settings& settings) {
-  using enum design::Objective;
-  const std::string wanted = settings.text("objective").value_or("robust");
-  for (const auto value : {robust, amplitude, time, acceleration}) {
-    if (wanted == name(value)) {
-      return value;
-    }
-  }
-  throw InputError("objective", wanted, "must be robust, amplitude, time or acceleration");
+  return chosen(settings, "objective", objectives);
 }
 
 std::optional<double> half_cycle_limit(const Settings& settings) {
@@ -220,9 +205,8 @@ std::optional<double> half_cycle_limit(const Settings& settings) {
 
 DesignInput design_input(const Settings& settings) {
   DesignInput input;
-  require_one_of(settings, {"v0", "velocity", "pulse"});
   input.pulse = pulse_input(settings);
-  const Task given = task(settings, input.pulse.has_value());
+  const Task given = task(settings, Command::design, input.pulse.has_value());
   input.request.problem = given.problem;
   input.request.limits = given.limits;
   input.request.search.objective = objective(settings);
@@ -240,7 +224,7 @@ RegionInput region_input(const Settings& settings) {
     throw InputError::missing(
         "v0", "region needs a velocity, not a pulse: give --v0, or --velocity in m/s");
   }
-  const Task given = task(settings, false);
+  const Task given = task(settings, Command::region, false);
   RegionInput input{given.problem, given.limits, settings.number("f"), {}, given.physical};
   input.delta = point_friction(settings, "delta", "delta-m", given.physical);
   if (input.f) {
@@ -253,7 +237,7 @@ RegionInput region_input(const Settings& settings) {
 }
 
 SimulateInput simulate_input(const Settings& settings) {
-  const MotionInput motion = motion_input(settings, starts_from_rest(settings));
+  const MotionInput motion = motion_input(settings, Command::simulate, starts_from_rest(settings));
   SimulateInput input;
   input.physical = motion.physical;
   input.start = {motion.x0, motion.v0};

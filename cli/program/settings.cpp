@@ -5,11 +5,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
 namespace stillpoint::cli {
+
+void require_known_value(const Option& option, const std::string& text) {
+  const auto& values = option.traits.values;
+  if (std::ranges::find(values, text) == values.end()) {
+    throw InputError(std::string(option.name), text, fmt::format("must be {}", listed(values)));
+  }
+}
 
 double parse_number(std::string_view field, std::string_view text) {
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;

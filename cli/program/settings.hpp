@@ -21,6 +21,9 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Throws InputError unless the text is one of the option's values.
+void require_known_value(const Option& option, const std::string& text);
+
 /// A number in full: decimal or exponent form, finite. Throws InputError that names the field.
 [[nodiscard]] double parse_number(std::string_view field, std::string_view text);
 [[nodiscard]] std::int64_t parse_integer(std::string_view field, std::string_view text);

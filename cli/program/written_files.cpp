@@ -24,38 +24,39 @@ std::string shown(const NamedFile& file) {
   return fmt::format("{} {}", file.field, file.path == "-" ? "on standard input" : file.path);
 }
 
-std::vector<NamedFile> read_files(Command command, const Settings& settings,
-                                  const std::optional<std::string>& scene) {
+/// What the options that `use` a file name for this command.
+std::vector<NamedFile> files(Command command, const Settings& settings, FileUse use) {
   std::vector<NamedFile> files;
-  if (scene) {
-    files.push_back({"scene", *scene});
-  }
-  for (const char* const option : {"record", "list"}) {
-    if (const auto path = settings.text(option); path && find_option(option)->serves(command)) {
-      files.push_back({option, *path});
+  for (const Option& option : options()) {
+    if (option.traits.file == use && option.serves(command) && settings.has(option.name)) {
+      files.push_back({std::string(option.name), *settings.text(option.name)});
     }
   }
   return files;
 }
 
+std::vector<NamedFile> read_files(Command command, const Settings& settings,
+                                  const std::optional<std::string>& scene) {
+  std::vector<NamedFile> all = files(command, settings, FileUse::read);
+  if (scene) {
+    all.insert(all.begin(), {"scene", *scene});
+  }
+  return all;
+}
+
 std::vector<NamedFile> written_files(Command command, const Settings& settings) {
-  std::vector<NamedFile> files;
-  for (const char* const option : {"trajectory", "html", "output"}) {
-    if (const auto path = settings.text(option); path && find_option(option)->serves(command)) {
-      files.push_back({option, *path});
-      if (command == Command::sweep && option == std::string_view("output")) {
-        files.push_back({option, *path + ".part"});
-        files.push_back({option, *path + ".part.json"});
-      }
-    }
+  std::vector<NamedFile> all = files(command, settings, FileUse::written);
+  const auto output = settings.text("output");
+  if (command == Command::sweep && output) {
+    all.push_back({"output", *output + ".part"});
+    all.push_back({"output", *output + ".part.json"});
   }
-  if (const auto directory = settings.text("svg");
-      directory && find_option("svg")->serves(command)) {
+  for (const auto& [option, directory] : files(command, settings, FileUse::directory)) {
     for (const std::string_view figure : figure_names(command)) {
-      files.push_back({"svg", svg_path(*directory, figure)});
+      all.push_back({option, svg_path(directory, figure)});
     }
   }
-  return files;
+  return all;
 }
 
 /// What is no name is refused where the file is written, in its own words.

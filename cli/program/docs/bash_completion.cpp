@@ -46,9 +46,9 @@ _stillpoint() {
 }  // namespace
 
 std::string bash_completion() {
-  const auto with_file = [](const Option& option) { return takes_file(option); };
+  const auto with_file = [](const Option& option) { return option.takes_file(); };
   const auto with_value = [](const Option& option) {
-    return option.kind != OptionKind::flag && !takes_file(option);
+    return option.kind != OptionKind::flag && !option.takes_file();
   };
   std::string script(beginning);
   script += fmt::format(

@@ -17,7 +17,7 @@ std::string_view value_switch(const Option& option) {
   if (option.kind == OptionKind::flag) {
     return "";
   }
-  return takes_file(option) ? " -r -F" : " -x";
+  return option.takes_file() ? " -r -F" : " -x";
 }
 
 }  // namespace

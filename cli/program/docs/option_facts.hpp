@@ -10,11 +10,6 @@
 
 namespace stillpoint::cli {
 
-/// Whether the option's value is the name of a file.
-[[nodiscard]] inline bool takes_file(const Option& option) {
-  return option.placeholder == "FILE";
-}
-
 /// The names of the commands that the option serves, with `separator` between them.
 [[nodiscard]] inline std::string command_names(const Option& option, std::string_view separator) {
   std::string names;

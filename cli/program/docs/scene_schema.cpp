@@ -14,7 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json type_of(const Option& option) {
-  if (option.sweeps) {
+  if (option.traits.sweeps) {
     return {
         {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 1}};
   }
@@ -37,7 +37,7 @@ ordered_json type_of(const Option& option) {
 ordered_json described(const Option& option) {
   ordered_json entry = type_of(option);
   entry["description"] = std::string(option.help) + " (" + command_names(option, ", ") + ")" +
-                         (option.sweeps ? "; an axis in a sweep alone" : "");
+                         (option.traits.sweeps ? "; an axis in a sweep alone" : "");
   return entry;
 }
 

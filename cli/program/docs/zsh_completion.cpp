@@ -27,7 +27,7 @@ std::string argument(const Option& option) {
     return fmt::format("'--{}[{}]'", option.name, inner(option.help));
   }
   return fmt::format("'--{}=[{}]:{}:{}'", option.name, inner(option.help),
-                     inner(option.placeholder), takes_file(option) ? "_files" : "");
+                     inner(option.placeholder), option.takes_file() ? "_files" : "");
 }
 
 std::string arguments(Command command) {

@@ -199,8 +199,6 @@ std::uint64_t record_digest(const Excitation& excitation) {
 }
 
 nlohmann::ordered_json identity(const SweepTask& task, const Settings& settings) {
-  constexpr std::array no_part{"list",    "list-format", "format", "columns", "times", "output",
-                               "threads", "resume",      "title",  "json",    "html",  "svg"};
   nlohmann::ordered_json result;
   result["version"] = program_version();
   result["kind"] = name(task.kind);
@@ -210,8 +208,7 @@ nlohmann::ordered_json identity(const SweepTask& task, const Settings& settings)
   }
   result["list"] = settings.has("list");
   settings.for_each([&](std::string_view option, const Settings::Value& value) {
-    if (std::ranges::find(no_part, option) != no_part.end() ||
-        !find_option(option)->serves(Command::sweep)) {
+    if (!decides_rows(option) || !find_option(option)->serves(Command::sweep)) {
       return;
     }
     const std::string key(option);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "record_units.hpp"
+#include "settings.hpp"
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+// The enumerations that an option chooses from by name, in the order of --help; the first is the
+// default.
+inline constexpr std::array criteria{design::Criterion::published, design::Criterion::exact};
+inline constexpr std::array objectives{design::Objective::robust, design::Objective::amplitude,
+                                       design::Objective::time, design::Objective::acceleration};
+inline constexpr std::array record_units{RecordUnits::g, RecordUnits::m_per_s2,
+                                         RecordUnits::cm_per_s2};
+
+template <class Choices>
+[[nodiscard]] std::vector<std::string_view> names(const Choices& choices) {
+  std::vector<std::string_view> all;
+  std::ranges::transform(choices, std::back_inserter(all), [](auto one) { return name(one); });
+  return all;
+}
+
+/// The one of `choices` that the option names, else the first. Throws InputError for another name.
+template <class Choices>
+[[nodiscard]] auto chosen(const Settings& settings, std::string_view option,
+                          const Choices& choices) {
+  const auto wanted = settings.text(option);
+  if (wanted) {
+    require_known_value(*find_option(option), *wanted);
+  }
+  return wanted ? *std::ranges::find(choices, *wanted, [](auto one) { return name(one); })
+                : choices.front();
+}
+
+}  // namespace stillpoint::cli
