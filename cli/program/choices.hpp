@@ -19,8 +19,8 @@ namespace stillpoint::cli {
 inline constexpr std::array criteria{design::Criterion::published, design::Criterion::exact};
 inline constexpr std::array objectives{design::Objective::robust, design::Objective::amplitude,
                                        design::Objective::time, design::Objective::acceleration};
-inline constexpr std::array record_units{RecordUnits::g, RecordUnits::m_per_s2,
-                                         RecordUnits::cm_per_s2};
+inline constexpr std::array record_units{records::RecordUnits::g, records::RecordUnits::m_per_s2,
+                                         records::RecordUnits::cm_per_s2};
 
 template <class Choices>
 [[nodiscard]] std::vector<std::string_view> names(const Choices& choices) {

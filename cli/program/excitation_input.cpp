@@ -38,8 +38,9 @@ Harmonic wave(const Settings& settings) {
   return wave;
 }
 
-ExcitationInput record(const Settings& settings, const RecordClock& clock, double gravity) {
-  RecordOptions options;
+ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
+                       double gravity) {
+  records::RecordOptions options;
   options.step = settings.number("record-step");
   if (settings.has("record-units")) {
     options.units = chosen(settings, "record-units", record_units);
@@ -51,7 +52,7 @@ ExcitationInput record(const Settings& settings, const RecordClock& clock, doubl
   if (!path) {
     throw InputError::missing("record", "give --record FILE");
   }
-  RecordFile file = read_record(*path, options);
+  records::RecordFile file = records::read_record(*path, options);
   for (double& time : file.times) {
     time /= clock.per_tau;
   }
@@ -71,8 +72,8 @@ std::optional<std::string> excitation_type(const Settings& settings) {
   return !type && settings.has("record") ? std::optional<std::string>("record") : type;
 }
 
-std::optional<ExcitationInput> excitation_input(const Settings& settings, const RecordClock& clock,
-                                                double gravity) {
+std::optional<ExcitationInput> excitation_input(const Settings& settings,
+                                                const records::RecordClock& clock, double gravity) {
   const auto type = excitation_type(settings);
   if (type) {
     require_known_value(*find_option("excitation"), *type);

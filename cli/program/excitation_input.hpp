@@ -30,7 +30,7 @@ struct ExcitationInput {
 /// Throws UsageError for options that do not go together or a file that is not in order, and
 /// InputError for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
-                                                              const RecordClock& clock,
+                                                              const records::RecordClock& clock,
                                                               double gravity);
 
 /// The pulse that gives the initial velocity of a design; empty where none is asked for. Throws

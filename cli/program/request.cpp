@@ -257,9 +257,9 @@ SimulateInput simulate_input(const Settings& settings) {
     throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
   }
   require_valid(input.oscillator, input.start);
-  const RecordClock clock = input.physical
-                                ? RecordClock{"s", input.physical->scales.time_s, motion.p}
-                                : RecordClock{"tau", 1, motion.p};
+  const records::RecordClock clock =
+      input.physical ? records::RecordClock{"s", input.physical->scales.time_s, motion.p}
+                     : records::RecordClock{"tau", 1, motion.p};
   input.excitation = excitation_input(
       settings, clock, settings.number("gravity").value_or(design::Scales().gravity_m_per_s2));
   if (input.t_end && !input.trajectory && !input.excitation) {

@@ -4,6 +4,8 @@
 #include "axis.hpp"
 #include "options.hpp"
 
+#include <stillpoint/records/number.hpp>
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -24,9 +26,8 @@ class UsageError : public std::runtime_error {
 /// Throws InputError unless the text is one of the option's values.
 void require_known_value(const Option& option, const std::string& text);
 
-/// A number in full: decimal or exponent form, finite. Throws InputError that names the field.
-[[nodiscard]] double parse_number(std::string_view field, std::string_view text);
-[[nodiscard]] std::int64_t parse_integer(std::string_view field, std::string_view text);
+using records::parse_integer;
+using records::parse_number;
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {

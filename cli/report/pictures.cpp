@@ -5,13 +5,13 @@
 #include "figures_region.hpp"
 #include "figures_sweep.hpp"
 #include "page.hpp"
-#include "printable.hpp"
 #include "text_report.hpp"
 #include "text_sections.hpp"
 #include "trajectory_csv.hpp"
 #include "version.hpp"
 
 #include <stillpoint/core/forced_half_cycles.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -301,7 +301,7 @@ HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary, const Sw
 
 void write_pictures(const Settings& settings, Command command, HtmlPage page, Output& output) {
   if (const auto title = settings.text("title")) {
-    page.title += ": " + printable(*title, longest_title);
+    page.title += ": " + records::printable(*title, longest_title);
   }
   page.command = name(command);
   page.footer = version_line();
