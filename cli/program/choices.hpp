@@ -2,13 +2,13 @@
 #pragma once
 
 #include "record_units.hpp"
-#include "settings.hpp"
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -27,18 +27,6 @@ template <class Choices>
   std::vector<std::string_view> all;
   std::ranges::transform(choices, std::back_inserter(all), [](auto one) { return name(one); });
   return all;
-}
-
-/// The one of `choices` that the option names, else the first. Throws InputError for another name.
-template <class Choices>
-[[nodiscard]] auto chosen(const Settings& settings, std::string_view option,
-                          const Choices& choices) {
-  const auto wanted = settings.text(option);
-  if (wanted) {
-    require_known_value(*find_option(option), *wanted);
-  }
-  return wanted ? *std::ranges::find(choices, *wanted, [](auto one) { return name(one); })
-                : choices.front();
 }
 
 }  // namespace stillpoint::cli

@@ -6,9 +6,11 @@
 #include "record_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 namespace stillpoint::cli {
@@ -43,7 +45,7 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
   records::RecordOptions options;
   options.step = settings.number("record-step");
   if (settings.has("record-units")) {
-    options.units = chosen(settings, "record-units", record_units);
+    options.units = settings.chosen("record-units", record_units);
   }
   options.scale = settings.number("record-scale").value_or(1);
   options.gravity_m_per_s2 = gravity;
@@ -57,12 +59,8 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
     time /= clock.per_tau;
   }
   return {Record{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
-          {},
-          path,
-          file.description,
-          settings.text("record-units"),
-          settings.number("record-step"),
-          settings.number("record-scale")};
+          report::RecordOrigin{*path, file.description, settings.text("record-units"),
+                               settings.number("record-step"), settings.number("record-scale")}};
 }
 
 }  // namespace
@@ -89,9 +87,18 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings,
   } else {
     input = record(settings, clock, gravity);
   }
-  input.type = *type;
   require_valid(input.excitation);
   return input;
+}
+
+std::optional<double> forced_end(const Settings& settings, const Excitation& excitation) {
+  const auto t_end = settings.number("t-end");
+  if (t_end) {
+    require_within("t-end", *t_end, smallest_speed, largest_speed);
+  } else if (std::isinf(duration(excitation))) {
+    throw InputError::missing("t-end", "give --t-end, the excitation never ends");
+  }
+  return t_end;
 }
 
 std::optional<design::Pulse> pulse_input(const Settings& settings) {

@@ -6,21 +6,17 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>
+#include <stillpoint/report/record_origin.hpp>
 
 #include <optional>
 #include <string>
 
 namespace stillpoint::cli {
 
-/// What shakes the base, and how a report names it.
+/// What shakes the base, and where a record comes from.
 struct ExcitationInput {
   Excitation excitation;
-  std::string type;                         ///< as in --excitation
-  std::optional<std::string> record;        ///< the file
-  std::string description;                  ///< what the file says of itself
-  std::optional<std::string> record_units;  ///< these three as asked for
-  std::optional<double> record_step;
-  std::optional<double> record_scale;
+  std::optional<report::RecordOrigin> record;
 };
 
 /// What --excitation names; with --record alone "record". Empty: free motion.
@@ -32,6 +28,10 @@ struct ExcitationInput {
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
                                                               const records::RecordClock& clock,
                                                               double gravity);
+
+/// --t-end of a run under the excitation; empty: up to the end of the motion. Throws InputError.
+[[nodiscard]] std::optional<double> forced_end(const Settings& settings,
+                                               const Excitation& excitation);
 
 /// The pulse that gives the initial velocity of a design; empty where none is asked for. Throws
 /// UsageError for its options without it, and InputError for a wrong value.

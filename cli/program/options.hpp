@@ -62,7 +62,7 @@ struct OptionTraits {
   Units units{Units::any};
   Role role{Role::input};
   FileUse file{FileUse::none};
-  std::vector<std::string_view> values{};  ///< of a text that must be one of these; empty: any
+  std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
 };
 

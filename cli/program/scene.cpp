@@ -64,10 +64,14 @@ class SceneCheck {
 
   bool parse_error(std::size_t position, const std::string& token, const json::exception& error) {
     if (dynamic_cast<const json::out_of_range*>(&error) != nullptr) {
-      refuse(position, fmt::format("{} = {}: must have a magnitude up to 1.8e308", shown(last_),
-                                   shown(token)));
+      refuse(
+          position - std::min(position, token.size()) + 1,
+          fmt::format("{} = {}: must have a magnitude up to 1.8e308", shown(last_), shown(token)));
     }
-    refuse(position, fmt::format("is not valid JSON: {}", cause(error.what())));
+    refuse(position,
+           fmt::format("is not valid JSON{}: {}",
+                       last_.empty() ? "" : fmt::format(" after the key {}", shown(last_)),
+                       cause(error.what())));
   }
 
  private:

@@ -6,6 +6,7 @@
 
 #include <stillpoint/records/number.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -46,6 +47,18 @@ class Settings {
 
   /// The same, but InputError where not set, saying what else would do.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
+
+  /// The one of `choices` that the option names, else the first. Throws InputError for another
+  /// name.
+  template <class Choices>
+  [[nodiscard]] auto chosen(std::string_view option, const Choices& choices) const {
+    const auto wanted = text(option);
+    if (!wanted) {
+      return choices.front();
+    }
+    require_known_value(*find_option(option), *wanted);
+    return *std::ranges::find(choices, *wanted, [](auto one) { return std::string(name(one)); });
+  }
 
   void drop(std::string_view name) { values_.erase(name); }
 

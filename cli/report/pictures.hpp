@@ -28,8 +28,8 @@ namespace stillpoint::cli {
 void prepare_pictures(const Settings& settings);
 
 [[nodiscard]] HtmlPage design_page(const DesignInput& input, const design::DesignResult& result);
-[[nodiscard]] HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
-[[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer);
+[[nodiscard]] HtmlPage region_page(const RegionInput& input, const design::RegionAnswer& answer);
+[[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer);
 
 [[nodiscard]] HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary,
                                   const SweepMap& map);

@@ -4,9 +4,11 @@
 #include "command_line.hpp"
 #include "options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stillpoint::cli {
 
@@ -20,6 +22,11 @@ namespace stillpoint::cli {
     }
   }
   return names;
+}
+
+/// What the option's value can be, with blanks between; "" where it is free.
+[[nodiscard]] inline std::string value_names(const Option& option) {
+  return fmt::format("{}", fmt::join(option.traits.values, " "));
 }
 
 /// `text` with `prefix` before every character of `special`.

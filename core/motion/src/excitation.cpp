@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -146,6 +147,12 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
 }
 
 }  // namespace
+
+std::string_view name(const Excitation& excitation) noexcept {
+  constexpr std::array<std::string_view, std::variant_size_v<Excitation>> names{
+      "none", "harmonic", "half-sine", "full-sine", "rectangle", "record"};
+  return names.at(excitation.index());
+}
 
 double duration(const Excitation& excitation) {
   return std::visit([](const auto& kind) { return duration_of<double>(kind); }, excitation);

@@ -4,6 +4,7 @@
 // What shakes the base: W(tau) in units of g, tau >= 0. Outside of what is said here W = 0.
 
 #include <limits>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -57,6 +58,9 @@ using Record = BasicRecord<double>;
 struct NoExcitation {};
 
 using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rectangle, Record>;
+
+/// "harmonic", "half-sine", "full-sine", "rectangle", "record"; "none".
+[[nodiscard]] std::string_view name(const Excitation& excitation) noexcept;
 
 /// p tau, lambda tau and the phase are at most this in a run under an excitation: further on sines
 /// lose their digits.
