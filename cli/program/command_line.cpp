@@ -134,7 +134,7 @@ void refuse_extras(const CLI::App& app) {
 Settings::Value typed(const Option& option, const std::string& text, Command command) {
   switch (option.kind_in(command)) {
     case OptionKind::axis:
-      return parse_axis(option.name, text);
+      return sweep::parse_axis(option.name, text);
     case OptionKind::number:
       return parse_number(option.name, text);
     case OptionKind::integer:

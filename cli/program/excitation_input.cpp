@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 namespace stillpoint::cli {
@@ -36,7 +35,7 @@ Harmonic wave(const Settings& settings) {
   wave.k = settings.required("k", "give --k, the peak of the excitation in g");
   wave.lambda = settings.required("lambda", "give --lambda, its angular frequency");
   wave.phase = settings.number("phase").value_or(wave.phase);
-  wave.duration = settings.number("duration").value_or(wave.duration);
+  wave.duration = settings.number("duration");
   return wave;
 }
 
@@ -95,7 +94,7 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
   const auto t_end = settings.number("t-end");
   if (t_end) {
     require_within("t-end", *t_end, smallest_speed, largest_speed);
-  } else if (std::isinf(duration(excitation))) {
+  } else if (!duration(excitation)) {
     throw InputError::missing("t-end", "give --t-end, the excitation never ends");
   }
   return t_end;

@@ -133,7 +133,7 @@ Axis axis(const Option& option, const json& value) {
                       "must be a number, a range \"first:last:count\" or an array of numbers");
   };
   if (value.is_string()) {
-    return parse_axis(field, value.get<std::string>());
+    return sweep::parse_axis(field, value.get<std::string>());
   }
   std::vector<double> values;
   for (const json& entry : value.is_array() ? value : json::array({value})) {

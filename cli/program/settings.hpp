@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "axis.hpp"
 #include "options.hpp"
 
 #include <stillpoint/records/number.hpp>
+#include <stillpoint/sweep/axis.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -29,6 +29,7 @@ void require_known_value(const Option& option, const std::string& text);
 
 using records::parse_integer;
 using records::parse_number;
+using sweep::Axis;
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {

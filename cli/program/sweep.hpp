@@ -7,8 +7,9 @@
 
 namespace stillpoint::cli {
 
-/// Runs the command sweep: the rows go to their file or to standard output as they are found, the
-/// report to `output`. Wrong input and an interrupt leave as an exception, that of what is kept.
+/// Runs the command sweep: the rows go to their file or to standard output as they are computed,
+/// the report to `output`. Wrong input and an interrupt leave as an exception that says what is
+/// kept.
 ExitCode run_sweep(const Settings& settings, Output& output);
 
 }  // namespace stillpoint::cli

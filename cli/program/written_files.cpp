@@ -2,7 +2,8 @@
 #include "written_files.hpp"
 
 #include "pictures.hpp"
-#include "writing.hpp"
+
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,10 @@
 namespace stillpoint::cli {
 
 namespace {
+
+using sweep::behind_links;
+using sweep::is_special_file;
+using sweep::is_standard_output;
 
 struct NamedFile {
   std::string field;

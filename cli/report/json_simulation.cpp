@@ -29,8 +29,7 @@ ordered_json excitation_json(const SimulateInput& input) {
                     {"record_units", text(origin.units.value_or(""))},
                     {"record_step", number(origin.step)},
                     {"record_scale", number(origin.scale)}};
-  const double lasts = duration(excitation);
-  json["duration"] = std::isfinite(lasts) ? number(lasts) : ordered_json(nullptr);
+  json["duration"] = number(duration(excitation));
   if (const auto* harmonic = std::get_if<Harmonic>(&excitation)) {
     json["phase"] = number(harmonic->phase);
   }

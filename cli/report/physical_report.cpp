@@ -97,7 +97,7 @@ void add_excitation(Quantities& list, const design::Scales& scales, const Excita
       excitation);
   list.push_back({"excitation_rad_per_s", finite(times(lambda, 1 / scales.time_s))});
   list.push_back({"excitation_duration_s",
-                  lambda ? finite(duration(excitation) * scales.time_s) : std::nullopt});
+                  lambda ? finite(times(duration(excitation), scales.time_s)) : std::nullopt});
 }
 
 }  // namespace

@@ -25,6 +25,12 @@
 
 namespace stillpoint::cli {
 
+using figures::Figure;
+using figures::Frame;
+using figures::HtmlPage;
+using figures::HtmlTable;
+using figures::Ink;
+
 namespace {
 
 using fmt::format;
@@ -148,7 +154,7 @@ std::optional<design::PulseProblem> pulse_problem(const std::optional<design::Pu
 Figure pulse_figure(const design::Pulse& pulse, const design::Problem& problem,
                     const design::Finding& found, const FigureUnits& units) {
   const Excitation shaking = design::excitation(pulse);
-  const double ends = duration(shaking);
+  const double ends = duration(shaking).value();
   constexpr double periods = 3;  // where it does not stop
   constexpr double behind_the_end = 1.04;
   const double horizon = behind_the_end * found.pulse->response.stop_time.value_or(
@@ -288,16 +294,17 @@ HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer) {
   return page;
 }
 
-HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary, const SweepMap& map) {
+HtmlPage sweep_page(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
+                    const sweep::SweepMap& map) {
   HtmlPage page;
   page.title = "Sweep";
   page.verdict = format(
       "{} motions. At 0: it rests at x = 0; off 0: in the dead zone; the number is of half-cycles.",
       summary.state.rows);
-  if (task.output) {
-    page.report = sweep_text(task, summary, {}, Style(false));
+  if (spec.output) {
+    page.report = sweep_text(spec, summary, {}, Style(false));
   }
-  page.figures = {sweep_figure(task, map)};
+  page.figures = {sweep_figure(spec, map)};
   return page;
 }
 

@@ -42,7 +42,7 @@ void add_pulse(Page& page, const design::Pulse& pulse,
   const double lambda = design::angular_frequency(pulse);
   page.row("pulse", format("{}, k = {:.6g}, lambda = {:.6g}{}", design::name(pulse),
                            design::peak_load(pulse), lambda, in_rad_per_s(physical, lambda)));
-  const double lasts = duration(design::excitation(pulse));
+  const double lasts = duration(design::excitation(pulse)).value();
   page.row("lasts", format("{:.6g}{}", lasts, in_seconds(physical, lasts)));
 }
 

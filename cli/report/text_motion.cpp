@@ -93,8 +93,8 @@ void add_excitation(Page& page, const SimulateInput& input) {
       page.row("", spelled_out(input.record->description));
     }
   }
-  if (const double lasts = duration(excitation); std::isfinite(lasts)) {
-    page.row("lasts", format("{:.6g}{}", lasts, in_seconds(physical, lasts)));
+  if (const auto lasts = duration(excitation)) {
+    page.row("lasts", format("{:.6g}{}", *lasts, in_seconds(physical, *lasts)));
   }
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index block = 4096;  // entries that a thread takes at a time
+constexpr Index block = 4096;  // entries that a thread takes at once
 
 void resize(BatchResult& result, Index size, bool times) {
   result.peak_amplitude.resize(size);
@@ -28,8 +28,8 @@ void resize(BatchResult& result, Index size, bool times) {
 class FreeBatchSource final : public FreeLanesSource {
  public:
   FreeBatchSource(const BatchEntries& entries, const BatchOptions& options, BatchResult& result,
-                  BatchWork& work)
-      : entries_(entries), ask_(options), result_(result), work_(work) {}
+                  EntryThreads& work)
+      : entries_(entries), options_(options), result_(result), work_(work) {}
 
   EntryRange next() override { return work_.next(); }
 
@@ -42,7 +42,7 @@ class FreeBatchSource final : public FreeLanesSource {
     return free_response(
         {.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]},
         {.x0 = 0, .v0 = entries_.v0[i]},
-        {.times = ask_.times, .margin = false, .half_cycle_limit = ask_.half_cycle_limit});
+        {.times = options_.times, .margin = false, .half_cycle_limit = options_.half_cycle_limit});
   }
 
   void keep(Index i, const Response& response) {
@@ -51,15 +51,15 @@ class FreeBatchSource final : public FreeLanesSource {
     result_.half_cycles[i] = response.half_cycles.value_or(infinite);
     result_.outcome[i] = response.outcome;
     result_.stop_position[i] = response.stop_position.value_or(0);
-    if (ask_.times) {
+    if (options_.times) {
       result_.stop_time[i] = response.stop_time.value_or(infinite);
     }
   }
 
   const BatchEntries& entries_;
-  const BatchOptions& ask_;
+  const BatchOptions& options_;
   BatchResult& result_;
-  BatchWork& work_;
+  EntryThreads& work_;
 };
 
 void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& result) {
@@ -68,8 +68,7 @@ void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& 
   const FreeLanesOutput output{result.peak_amplitude.data(), result.half_cycles.data(),
                                result.outcome.data(), result.stop_position.data(),
                                options.times ? result.stop_time.data() : nullptr};
-  BatchWork work(entries, block);
-  work.in_threads(options.threads, [&] {
+  run_batch(entries, block, options.threads, [&](EntryThreads& work) {
     FreeBatchSource source(entries, options, result, work);
     run_free_lanes(entries, options.half_cycle_limit, output, source);
   });

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "batch_work.hpp"
 
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
 #include <utility>
-#include <vector>
 
 namespace stillpoint {
 
@@ -53,49 +51,20 @@ BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const Batch
   return {each(v0), each(p), each(f), each(delta), f.size()};
 }
 
-EntryRange BatchWork::next() {
-  const std::ptrdiff_t size = entries_.size;
-  const std::ptrdiff_t begin = failed_ ? size : std::min(size, next_.fetch_add(block_));
-  return {begin, std::min(size, begin + block_)};
-}
-
-void BatchWork::guard(std::ptrdiff_t i, const std::function<void()>& entry) {
+void run_batch(const BatchEntries& entries, std::ptrdiff_t block, int threads,
+               const std::function<void(EntryThreads&)>& worker) {
+  const std::function<bool()> always;
+  EntryThreads work(entries.size, block, always);
   try {
-    entry();
-  } catch (const InputError& error) {
-    fail(i, std::make_exception_ptr(in_entry(error, i, entries_)));
-  } catch (const TooManyHalfCycles& error) {
-    fail(i, std::make_exception_ptr(error.in_entry(i)));
-  } catch (...) {
-    fail(i, std::current_exception());
-  }
-}
-
-void BatchWork::fail(std::ptrdiff_t i, const std::exception_ptr& error) {
-  const std::scoped_lock lock(mutex_);
-  if (!error_ || i < failed_entry_) {
-    failed_entry_ = i;
-    error_ = error;
-  }
-  failed_ = true;
-}
-
-void BatchWork::in_threads(int threads, const std::function<void()>& run) {
-  if (threads < 0) {
-    throw InputError("threads", threads, "must be 0 or more");
-  }
-  const std::ptrdiff_t at_once = std::thread::hardware_concurrency();
-  const std::ptrdiff_t wanted = threads > 0 ? threads : at_once;
-  const std::ptrdiff_t blocks = (entries_.size + block_ - 1) / block_;
-  {
-    std::vector<std::jthread> others;
-    for (std::ptrdiff_t i = 1; i < std::min(wanted, blocks); ++i) {
-      others.emplace_back(run);
+    work.run(threads, [&] { worker(work); });
+  } catch (const EntryError& failed) {
+    try {
+      std::rethrow_exception(failed.cause());
+    } catch (const InputError& error) {
+      throw in_entry(error, failed.entry(), entries);
+    } catch (const TooManyHalfCycles& error) {
+      throw error.in_entry(failed.entry());
     }
-    run();
-  }
-  if (error_) {
-    std::rethrow_exception(error_);
   }
 }
 

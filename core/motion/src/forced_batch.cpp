@@ -11,8 +11,8 @@ namespace stillpoint {
 
 namespace {
 
-/// Checks scene after scene. What is checked of an excitation depends on the scene by its p alone,
-/// and a record is long: one p after another of the same value is checked once.
+/// Checks scene after scene. The check of an excitation depends only on p, and a record is long, so
+/// consecutive equal values of p are checked once.
 class SceneCheck {
  public:
   SceneCheck(const Excitation& excitation, const std::optional<double>& t_end)
@@ -36,8 +36,7 @@ class SceneCheck {
 std::vector<ForcedResponse> run(const BatchEntries& entries, const Excitation& excitation,
                                 const ForcedBatchOptions& options) {
   std::vector<ForcedResponse> responses(static_cast<std::size_t>(entries.size));
-  BatchWork work(entries, 1);
-  work.in_threads(options.threads, [&] {
+  run_batch(entries, 1, options.threads, [&](EntryThreads& work) {
     SceneCheck check(excitation, options.scene.t_end);
     for (EntryRange scene = work.next(); scene.begin < scene.end; scene = work.next()) {
       const std::ptrdiff_t i = scene.begin;

@@ -45,7 +45,7 @@ double horizon_of(const SimulationRequest& request, const ForcedResponse& respon
   if (request.t_end) {
     return *request.t_end;
   }
-  const double lasts = duration(request.excitation);
+  const double lasts = duration(request.excitation).value();
   const double stop_time = response.stop_time.value_or(0);
   const double horizon =
       stop_time > 0 ? std::max(stop_time, lasts) * behind_the_end : lasts + ten_periods(request);

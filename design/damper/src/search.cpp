@@ -22,7 +22,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// The best point seen, by the project's own judgement: NLopt's last point may be neither feasible
+/// The best point seen, judged by our own constraints: NLopt's last point may be neither feasible
 /// nor its best.
 class Best {
  public:
@@ -75,8 +75,8 @@ NloptAlgorithm find_algorithm(const std::string& wanted) {
   return *found;
 }
 
-/// A global algorithm says where the best is, not what: DIRECT_L's 20,000 points leave 1e-5 of it.
-/// The last fifth of its budget goes to a local one from the best point so far.
+/// A global algorithm finds the place of the optimum, not its value: after 20,000 points DIRECT_L
+/// is 1e-5 off. A local algorithm gets the last fifth of the budget and starts at the best point.
 constexpr double polished_share = 0.2;
 
 NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
@@ -176,8 +176,8 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
     return Eigen::Vector2d(best.point().f / edge.f_cap, best.point().delta / edge.delta_cap);
   });
   best.consider(outcome.x[0] * edge.f_cap);
-  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
-  // a monotone one is best, and the region's own are all there is of a degenerate region.
+  // Where an objective is flat to rounding, NLopt stops anywhere. A monotone objective is best at
+  // the ends of the interval, and a degenerate region consists of its ends.
   best.consider(interval.low);
   best.consider(interval.high);
   // Where the strip of Delta is so thin that NLopt's steps do not resolve it, `robust` is best
@@ -186,7 +186,7 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
   best.consider(interval.high / (1 + (edge.delta_cap - floor) / (edge.delta_cap + floor)));
   DesignPoint point = best.point();
   if (!best.admissible_found()) {
-    // A region that only just allows the tolerance has one design, in the corner of the caps.
+    // A region that barely allows the tolerance has one design, in the corner of the caps.
     point.f = highest_centre(edge.f_cap, limits.tolerance);
     point.delta = highest_centre(edge.delta_cap, limits.tolerance);
     if (!admissible(problem, limits, point.f, point.delta)) {

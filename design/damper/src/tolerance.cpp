@@ -44,7 +44,7 @@ bool box_admissible(const Problem& at_low, const Problem& at_high, const Limits&
   const auto low_corner = constraints(at_low, f * low, delta * low);
   const auto high_corner = constraints(at_high, f * high, delta * high);
   // amplitude and stop are tightest at the low corner, the other three at the high one; but the
-  // stop at the high corner is no part of the question, for its f may lie above f3.
+  // stop is not checked at the high corner, because f may lie above f3 there.
   return met(low_corner[2]) && met(low_corner[4]) && met(high_corner[0]) && met(high_corner[1]) &&
          met(high_corner[3]) && (!limits.f_max || f * high <= *limits.f_max) &&
          (!limits.delta_max || delta * high <= *limits.delta_max);
@@ -79,7 +79,7 @@ std::optional<double> largest_tolerance(const Problem& problem, const Limits& li
     tolerance = std::max(0.0, tolerance - std::numeric_limits<double>::epsilon());
   }
   assert(fits(tolerance));
-  // The root above is good to a few ulps only; what is asked for is tried as it is.
+  // The root above is accurate only to a few ulps, so the requested value itself is tried.
   if (tolerance < limits.tolerance && fits(limits.tolerance)) {
     return limits.tolerance;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// W(tau) as integrators want it: smooth on a stretch, and the ends of stretches known.
+// W(tau) for integrators: smooth stretches with known ends.
 
 #include <stillpoint/core/excitation.hpp>
 
@@ -29,7 +29,8 @@ class WaveLoad {
  public:
   WaveLoad(double k, double lambda, double phase, double end)
       : k_(k), lambda_(lambda), phase_(phase), end_(end) {}
-  explicit WaveLoad(const Harmonic& e) : WaveLoad(e.k, e.lambda, e.phase, e.duration) {}
+  explicit WaveLoad(const Harmonic& e)
+      : WaveLoad(e.k, e.lambda, e.phase, e.duration.value_or(for_ever)) {}
   explicit WaveLoad(const HalfSine& e) : WaveLoad(e.k, e.lambda, 0, std::numbers::pi / e.lambda) {}
   explicit WaveLoad(const FullSine& e)
       : WaveLoad(e.k, e.lambda, 0, 2 * std::numbers::pi / e.lambda) {}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+
+namespace stillpoint {
+
+/// What was thrown in an entry of a loop; the message is that of its cause.
+class EntryError : public std::runtime_error {
+ public:
+  EntryError(std::ptrdiff_t entry, const std::exception_ptr& cause);
+
+  [[nodiscard]] std::ptrdiff_t entry() const noexcept { return entry_; }
+  [[nodiscard]] const std::exception_ptr& cause() const noexcept { return cause_; }
+
+ private:
+  std::ptrdiff_t entry_;
+  std::exception_ptr cause_;
+};
+
+/// Calls body(i) for each i from 0 to size - 1 on several threads (0: as many as the machine runs
+/// at once). Each i is called by one thread only, so no result depends on their number.
+///
+/// `go_on`, where it is not empty, is asked before each entry, by several threads at once; when it
+/// returns false the remaining entries are skipped. Where body throws, no further entry is begun,
+/// and EntryError is thrown for the first entry that threw, whatever the number of threads.
+/// InputError for threads < 0.
+void for_each_entry(std::ptrdiff_t size, int threads, const std::function<bool()>& go_on,
+                    const std::function<void(std::ptrdiff_t)>& body);
+
+}  // namespace stillpoint

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The one loop over threads: for_each_entry, and the batches, whose threads each keep something of
+// their own and draw their entries themselves.
+
+#include "batch_entries.hpp"
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <mutex>
+
+namespace stillpoint {
+
+/// The entries left to do, and the error of the first that failed.
+class EntryThreads {
+ public:
+  /// Hands out `block` entries at a time. `go_on`: as in for_each_entry; it must outlive this.
+  EntryThreads(std::ptrdiff_t size, std::ptrdiff_t block, const std::function<bool()>& go_on)
+      : size_(size), block_(block), go_on_(go_on) {}
+
+  /// A block for one thread; empty where none is left, one has failed, or go_on said no.
+  EntryRange next();
+
+  /// Runs `entry`, and keeps the error of the first entry that throws. Blocks are handed out in
+  /// order and finished once begun, so which one that is does not depend on the threads.
+  void guard(std::ptrdiff_t i, const std::function<void()>& entry);
+
+  /// Calls `worker` on that many threads (0: as many as the machine runs at once), but on no more
+  /// than there are blocks; then throws EntryError if an entry failed. InputError for threads < 0.
+  void run(int threads, const std::function<void()>& worker);
+
+ private:
+  std::ptrdiff_t size_;
+  std::ptrdiff_t block_;
+  const std::function<bool()>& go_on_;
+  std::atomic<std::ptrdiff_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  std::ptrdiff_t failed_entry_{0};
+  std::exception_ptr error_;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "testing/checks.hpp"
+
+#include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(for_each_entry_test)
+
+BOOST_AUTO_TEST_CASE(each_entry_is_called_once) {
+  for (const int threads : {0, 1, 2, 7}) {
+    std::vector<std::atomic<int>> calls(1000);
+    for_each_entry(1000, threads, {},
+                   [&](std::ptrdiff_t i) { ++calls[static_cast<std::size_t>(i)]; });
+    BOOST_TEST(std::ranges::all_of(calls, [](const auto& count) { return count == 1; }));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_entries_nothing_is_called) {
+  for_each_entry(0, 2, {}, [](std::ptrdiff_t /*i*/) { BOOST_ERROR("called"); });
+}
+
+BOOST_AUTO_TEST_CASE(the_first_entry_that_throws_is_named_whatever_the_threads) {
+  for (const int threads : {1, 2, 7}) {
+    const auto run = [&] {
+      for_each_entry(1000, threads, {}, [](std::ptrdiff_t i) {
+        if (i >= 400) {
+          throw std::out_of_range(i == 400 ? "the four hundredth" : "a later one");
+        }
+      });
+    };
+    BOOST_CHECK_EXCEPTION(run(), EntryError, [](const EntryError& error) {
+      BOOST_CHECK_THROW(std::rethrow_exception(error.cause()), std::out_of_range);
+      return error.entry() == 400 && std::string(error.what()) == "the four hundredth";
+    });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_skips_the_rest) {
+  // One thread asks before each entry: the entries 0 to 9 are done when the tenth is refused.
+  int done = 0;
+  for_each_entry(
+      1000, 1, [&] { return done < 10; }, [&](std::ptrdiff_t /*i*/) { ++done; });
+  BOOST_TEST(done == 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_negative_number_of_threads_is_refused) {
+  BOOST_TEST(message_of<InputError>([] {
+               for_each_entry(1, -1, {}, [](std::ptrdiff_t /*i*/) {});
+             }) == "threads = -1: must be 0 or more");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test
