@@ -65,16 +65,13 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
 }  // namespace
 
 std::optional<std::string> excitation_type(const Settings& settings) {
-  const auto type = settings.text("excitation");
+  auto type = settings.known("excitation");
   return !type && settings.has("record") ? std::optional<std::string>("record") : type;
 }
 
 std::optional<ExcitationInput> excitation_input(const Settings& settings,
                                                 const records::RecordClock& clock, double gravity) {
   const auto type = excitation_type(settings);
-  if (type) {
-    require_known_value(*find_option("excitation"), *type);
-  }
   const ExcitationKind* const kind = type ? find_excitation_kind(*type) : nullptr;
   refuse_others(settings, kind);
   if (kind == nullptr) {
@@ -101,9 +98,8 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
 }
 
 std::optional<design::Pulse> pulse_input(const Settings& settings) {
-  const auto type = settings.text("pulse");
+  const auto type = settings.known("pulse");
   if (type) {
-    require_known_value(*find_option("pulse"), *type);
     Harmonic given;
     given.k = settings.required("k", "give --k, the peak of the pulse in g");
     given.lambda = settings.required("lambda", "give --lambda, its angular frequency");

@@ -19,7 +19,8 @@ struct ExcitationInput {
   std::optional<report::RecordOrigin> record;
 };
 
-/// What --excitation names; with --record alone "record". Empty: free motion.
+/// What --excitation names; with --record alone "record". Empty: free motion. Throws
+/// InputError for another name.
 [[nodiscard]] std::optional<std::string> excitation_type(const Settings& settings);
 
 /// Empty for a free motion. A record's times become tau by its `clock`.

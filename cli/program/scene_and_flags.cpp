@@ -57,9 +57,7 @@ void follow_pulse(Settings& scene) {
       throw UsageError(fmt::format("{} and pulse exclude each other: give one of them", start));
     }
   }
-  const std::string type = *scene.text("pulse");
-  require_known_value(*find_option("pulse"), type);
-  scene.set(*find_option("excitation"), type);
+  scene.set(*find_option("excitation"), *scene.known("pulse"));
   scene.drop("pulse");
 }
 

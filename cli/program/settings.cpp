@@ -9,13 +9,6 @@
 
 namespace stillpoint::cli {
 
-void require_known_value(const Option& option, const std::string& text) {
-  const auto& values = option.traits.values;
-  if (std::ranges::find(values, text) == values.end()) {
-    throw InputError(std::string(option.name), text, fmt::format("must be {}", listed(values)));
-  }
-}
-
 template <class T>
 std::optional<T> Settings::get(std::string_view name) const {
   const auto found = values_.find(name);
@@ -32,6 +25,15 @@ std::optional<std::int64_t> Settings::integer(std::string_view name) const {
 
 std::optional<std::string> Settings::text(std::string_view name) const {
   return get<std::string>(name);
+}
+
+std::optional<std::string> Settings::known(std::string_view name) const {
+  auto wanted = text(name);
+  const auto& values = find_option(name)->traits.values;
+  if (wanted && std::ranges::find(values, *wanted) == values.end()) {
+    throw InputError(std::string(name), *wanted, fmt::format("must be {}", listed(values)));
+  }
+  return wanted;
 }
 
 bool Settings::flag(std::string_view name) const {

@@ -24,9 +24,6 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws InputError unless the text is one of the option's values.
-void require_known_value(const Option& option, const std::string& text);
-
 using records::parse_integer;
 using records::parse_number;
 using sweep::Axis;
@@ -49,21 +46,20 @@ class Settings {
   /// The same, but InputError where not set, saying what else would do.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
 
-  /// The one of `choices` that the option names, else the first. Throws InputError for another
-  /// name.
+  /// A text that must be one of the option's values. Throws InputError.
+  [[nodiscard]] std::optional<std::string> known(std::string_view name) const;
+
+  /// The one of `choices` that the option names, else the first. Throws InputError.
   template <class Choices>
   [[nodiscard]] auto chosen(std::string_view option, const Choices& choices) const {
-    const auto wanted = text(option);
-    if (!wanted) {
-      return choices.front();
-    }
-    require_known_value(*find_option(option), *wanted);
-    return *std::ranges::find(choices, *wanted, [](auto one) { return std::string(name(one)); });
+    const auto wanted = known(option);
+    return wanted ? *std::ranges::find(choices, *wanted, [](auto one) { return name(one); })
+                  : choices.front();
   }
 
   void drop(std::string_view name) { values_.erase(name); }
 
-  /// Sets here what `other` has and this has not.
+  /// Sets what `other` has and this does not have.
   void complete_with(const Settings& other) {
     values_.insert(other.values_.begin(), other.values_.end());
   }

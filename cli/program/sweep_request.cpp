@@ -72,9 +72,10 @@ void refuse_for_other_kinds(const Settings& settings, SweepKind kind) {
     }
     return;
   }
-  for (const char* const other : {"criterion", "objective", "tolerance", "f-max", "delta-max"}) {
-    if (settings.has(other)) {
-      throw UsageError(fmt::format("{} is for designs: give --beta as well", other));
+  for (const Option& option : options()) {
+    const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate);
+    if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
+      throw UsageError(fmt::format("{} is for designs: give --beta as well", option.name));
     }
   }
   if (kind == SweepKind::free && settings.has("t-end")) {
