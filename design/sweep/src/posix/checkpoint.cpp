@@ -75,6 +75,10 @@ bool is_flat(int depth, ordered_json::parse_event_t /*event*/, const ordered_jso
 
 }  // namespace
 
+void require_task(const std::string& task) {
+  static_cast<void>(task_of(task));
+}
+
 std::optional<Checkpoint> read_checkpoint(const std::string& path) {
   std::error_code unknown;
   if (!std::filesystem::exists(path, unknown)) {

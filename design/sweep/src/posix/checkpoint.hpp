@@ -16,6 +16,9 @@ struct Checkpoint {
   bool complete{false};   ///< only the name of the file is missing
 };
 
+/// Throws InputError unless the identity of a sweep is a JSON object.
+void require_task(const std::string& task);
+
 /// Empty if there is no such file. Throws LeftoverError if it is not a checkpoint.
 [[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::string& path);
 

@@ -91,6 +91,7 @@ void cut_back(OpenPart& files, bool checkpoint_exists) {
 }
 
 OpenPart files_of(const std::string& path, std::string task) {
+  require_task(task);
   OpenPart files;
   files.target = behind_links(path).string();
   files.saved.task = std::move(task);

@@ -14,7 +14,7 @@ namespace stillpoint::sweep {
 
 /// Who follows a sweep while it runs.
 struct SweepWatch {
-  std::stop_token stop;                               ///< answered within some tenths of a second
+  std::stop_token stop{};                             ///< answered within some tenths of a second
   std::function<void(const SweepState&)> progress{};  ///< called after each block
   SweepMap* map{nullptr};                             ///< to be filled
 };

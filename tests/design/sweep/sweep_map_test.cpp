@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "sweep_map.hpp"
+#include "design/sweep/sweep_spec.hpp"
 #include "testing/printing.hpp"
 
-#include "commands.hpp"
-#include "figures_sweep.hpp"
-
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/sweep/map.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -17,31 +16,20 @@ BOOST_AUTO_TEST_SUITE(sweep_map_test)
 namespace {
 
 using namespace stillpoint;
-using namespace stillpoint::cli;
+using namespace stillpoint::sweep;
+using namespace stillpoint::sweep_test;
 
-SweepTask task_of(const std::string& f, const std::string& delta) {
-  Settings settings;
-  for (const auto& [name, text] :
-       {std::pair{"v0", std::string("1")}, {"p", "1"}, {"f", f}, {"delta", delta}}) {
-    settings.set(*find_option(name), parse_axis(name, text));
-  }
-  return sweep_task(settings);
+SweepSpec spec_of(const std::string& f, const std::string& delta) {
+  return free_spec(parse_axis("f", f), parse_axis("delta", delta));
 }
 
-/// The map of a task whose first `skipped` entries an earlier run had written.
-SweepMap map_of(const SweepTask& task, std::int64_t skipped = 0) {
-  SweepMap map(task);
-  SweepRun run(task);
-  task.source->skip(skipped, 0);
-  for (SweepBlock block;;) {
-    task.source->fill(block, 1000);
-    if (block.size == 0) {
-      break;
-    }
-    run(block);
-    map.add(block);
-  }
-  BOOST_TEST(map.complete(task, run));
+/// The map of a sweep whose first `skipped` rows an earlier run had written.
+SweepMap map_of(const SweepSpec& spec, std::int64_t skipped = 0) {
+  SweepMap map(spec);
+  SweepState found;
+  found.rows = skipped;
+  MemorySink sink(found);
+  BOOST_TEST((run(spec, sink, {.map = &map}).end == SweepEnd::complete));
   return map;
 }
 
@@ -60,7 +48,7 @@ BOOST_AUTO_TEST_CASE(says_of_each_cell_what_one_motion_says) {
        std::vector<std::pair<std::string, std::string>>{{"0.001:0.5:40", "0:0.6:50"},
                                                         {"0.5:0.001:40", "0:0.6:50"},
                                                         {"0.001:0.5:40:log", "0.6:0.001:50:log"}}) {
-    const SweepMap map = map_of(task_of(f, delta));
+    const SweepMap map = map_of(spec_of(f, delta));
     BOOST_TEST_REQUIRE(map.f().cells() == 40);
     BOOST_TEST_REQUIRE(map.delta().cells() == 50);
     BOOST_TEST(map.f().value(0) < map.f().value(39));
@@ -75,7 +63,7 @@ BOOST_AUTO_TEST_CASE(says_of_each_cell_what_one_motion_says) {
 }
 
 BOOST_AUTO_TEST_CASE(leaves_out_values_of_a_long_axis) {
-  const SweepMap map = map_of(task_of("0.001:0.5:5000", "0:0.6:3"));
+  const SweepMap map = map_of(spec_of("0.001:0.5:5000", "0:0.6:3"));
   BOOST_TEST(map.f().cells() == 1667);  // every third of 5000
   const Axis all = parse_axis("f", "0.001:0.5:5000");
   for (const std::int64_t column : {0, 1, 700, 1666}) {
@@ -86,9 +74,9 @@ BOOST_AUTO_TEST_CASE(leaves_out_values_of_a_long_axis) {
 }
 
 BOOST_AUTO_TEST_CASE(is_the_same_after_a_resumed_sweep) {
-  const SweepMap whole = map_of(task_of("0.001:0.5:40", "0:0.6:50"));
+  const SweepMap whole = map_of(spec_of("0.001:0.5:40", "0:0.6:50"));
   for (const std::int64_t skipped : {1, 49, 50, 777, 1999, 2000}) {
-    BOOST_TEST(map_of(task_of("0.001:0.5:40", "0:0.6:50"), skipped).cells() == whole.cells(),
+    BOOST_TEST(map_of(spec_of("0.001:0.5:40", "0:0.6:50"), skipped).cells() == whole.cells(),
                skipped);
   }
 }
@@ -111,13 +99,28 @@ BOOST_AUTO_TEST_CASE(has_classes_that_tell_outcomes_and_half_cycles_apart) {
   BOOST_TEST(cls(running, 3) == 14);
 }
 
-BOOST_AUTO_TEST_CASE(is_drawn_with_the_values_in_the_middle_of_their_cells) {
-  const SweepTask task = task_of("0.1:0.4:4", "0.01:1:3:log");
-  const Figure figure = sweep_figure(task, map_of(task));
-  BOOST_TEST(figure.x.least == 0.05, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(figure.x.most == 0.45, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(figure.y.position(0.1) == 0.5, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(figure.y.position(0.01) == 1 / 6.0, boost::test_tools::tolerance(1e-12));
+BOOST_AUTO_TEST_CASE(needs_ranges_of_f_and_delta_alone) {
+  for (const SweepSpec& spec : {spec_of("0.1,0.2", "0:0.6:50"), spec_of("0.1:0.2:3", "0"),
+                                spec_of("0.1:0.1:3", "0:0.6:50")}) {
+    BOOST_CHECK_THROW(SweepMap{spec}, InputError);
+  }
+  SweepSpec of_speeds = spec_of("0.1:0.2:3", "0:0.6:50");
+  of_speeds.axes.front().axis = Axis({1, 2});
+  BOOST_CHECK_EXCEPTION(SweepMap{of_speeds}, InputError,
+                        [](const InputError& error) { return error.field() == "v0"; });
+}
+
+BOOST_AUTO_TEST_CASE(may_be_stopped_when_the_rows_are_complete) {
+  const SweepSpec spec = spec_of("0.1:0.2:3", "0:0.6:50");
+  SweepMap map(spec);
+  SweepState found;
+  found.rows = 150;
+  MemorySink sink(found);
+  std::stop_source stop;
+  sink.at_finish = [&stop] { stop.request_stop(); };
+  BOOST_TEST(
+      (run(spec, sink, {.stop = stop.get_token(), .map = &map}).end == SweepEnd::stopped_in_map));
+  BOOST_TEST(sink.finished);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
