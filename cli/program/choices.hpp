@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "record_units.hpp"
-
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/records/record_file.hpp>
 
 #include <algorithm>
 #include <array>

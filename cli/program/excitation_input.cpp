@@ -3,7 +3,6 @@
 
 #include "choices.hpp"
 #include "excitation_kinds.hpp"
-#include "record_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -54,11 +53,8 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
     throw InputError::missing("record", "give --record FILE");
   }
   records::RecordFile file = records::read_record(*path, options);
-  for (double& time : file.times) {
-    time /= clock.per_tau;
-  }
-  return {Record{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
-          report::RecordOrigin{*path, file.description, settings.text("record-units"),
+  return {std::move(file.record),
+          report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
                                settings.number("record-step"), settings.number("record-scale")}};
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "record_clock.hpp"
 #include "settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>
+#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/record_origin.hpp>
 
 #include <optional>
@@ -24,8 +24,8 @@ struct ExcitationInput {
 [[nodiscard]] std::optional<std::string> excitation_type(const Settings& settings);
 
 /// Empty for a free motion. A record's times become tau by its `clock`.
-/// Throws UsageError for options that do not go together or a file that is not in order, and
-/// InputError for a wrong value.
+/// Throws UsageError for options that exclude each other, FileError for a wrong file and InputError
+/// for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
                                                               const records::RecordClock& clock,
                                                               double gravity);

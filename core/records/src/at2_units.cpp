@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "record_units.hpp"
+#include "at2_parts.hpp"
 
 #include <stillpoint/records/text.hpp>
-
-#include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
 
@@ -16,8 +14,6 @@ namespace stillpoint::records {
 namespace {
 
 using std::string_view;
-
-constexpr std::array all_units{RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2};
 
 // Units as `normal` leaves them.
 constexpr std::array<std::pair<string_view, RecordUnits>, 9> accelerations{{
@@ -38,14 +34,14 @@ bool contains(string_view text, string_view part) {
   return text.find(part) != string_view::npos;
 }
 
-/// `now` is shorter than `old`, so that this ends.
+/// `now` is shorter than `old`, so this ends.
 void replace_all(std::string& text, string_view old, string_view now) {
   for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old)) {
     text.replace(at, old.size(), now);
   }
 }
 
-/// Upper case, no blanks about a '/', and CM/SEC/SEC, CM/S**2 and CM/S^2 in one way.
+/// In upper case without blanks around a '/'; CM/SEC/SEC as CM/S/S, CM/S**2 and CM/S^2 as CM/S2.
 std::string normal(string_view line) {
   std::string text = upper_case(line);
   for (const char blank : {' ', '\t'}) {
@@ -73,7 +69,7 @@ string_view without_stop(string_view word) {
   return word;
 }
 
-/// The word that stands for units: the one behind UNITS, or one that can be nothing else.
+/// The word for the units: the one after UNITS, or one that can mean nothing else.
 std::optional<string_view> units_word(const std::vector<string_view>& words) {
   const auto says_units = std::ranges::find_if(
       words, [](string_view word) { return word == "UNITS" || word == "UNIT"; });
@@ -96,27 +92,6 @@ constexpr string_view wanted = "an acceleration is needed, in G, CM/S2 or M/S2";
 
 }  // namespace
 
-std::string_view name(RecordUnits units) noexcept {
-  switch (units) {
-    case RecordUnits::g:
-      break;
-    case RecordUnits::m_per_s2:
-      return "m/s2";
-    case RecordUnits::cm_per_s2:
-      return "cm/s2";
-  }
-  return "g";
-}
-
-RecordUnits parse_record_units(const std::string& wanted_name) {
-  for (const RecordUnits units : all_units) {
-    if (wanted_name == name(units)) {
-      return units;
-    }
-  }
-  throw InputError("record-units", records::quoted(wanted_name), "must be g, m/s2 or cm/s2");
-}
-
 bool names_quantity(string_view line) {
   const std::string text = upper_case(trimmed(line));
   const auto begins = [&text](string_view word) { return text.starts_with(word); };
@@ -124,13 +99,13 @@ bool names_quantity(string_view line) {
          contains(text, "UNITS") || begins("ACCEL") || begins("VELOC") || begins("DISPLAC");
 }
 
-std::optional<RecordUnits> header_units(const RecordLines& lines) {
-  const std::string text = normal(lines.line());
+std::optional<RecordUnits> at2_units(const RecordReader& reader) {
+  const std::string text = normal(reader.line());
   for (const auto& [part, quantity] :
        {std::pair{"VELOC", "a velocity"}, std::pair{"DISPLAC", "a displacement"}}) {
     if (contains(text, part) && !contains(text, "ACCEL")) {
-      lines.refuse(fmt::format("{} says that this is {}: {}", quoted(trimmed(lines.line())),
-                               quantity, wanted));
+      reader.refuse(fmt::format("{} says that this is {}: {}", quoted(trimmed(reader.line())),
+                                quantity, wanted));
     }
   }
   const auto word = units_word(words_of(text, " \t,;:=()[]"));
@@ -144,7 +119,7 @@ std::optional<RecordUnits> header_units(const RecordLines& lines) {
                             : std::ranges::count(displacements, *word) > 0
                                 ? "are those of a displacement"
                                 : "are unknown";
-  lines.refuse(fmt::format("the units {} {}: {}", quoted(*word), fault, wanted));
+  reader.refuse(fmt::format("the units {} {}: {}", quoted(*word), fault, wanted));
 }
 
 }  // namespace stillpoint::records

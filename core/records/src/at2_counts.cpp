@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "at2_count_line.hpp"
+#include "at2_parts.hpp"
 
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
@@ -52,14 +52,17 @@ std::vector<HeaderWord> header_words(std::string_view line) {
   return words;
 }
 
-/// The words NPTS and DT of a line with their numbers, which stand behind each ("NPTS= 2000, DT=
-/// .02 SEC") or together in front ("2000 0.02 NPTS, DT").
+/// The words NPTS and DT of a line with their numbers, one after each word ("NPTS= 2000, DT= .02
+/// SEC") or both in front ("2000 0.02 NPTS, DT").
 class CountLine {
  public:
-  explicit CountLine(const RecordLines& lines)
-      : lines_(lines), words_(header_words(lines.line())), npts_(index("NPTS")), dt_(index("DT")) {
+  explicit CountLine(const RecordReader& reader)
+      : reader_(reader),
+        words_(header_words(reader.line())),
+        npts_(index("NPTS")),
+        dt_(index("DT")) {
     if (dt_ == words_.size()) {
-      lines_.refuse("NPTS without DT: both must stand in this line, as in NPTS= 2000, DT= .02 SEC");
+      reader_.refuse("NPTS without DT: both must be in this line, as in NPTS= 2000, DT= .02 SEC");
     }
     numbers_first_ = std::min(npts_, dt_) == 2 && words_[0].number && words_[1].number;
   }
@@ -68,8 +71,8 @@ class CountLine {
     const HeaderWord& word = number_of("NPTS", npts_, npts_ > dt_);
     const double count = *word.number;
     if (count < 1 || count > largest_count || count != std::floor(count)) {
-      lines_.refuse(fmt::format("NPTS = {}: must be a whole number from 1 to {:.0f}", word.text,
-                                largest_count));
+      reader_.refuse(fmt::format("NPTS = {}: must be a whole number from 1 to {:.0f}", word.text,
+                                 largest_count));
     }
     return static_cast<std::size_t>(count);
   }
@@ -77,14 +80,14 @@ class CountLine {
   [[nodiscard]] double step() const {
     const HeaderWord& word = number_of("DT", dt_, dt_ > npts_);
     if (*word.number <= 0) {
-      lines_.refuse(fmt::format("DT = {}: must be more than 0", word.text));
+      reader_.refuse(fmt::format("DT = {}: must be more than 0", word.text));
     }
     require_seconds();
     return *word.number;
   }
 
  private:
-  /// More than any file within the size limit can hold.
+  /// More values than a file within the size limit can hold.
   static constexpr double largest_count = 1e9;
 
   [[nodiscard]] std::size_t index(std::string_view text) const {
@@ -96,7 +99,7 @@ class CountLine {
                                             bool is_second) const {
     const std::size_t place = numbers_first_ ? (is_second ? 1 : 0) : at + 1;
     if (place >= words_.size() || !words_[place].number) {
-      lines_.refuse(fmt::format("{} has no number", key));
+      reader_.refuse(fmt::format("{} has no number", key));
     }
     return words_[place];
   }
@@ -111,11 +114,11 @@ class CountLine {
     constexpr std::array others{"MS", "MILLI", "US", "MICRO", "MIN", "HZ", "SPS"};
     if (std::ranges::any_of(others,
                             [unit](std::string_view other) { return unit.starts_with(other); })) {
-      lines_.refuse(fmt::format("DT in {}: must be in SEC", quoted(unit)));
+      reader_.refuse(fmt::format("DT in {}: must be in SEC", quoted(unit)));
     }
   }
 
-  const RecordLines& lines_;
+  const RecordReader& reader_;
   std::vector<HeaderWord> words_;
   std::size_t npts_;
   std::size_t dt_;
@@ -138,8 +141,8 @@ bool has_npts(std::string_view line) {
   return false;
 }
 
-At2Counts read_at2_counts(const RecordLines& lines) {
-  const CountLine line(lines);
+At2Counts read_at2_counts(const RecordReader& reader) {
+  const CountLine line(reader);
   return {line.count(), line.step()};
 }
 
