@@ -39,14 +39,11 @@ constexpr std::size_t longest_title = 400;
 
 /// The options that make the numbers, as a scene.
 std::string scene_of(const Settings& settings, Command command) {
-  constexpr std::array no_part{"html",   "svg",        "json",    "output", "threads",
-                               "resume", "trajectory", "samples", "columns"};
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
   settings.for_each([&](std::string_view option, const Settings::Value& value) {
     const bool for_the_trajectory =
         option == "t-end" && !settings.has("excitation") && !settings.has("record");
-    if (std::ranges::find(no_part, option) != no_part.end() || for_the_trajectory ||
-        !find_option(option)->serves(command)) {
+    if (!is_echoed(option) || for_the_trajectory || !find_option(option)->serves(command)) {
       return;
     }
     std::visit(
