@@ -2,6 +2,7 @@
 #include "record_format.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/text_file.hpp>
@@ -18,6 +19,12 @@ namespace {
 
 /// A file is read in the first format that recognises it. The columns, last, take any file.
 constexpr std::array formats{&at2_format, &columns_format};
+
+constexpr Names units_names(std::to_array<Named<RecordUnits>>({
+    {RecordUnits::g, "g"},
+    {RecordUnits::m_per_s2, "m/s2"},
+    {RecordUnits::cm_per_s2, "cm/s2"},
+}));
 
 /// A scale beyond these is a slip; products would lose digits or leave the range of a double.
 constexpr double smallest_scale = 1e-100;
@@ -53,24 +60,11 @@ RecordFile read_record(const std::string& path, const RecordOptions& options) {
 }
 
 std::string_view name(RecordUnits units) noexcept {
-  switch (units) {
-    case RecordUnits::g:
-      break;
-    case RecordUnits::m_per_s2:
-      return "m/s2";
-    case RecordUnits::cm_per_s2:
-      return "cm/s2";
-  }
-  return "g";
+  return units_names.name(units);
 }
 
-RecordUnits parse_record_units(std::string_view wanted) {
-  for (const RecordUnits units : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
-    if (wanted == name(units)) {
-      return units;
-    }
-  }
-  throw InputError("record-units", quoted(wanted), "must be g, m/s2 or cm/s2");
+std::optional<RecordUnits> parse_record_units(std::string_view name) noexcept {
+  return units_names.parse(name);
 }
 
 }  // namespace stillpoint::records

@@ -19,6 +19,7 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <ostream>
 #include <random>
 #include <sstream>
@@ -812,14 +813,10 @@ BOOST_AUTO_TEST_CASE(options_out_of_bounds) {
 
 BOOST_AUTO_TEST_CASE(units_have_names) {
   for (const RecordUnits unit : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
-    BOOST_TEST(records::parse_record_units(std::string(records::name(unit))) == unit);
+    BOOST_TEST(records::parse_record_units(records::name(unit)) == std::optional(unit));
   }
   for (const char* wrong : {"", "G", "cm/s", "gal"}) {
-    BOOST_CHECK_EXCEPTION(static_cast<void>(records::parse_record_units(wrong)), InputError,
-                          [](const InputError& error) {
-                            check_says(error.what(), {"record-units = ", "g, m/s2 or cm/s2"});
-                            return true;
-                          });
+    BOOST_TEST(!records::parse_record_units(wrong).has_value());
   }
 }
 

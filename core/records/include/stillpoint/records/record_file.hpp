@@ -17,8 +17,8 @@ enum class RecordUnits { g, m_per_s2, cm_per_s2 };
 
 /// "g", "m/s2" or "cm/s2".
 [[nodiscard]] std::string_view name(RecordUnits units) noexcept;
-/// Throws InputError for any other name.
-[[nodiscard]] RecordUnits parse_record_units(std::string_view name);
+/// Empty for any other name.
+[[nodiscard]] std::optional<RecordUnits> parse_record_units(std::string_view name) noexcept;
 
 /// The unit of the times in a file, and which of them a motion can follow, excitation.hpp. This is
 /// asked while the file is read, so that an error can name the line.
