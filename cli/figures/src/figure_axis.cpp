@@ -24,7 +24,7 @@ std::vector<double> round_values(double least, double most) {
   return values;
 }
 
-/// Powers of ten, every one or every so many.
+/// Powers of ten: all of them, or every n-th.
 std::vector<double> decades(double least, double most) {
   constexpr double wanted = 6;
   const double first = std::ceil(least - 1e-9);

@@ -14,7 +14,7 @@ using fmt::format;
 constexpr double line_height = 20;
 constexpr double letter = 6.9;  // mean width
 
-/// Of UTF-8.
+/// How many characters a UTF-8 text has.
 double letters(std::string_view text) {
   return static_cast<double>(std::ranges::count_if(
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));

@@ -8,8 +8,8 @@
 
 namespace stillpoint::figures {
 
-/// The names in figures with a sample of each, in lines of a width. What has the same name shares
-/// its entry.
+/// The names in figures, each with a sample, in lines of a given width. The same name has one
+/// entry.
 class FigureLegend {
  public:
   explicit FigureLegend(double width) : width_(width) {}
@@ -17,7 +17,7 @@ class FigureLegend {
   void add(const Figure& figure);
 
   [[nodiscard]] double height() const;
-  /// Its upper left corner at (x, y).
+  /// With its upper left corner at (x, y).
   [[nodiscard]] std::string drawn(double x, double y) const;
 
  private:

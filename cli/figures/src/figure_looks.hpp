@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The classes and outlines that stand for inks, dashes, shapes and fills in the SVG.
+// The classes and outlines of inks, dashes, shapes and fills in the SVG.
 
 #include <stillpoint/figures/figure.hpp>
 
@@ -30,7 +30,7 @@ inline std::string_view word(Anchor anchor) {
   return words.at(static_cast<std::size_t>(anchor));
 }
 
-/// About (0, 0).
+/// Centred at (0, 0).
 inline std::string_view outline(Shape shape) {
   constexpr std::array<std::string_view, 7> outlines{
       "M-3.8 0A3.8 3.8 0 1 1 3.8 0A3.8 3.8 0 1 1-3.8 0Z",
@@ -43,7 +43,7 @@ inline std::string_view outline(Shape shape) {
   return outlines.at(static_cast<std::size_t>(shape));
 }
 
-/// The path of a mark; `place` is an attribute or nothing.
+/// The path of a mark; `place` is an attribute or empty.
 inline std::string mark(const FigureMarks& marks, std::string_view place) {
   const bool filled = marks.fill == Fill::solid && marks.shape != Shape::cross;
   return fmt::format(R"(<path class="{} {}"{} d="{}{}"/>)", filled ? "disc" : "ring",

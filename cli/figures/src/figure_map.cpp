@@ -46,7 +46,7 @@ std::string palette(const FigureMap& map) {
   return data;
 }
 
-/// From the top row down, each behind its filter byte (none).
+/// From the top row down, each after its filter byte (none).
 std::string compressed_rows(const FigureMap& map) {
   std::string plain;
   const auto columns = static_cast<std::size_t>(map.columns);

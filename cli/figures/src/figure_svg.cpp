@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Draws figures. Lengths are in pixels of a figure 520 wide; the plot is an svg of its own, so that
-// a page can zoom into it, and what keeps its size there (marks, notes) is a "pin".
+// a page can zoom into it. A "pin" (a mark or a note) keeps its size when zoomed.
 #include "figure_legend.hpp"
 #include "figure_looks.hpp"
 #include "figure_map.hpp"
@@ -27,7 +27,7 @@ std::string_view scale_name(const FigureAxis& axis) {
   return axis.scale == Scale::linear ? "linear" : "logarithmic";
 }
 
-/// Appends to one text what is drawn of a figure, without its svg element.
+/// Collects the drawing of a figure in one text, without its svg element.
 class Drawing {
  public:
   explicit Drawing(const Figure& figure) : figure_(figure) {}
@@ -160,7 +160,8 @@ class Drawing {
   std::string text_;
 };
 
-/// Opens an svg element, with what a reader that cannot see it needs and a page's script too.
+/// Opens an svg element, with the title and description that a screen reader needs and the data
+/// that the script of a page needs.
 std::string opened(const Figure& figure, std::string_view place, double height) {
   return format(
       "<svg {}class=\"figure\" viewBox=\"0 0 {} {}\" role=\"img\" "

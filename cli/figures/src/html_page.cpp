@@ -80,8 +80,9 @@ std::string html(const HtmlPage& page) {
   }
   if (!page.scene.empty()) {
     text += format(
-        "<h2>Input</h2>\n<p>As <code>scene.json</code>; <code>stillpoint {} scene.json --html "
-        "page.html</code> gives this page again.</p>\n<pre>{}</pre>\n",
+        "<h2>Input</h2>\n<p>Save this as <code>scene.json</code>; <code>stillpoint {} scene.json "
+        "--html "
+        "page.html</code> then makes this page again.</p>\n<pre>{}</pre>\n",
         escaped(page.command), escaped(page.scene));
   }
   text += format("<footer>{}</footer>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",

@@ -5,8 +5,8 @@ namespace stillpoint::figures {
 
 namespace {
 
-/// Values under the pointer come from what is drawn, by the mapping of the axes that the figure
-/// carries; zooming changes the view of the plot, and the ticks with it.
+/// Values under the pointer come from the drawing, by the mapping of the axes that the figure
+/// carries. Zooming changes the view of the plot and its ticks.
 constexpr std::string_view script = R"js(
 'use strict';
 for (const figure of document.querySelectorAll('svg.figure')) {

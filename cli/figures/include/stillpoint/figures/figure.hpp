@@ -15,14 +15,15 @@ struct FigurePoint {
   double y{0};
 };
 
-/// Colours of Okabe and Ito, which the colour-blind tell apart; figure_style.cpp has their values.
+/// Colours of Okabe and Ito, which colour-blind readers can tell apart; figure_style.cpp has their
+/// values.
 enum class Ink { blue, orange, green, purple, sky, amber, grey };
 
 enum class Dash { solid, dashed, dotted };
 
 /// A line in one or several strokes.
 struct FigureCurve {
-  std::string name;  ///< in the legend; empty: not there
+  std::string name;  ///< in the legend; empty: not in it
   std::vector<std::vector<FigurePoint>> strokes;
   Ink ink{Ink::blue};
   Dash dash{Dash::solid};
@@ -34,10 +35,10 @@ struct FigureArea {
   std::string name;
   std::vector<FigurePoint> outline;
   Ink ink{Ink::blue};
-  bool filled{true};  ///< else its edge alone
+  bool filled{true};  ///< else only its edge
 };
 
-/// A span of the horizontal axis, shaded.
+/// A shaded span of the horizontal axis.
 struct FigureBand {
   std::string name;
   double from{0};
@@ -59,7 +60,7 @@ struct FigureMarks {
 
 enum class Anchor { start, middle, end };
 
-/// A word in the plot, at a point; upright ones run along a vertical edge.
+/// Words in the plot, at a point; upright ones run along a vertical edge.
 struct FigureNote {
   std::string text;
   FigurePoint at;
@@ -67,15 +68,15 @@ struct FigureNote {
   bool upright{false};
 };
 
-/// Colours of the cells of a grid, which fills the axes; row 0 is the lowest. All cells are as wide
-/// as each other in the scale of the axis.
+/// The colours of a grid of cells that fills the axes; row 0 is the lowest. All cells have the same
+/// size in the scales of the axes.
 struct FigureMap {
   std::int64_t columns{0};
   std::int64_t rows{0};
   std::vector<std::uint8_t> cells;   ///< rows * columns entries of the palette
   std::vector<std::string> palette;  ///< "#rrggbb"
   std::vector<std::string>
-      names;  ///< in the legend, for each entry of the palette; empty: not there
+      names;  ///< in the legend, for each entry of the palette; empty: not in it
 };
 
 enum class Scale { linear, logarithmic };
@@ -86,23 +87,24 @@ struct FigureAxis {
   double most{1};
   Scale scale{Scale::linear};
 
-  /// Where a value stands: 0 at the least, 1 at the most. What has no logarithm stands at -1 there.
+  /// The place of a value: 0 at the least, 1 at the most; -1 for a value without a logarithm on a
+  /// logarithmic axis.
   [[nodiscard]] double position(double value) const;
-  /// The value that stands there.
+  /// The value at that place.
   [[nodiscard]] double value(double position) const;
 };
 
-/// Some 3 to 8 round values within the axis.
+/// From 3 to 8 round values within the axis.
 [[nodiscard]] std::vector<double> ticks(const FigureAxis& axis);
 
-/// From the least to the largest of the values and a little beyond; never empty.
+/// An axis from the least to the largest value and a little beyond; its length is never 0.
 [[nodiscard]] FigureAxis axis_around(std::string label, double least, double most);
 
-/// All values finite, both axes longer than nothing.
+/// All values are finite, and both axes are longer than 0.
 struct Figure {
   std::string id;           ///< of its file, "region" for instance
   std::string title;        ///< above it
-  std::string description;  ///< for those who cannot see it
+  std::string description;  ///< for readers who cannot see it
   FigureAxis x;
   FigureAxis y;
   FigureMap map;
@@ -122,20 +124,20 @@ struct FigureSheet {
   int columns{2};
 };
 
-/// The figure as SVG with its own title, description and legend; nothing in it covers anything else
-/// but notes, which have a rim. Alone it is a file of its own, in light colours; else it takes the
-/// colours of the page that holds figure_style().
+/// The figure as SVG with its title, description and legend. Only notes may cover other things;
+/// they have a rim. Alone it is a file in light colours, otherwise it takes the colours of a page
+/// with figure_style().
 enum class Frame { alone, in_page };
 [[nodiscard]] std::string svg(const Figure& figure, Frame frame);
 
-/// A file of its own that follows the reader's choice of light or dark.
+/// A file that follows the reader's choice of light or dark.
 [[nodiscard]] std::string svg(const FigureSheet& sheet);
 
 /// The CSS of figures, in light colours, and the dark ones that a page adds.
 [[nodiscard]] std::string_view figure_style() noexcept;
 [[nodiscard]] std::string_view dark_figure_style() noexcept;
 
-/// Text fit for XML.
+/// Text with the special characters of XML escaped.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 }  // namespace stillpoint::figures

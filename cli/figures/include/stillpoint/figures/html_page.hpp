@@ -11,7 +11,7 @@ namespace stillpoint::figures {
 
 struct HtmlTable {
   std::string heading;
-  std::vector<std::vector<std::string>> rows;  ///< the first one heads the columns
+  std::vector<std::vector<std::string>> rows;  ///< the first has the headings of the columns
 };
 
 /// A page of figures, as data.
@@ -20,16 +20,16 @@ struct HtmlPage {
   std::string verdict;  ///< a sentence below the title
   std::vector<Figure> figures;
   std::vector<HtmlTable> tables;
-  std::string report;   ///< the one for people; empty: there is none
+  std::string report;   ///< plain text; empty: there is none
   std::string command;  ///< "design"
-  std::string scene;    ///< what gives this page again; empty: not said
+  std::string scene;    ///< the input that makes this page again; empty: not shown
   std::string footer;   ///< which program wrote it
 };
 
-/// One file that needs nothing else.
+/// One file that needs no other.
 [[nodiscard]] std::string html(const HtmlPage& page);
 
-/// What makes its figures answer the pointer.
+/// The script that shows values under the pointer and zooms.
 [[nodiscard]] std::string_view html_script() noexcept;
 
 }  // namespace stillpoint::figures
