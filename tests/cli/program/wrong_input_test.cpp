@@ -344,7 +344,7 @@ const std::vector<Wrong> scenes{
           {"scene from standard input, line 3, column 7: is not valid JSON after the key p"}),
     scene("end_too_soon", "{\n  \"v0\": 1,\n", {"line 3, column 1: is not valid JSON"}),
     scene("number_beyond_a_double", R"({"v0": 1, "p": 1, "beta": 1e400})",
-          {"line 1, column 26: beta = 1e400: must have a magnitude up to 1.8e308"}),
+          {"line 1, column 27: beta = 1e400: must have a magnitude up to 1.8e308"}),
     scene("negative_value", R"({"v0": 1, "p": 1, "beta": -1})", {"beta = -1", "from 1e-300"}),
     scene("contradiction", "{" + good + R"(, "velocity": 1})", {"v0 and velocity", "exclude"}),
     scene("value_missing", R"({"v0": 1, "p": 1})", {"beta is missing"}),
