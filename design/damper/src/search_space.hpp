@@ -30,10 +30,6 @@ struct SearchSpace {
   std::function<void(double x, double y)> visit;
 };
 
-/// The objective's value at `given` = f / (V0 p) for the three that have a closed form; all are of
-/// order one.
-[[nodiscard]] double objective_value(Objective objective, double given);
-
 /// With the constraints as NLopt's own, gradients included; starts at (x, y).
 [[nodiscard]] NloptProblem constrained(const SearchSpace& space, double x, double y);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "box.hpp"
 #include "region_edges.hpp"
+#include "unit_problem.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/design/unit_problem.hpp>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -35,20 +35,6 @@ double tolerance_of_stop(Criterion criterion, double a, double d) {
 }
 
 }  // namespace
-
-bool box_admissible(const Problem& at_low, const Problem& at_high, const Limits& limits, double f,
-                    double delta) {
-  const double low = 1 - limits.tolerance;
-  const double high = 1 + limits.tolerance;
-  const auto met = [](const Constraint& constraint) { return constraint.satisfied; };
-  const auto low_corner = constraints(at_low, f * low, delta * low);
-  const auto high_corner = constraints(at_high, f * high, delta * high);
-  // amplitude and stop are tightest at the low corner, the other three at the high one; but the
-  // stop is not checked at the high corner, because f may lie above f3 there.
-  return met(low_corner[2]) && met(low_corner[4]) && met(high_corner[0]) && met(high_corner[1]) &&
-         met(high_corner[3]) && (!limits.f_max || f * high <= *limits.f_max) &&
-         (!limits.delta_max || delta * high <= *limits.delta_max);
-}
 
 bool admissible(const Problem& problem, const Limits& limits, double f, double delta) {
   require_valid(problem, limits);

@@ -43,7 +43,7 @@ class SmoothRun {
     side_ = side(state);
     double t = 0;
     bool jumped = true;
-    while (t < scene_.t_end && result_.steps < most_steps_ && !(at_rest_ && settled(state, t))) {
+    while (t < scene_.t_end && result_.steps < most_steps_ && !(at_rest_ && settled(state))) {
       while (load_.stretch_end() <= t) {
         jumped = load_.next_stretch() || jumped;
       }
@@ -62,7 +62,7 @@ class SmoothRun {
       observe(state, method_.state(), t);
       state = method_.state();
     }
-    result_.outcome = outcome(state, t);
+    result_.outcome = outcome(state);
     result_.finished = t >= scene_.t_end || result_.outcome != Outcome::running;
     result_.end_time = result_.outcome == Outcome::running ? t : entered_;
     result_.x = state[0];
@@ -104,12 +104,12 @@ class SmoothRun {
   }
 
   /// A mass at rest that no load will ever move.
-  [[nodiscard]] bool settled(const State& state, double t) const {
-    return load_.over() && held(state, t);
+  [[nodiscard]] bool settled(const State& state) const {
+    return load_.largest() + std::abs(stiffness_ * state[0]) <= friction(state[0]);
   }
 
-  [[nodiscard]] Outcome outcome(const State& state, double t) const {
-    if (!at_rest_ || !settled(state, t)) {
+  [[nodiscard]] Outcome outcome(const State& state) const {
+    if (!at_rest_ || !settled(state)) {
       return Outcome::running;
     }
     const bool in_notch = scene_.oscillator.delta > 0 && std::abs(state[0]) < edge();
@@ -122,7 +122,7 @@ class SmoothRun {
     const bool enters = slow(now) && !at_rest_;
     if (enters) {
       entered_ = t;
-      result_.sticks += !load_.over() && held(now, t) ? 1 : 0;
+      result_.sticks += !settled(now) && held(now, t) ? 1 : 0;
     }
     const bool flies_over = !slow(now) && !at_rest_ && before[1] * now[1] < 0;
     const bool in_bump = scene_.oscillator.delta > 0 && side(now) == 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
+#include "runge_kutta.hpp"
 
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/design/runge_kutta.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "nlopt_fence.hpp"
-
 #include "random_source.hpp"
 #include "search_space.hpp"
-
-#include <stillpoint/design/unit_problem.hpp>
+#include "unit_problem.hpp"
 
 #include <boost/test/unit_test.hpp>
 

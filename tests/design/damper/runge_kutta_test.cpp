@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "runge_kutta.hpp"
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/runge_kutta.hpp>
 
 #include <boost/test/unit_test.hpp>
 

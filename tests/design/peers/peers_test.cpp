@@ -251,6 +251,7 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
       with(Rectangle{0.4, 1}, {0.8, 0.06, 0.02}, {0.5, -0.2}, 20),
       with(Harmonic{0.3, 0.9, 0.7, 12}, {1, 0.05, 0.005}, {-0.4, 0}, 40),
       with(uneven, {1, 0.04, 0.001}, {0, 0.5}, 12),
+      with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60),  // held for ever in the end: k < f
       with(NoExcitation{}, {2, 0.1, 0.01}, {0.3, -1}, 30),
       with(NoExcitation{}, {1, 0.1, 0.6}, {0, 1}, 5),  // caught at the start
   };
@@ -271,6 +272,16 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
         BOOST_TEST(static_cast<double>(result.sticks) == exact.sticks);
       }
     }
+  }
+}
+
+// k < f: the mass comes to rest for good although the load never ends.
+BOOST_AUTO_TEST_CASE(a_rest_that_a_harmonic_load_cannot_end_is_final) {
+  const Comparison found = compare(with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60));
+  BOOST_TEST(found.exact.rounded.outcome == Outcome::stopped_at_zero);
+  for (const MethodRow& row : found.rows) {
+    const bool fine = row.name != "dopri5" || row.setting < 1e-6;
+    BOOST_TEST((row.counts_right || !fine), row.name << ' ' << row.setting);
   }
 }
 

@@ -43,6 +43,9 @@ struct DesignResult {
   std::optional<JointMend> joint_mend{};
 };
 
+/// The result in one line for people: the damper and its motion, or why there is none.
+[[nodiscard]] std::string summary(const DesignResult& result);
+
 /// Region, search, simulation, cross-check. Throws InputError for wrong input; an empty region and
 /// a failed check are results.
 [[nodiscard]] DesignResult design(const DesignRequest& request);

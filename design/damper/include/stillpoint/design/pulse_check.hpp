@@ -18,6 +18,8 @@ enum class PulseWarning {
 
 /// "pulse_not_short" and so on.
 [[nodiscard]] std::string_view name(PulseWarning warning) noexcept;
+/// The warning of that name; empty where there is none.
+[[nodiscard]] std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept;
 
 /// The design under its pulse, followed from rest by the exact forced motion.
 struct PulseCheck {

@@ -22,6 +22,10 @@ enum class Objective {
 
 /// "robust", "amplitude", "time" or "acceleration".
 [[nodiscard]] std::string_view name(Objective objective) noexcept;
+/// The objective of that name; empty where there is none.
+[[nodiscard]] std::optional<Objective> parse_objective(std::string_view name) noexcept;
+/// All of them, `robust` first.
+[[nodiscard]] std::span<const std::string_view> objective_names();
 
 /// A damper and how far it may be off.
 struct DesignPoint {
@@ -33,7 +37,7 @@ struct DesignPoint {
 struct SearchOptions {
   Objective objective{Objective::robust};
   /// An NLopt algorithm out of algorithm_names(); empty: LD_SLSQP.
-  std::string algorithm;
+  std::string algorithm{};
   int max_evaluations{20'000};  ///< >= 1
   double max_seconds{10};       ///< > 0
 };
@@ -60,8 +64,8 @@ struct SearchResult {
 /// The version of NLopt that runs, for example "2.7.1".
 [[nodiscard]] std::string nlopt_version();
 
-/// Throws InputError, naming the field, for an algorithm that is not in the list and for an
-/// invalid budget.
+/// Throws InputError, naming the field, unless the algorithm is in the list, max_evaluations >= 1
+/// and max_seconds > 0.
 void require_valid(const SearchOptions& options);
 
 /// The best (f, Delta) of the region within the limits; empty if that is empty or contains no point

@@ -60,6 +60,10 @@ class EventRun {
   [[nodiscard]] double& v() { return state_[1]; }
   [[nodiscard]] double load() const { return load_(t_) + stiffness_ * state_[0]; }
   [[nodiscard]] bool held() const { return std::abs(load()) <= scene_.oscillator.f; }
+  /// At rest, and no load to come will ever move it: a harmonic one swings to +-k for ever.
+  [[nodiscard]] bool held_for_ever() const {
+    return load_.largest() + std::abs(stiffness_ * state_[0]) <= scene_.oscillator.f;
+  }
 
   void begin() {
     enter_stretch();
@@ -87,7 +91,7 @@ class EventRun {
     result_.finished = result_.outcome != Outcome::running || t_ >= scene_.t_end;
     if (!result_.finished) {
       result_.end_time = t_;
-    } else if (result_.outcome == Outcome::running && resting_ && load_.over() && held()) {
+    } else if (result_.outcome == Outcome::running && resting_ && held_for_ever()) {
       stop_where_it_rests();
     } else if (result_.outcome == Outcome::running) {
       result_.end_time = t_;
@@ -111,7 +115,7 @@ class EventRun {
     if (!held()) {
       return set_off();
     }
-    if (load_.over()) {
+    if (held_for_ever()) {
       return stop_where_it_rests();
     }
     --effort_left_;
