@@ -15,8 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <thread>
 
 namespace stillpoint::cli {
@@ -29,12 +27,9 @@ using sweep::SweepKind;
 using sweep::SweepSpec;
 
 std::optional<sweep::ListFormat> list_format(const Settings& settings) {
-  const auto wanted = settings.text("list-format");
+  const auto wanted = settings.known("list-format");
   if (!wanted) {
     return std::nullopt;
-  }
-  if (*wanted != "csv" && *wanted != "jsonl") {
-    throw InputError("list-format", *wanted, "must be csv or jsonl");
   }
   return *wanted == "csv" ? sweep::ListFormat::csv : sweep::ListFormat::jsonl;
 }
@@ -56,8 +51,7 @@ bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
 
 SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   if (!given(settings, spec, Quantity::beta)) {
-    return settings.has("excitation") || settings.has("record") ? SweepKind::forced
-                                                                : SweepKind::free;
+    return excitation_type(settings) ? SweepKind::forced : SweepKind::free;
   }
   for (const Quantity other : {Quantity::f, Quantity::delta, Quantity::x0}) {
     if (given(settings, spec, other)) {
@@ -78,9 +72,10 @@ void refuse_for_other_kinds(const Settings& settings, SweepKind kind) {
     }
     return;
   }
-  for (const char* const other : {"criterion", "objective", "tolerance", "f-max", "delta-max"}) {
-    if (settings.has(other)) {
-      throw UsageError(fmt::format("{} is for designs: give --beta as well", other));
+  for (const Option& option : options()) {
+    const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate);
+    if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
+      throw UsageError(fmt::format("{} is for designs: give --beta as well", option.name));
     }
   }
   if (kind == SweepKind::free && settings.has("t-end")) {
@@ -110,12 +105,7 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
     return;
   }
   spec.excitation = input->excitation;
-  spec.t_end = settings.number("t-end");
-  if (spec.t_end) {
-    require_within("t-end", *spec.t_end, smallest_speed, largest_speed);
-  } else if (std::isinf(duration(spec.excitation))) {
-    throw InputError::missing("t-end", "give --t-end, the excitation never ends");
-  }
+  spec.t_end = forced_end(settings, spec.excitation);
 }
 
 void add_design(const Settings& settings, SweepSpec& spec) {
@@ -137,10 +127,7 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
 
 sweep::RowFormat row_format(const Settings& settings) {
   const auto output = settings.text("output");
-  const auto wanted = settings.text("format");
-  if (wanted && *wanted != "csv" && *wanted != "npy") {
-    throw InputError("format", *wanted, "must be csv or npy");
-  }
+  const auto wanted = settings.known("format");
   const bool npy = wanted ? *wanted == "npy" : output && output->ends_with(".npy");
   return npy ? sweep::RowFormat::npy : sweep::RowFormat::csv;
 }
@@ -168,8 +155,6 @@ std::uint64_t record_digest(const Excitation& excitation) {
 
 /// SweepSpec::identity: the options that decide the rows, as they were given.
 std::string identity(const Settings& settings, const SweepSpec& spec) {
-  constexpr std::array no_part{"list",    "list-format", "format", "columns", "times", "output",
-                               "threads", "resume",      "title",  "json",    "html",  "svg"};
   nlohmann::ordered_json result;
   result["version"] = program_version();
   result["kind"] = name(spec.kind);
@@ -179,8 +164,7 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
   }
   result["list"] = spec.list != nullptr;
   settings.for_each([&](std::string_view option, const Settings::Value& value) {
-    if (std::ranges::find(no_part, option) != no_part.end() ||
-        !find_option(option)->serves(Command::sweep)) {
+    if (!decides_rows(option) || !find_option(option)->serves(Command::sweep)) {
       return;
     }
     const std::string key(option);

@@ -14,6 +14,16 @@
 
 namespace stillpoint::cli {
 
+using figures::axis_around;
+using figures::Dash;
+using figures::Figure;
+using figures::FigureAxis;
+using figures::FigureCurve;
+using figures::FigurePoint;
+using figures::Fill;
+using figures::Ink;
+using figures::Shape;
+
 namespace {
 
 using fmt::format;
@@ -274,7 +284,7 @@ struct Wave {
     return {{0, 0}, {horizon, 0}};
   }
   std::vector<FigurePoint> operator()(const Harmonic& wave) const {
-    return sine(wave.k, wave.lambda, wave.phase, wave.duration);
+    return sine(wave.k, wave.lambda, wave.phase, wave.duration.value_or(horizon));
   }
   std::vector<FigurePoint> operator()(const HalfSine& wave) const {
     return sine(wave.k, wave.lambda, 0, std::numbers::pi / wave.lambda);

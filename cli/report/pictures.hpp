@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "html_page.hpp"
 #include "json_report.hpp"
 #include "output.hpp"
 #include "settings.hpp"
 #include "sweep_report.hpp"
 
+#include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/sweep/map.hpp>
 
 #include <span>
@@ -28,15 +28,19 @@ namespace stillpoint::cli {
 /// end in vain. Throws UsageError.
 void prepare_pictures(const Settings& settings);
 
-[[nodiscard]] HtmlPage design_page(const DesignInput& input, const design::DesignResult& result);
-[[nodiscard]] HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
-[[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer);
+[[nodiscard]] figures::HtmlPage design_page(const DesignInput& input,
+                                            const design::DesignResult& result);
+[[nodiscard]] figures::HtmlPage region_page(const RegionInput& input,
+                                            const design::RegionAnswer& answer);
+[[nodiscard]] figures::HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer);
 
-[[nodiscard]] HtmlPage sweep_page(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
-                                  const sweep::SweepMap& map);
+[[nodiscard]] figures::HtmlPage sweep_page(const sweep::SweepSpec& spec,
+                                           const sweep::SweepSummary& summary,
+                                           const sweep::SweepMap& map);
 
 /// Writes the page, with the title and the input that `settings` have, and each figure alone, where
 /// they are asked for. Throws UsageError.
-void write_pictures(const Settings& settings, Command command, HtmlPage page, Output& output);
+void write_pictures(const Settings& settings, Command command, figures::HtmlPage page,
+                    Output& output);
 
 }  // namespace stillpoint::cli

@@ -4,14 +4,14 @@
 // A forced motion's inputs in any scalar, its run by the kernel's own template, and how tests print
 // and compare them.
 
+#include "kernel/excitation_run.hpp"
+#include "kernel/forced_run.hpp"
 #include "testing/exact_run.hpp"
 #include "testing/random_scene.hpp"
 #include "testing/scene.hpp"
 
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/excitation_run.hpp>
 #include <stillpoint/core/forced_event.hpp>
-#include <stillpoint/core/forced_run.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -84,7 +84,8 @@ template <class Wide>
 struct Widen {
   AnyExcitation<Wide> operator()(const NoExcitation& none) const { return none; }
   AnyExcitation<Wide> operator()(const Harmonic& e) const {
-    return BasicHarmonic<Wide>{Wide(e.k), Wide(e.lambda), Wide(e.phase), Wide(e.duration)};
+    return BasicHarmonic<Wide>{Wide(e.k), Wide(e.lambda), Wide(e.phase),
+                               std::optional<Wide>(e.duration)};
   }
   AnyExcitation<Wide> operator()(const HalfSine& e) const {
     return BasicHalfSine<Wide>{Wide(e.k), Wide(e.lambda)};
@@ -115,7 +116,10 @@ inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& sc
     std::ostream& out;
     void operator()(const NoExcitation& /*none*/) { out << "none"; }
     void operator()(const Harmonic& e) {
-      out << "harmonic " << e.k << ", " << e.lambda << ", " << e.phase << ", " << e.duration;
+      out << "harmonic " << e.k << ", " << e.lambda << ", " << e.phase;
+      if (e.duration) {
+        out << ", " << *e.duration;
+      }
     }
     void operator()(const HalfSine& e) { out << "half-sine " << e.k << ", " << e.lambda; }
     void operator()(const FullSine& e) { out << "full-sine " << e.k << ", " << e.lambda; }

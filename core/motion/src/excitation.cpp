@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include "kernel/excitation_run.hpp"
+
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/excitation_run.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,9 +32,9 @@ void check(const NoExcitation& /*excitation*/) {}
 void check(const Harmonic& excitation) {
   require_wave(excitation.k, excitation.lambda);
   require_within("phase", excitation.phase, -largest_phase, largest_phase);
-  const double lasts = excitation.duration;
+  const double lasts = excitation.duration.value_or(0);
   const bool within = lasts >= smallest_speed && lasts <= largest_speed;
-  if (!(lasts == 0 || within || lasts == std::numeric_limits<double>::infinity())) {
+  if (!(lasts == 0 || within)) {
     throw InputError(
         "duration", lasts,
         fmt::format("must be 0 or a number from {} to {}", smallest_speed, largest_speed));
@@ -50,9 +51,9 @@ void check(const Rectangle& pulse) {
   require_wave(pulse.k, pulse.lambda);
 }
 
-/// The first value of a larger magnitude, or that is no number; limit >= 0. First whether there is
-/// any, since a record is checked before each run: magnitudes are ordered as their bits are, those
-/// of no number last, and differences of integers compile to vector instructions.
+/// The first value that is larger in magnitude or not a number; limit >= 0. It first tests whether
+/// there is any, since a record is checked before each run: magnitudes are ordered like their bits,
+/// with NaN last, and differences of integers compile to vector instructions.
 std::optional<std::size_t> first_beyond(const std::vector<double>& values, double limit) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   const auto limit_bits = std::bit_cast<std::uint64_t>(limit);
@@ -98,7 +99,7 @@ void check(const Record& record) {
   }
 }
 
-/// What is loaded with respect to p: force and, for a wave, frequency.
+/// The load relative to p: force and, for a wave, frequency.
 void require_scaled_wave(double k, double lambda, double p) {
   const double load = std::abs(k) / p;
   if (k != 0 && !(load >= smallest_speed && load <= largest_speed)) {
@@ -128,7 +129,7 @@ void check_scaled(const Wave& wave, double p, double t_end) {
 
 void check_scaled(const Record& record, double p, double /*t_end*/) {
   const auto i = p < 1 ? first_beyond(record.values, largest_speed * p) : std::nullopt;
-  if (i) {  // else the values themselves are small enough
+  if (i) {  // otherwise the values themselves are small enough
     throw InputError(fmt::format("record value {}", *i + 1), record.values[*i],
                      fmt::format("value / p must be at most {} (p = {})", largest_speed, p));
   }
@@ -147,8 +148,16 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
 
 }  // namespace
 
-double duration(const Excitation& excitation) {
-  return std::visit([](const auto& kind) { return duration_of<double>(kind); }, excitation);
+std::string_view name(const Excitation& excitation) noexcept {
+  constexpr std::array<std::string_view, std::variant_size_v<Excitation>> names{
+      "none", "harmonic", "half-sine", "full-sine", "rectangle", "record"};
+  return names.at(excitation.index());
+}
+
+std::optional<double> duration(const Excitation& excitation) {
+  const double lasts =
+      std::visit([](const auto& kind) { return duration_of<double>(kind); }, excitation);
+  return std::isfinite(lasts) ? std::optional(lasts) : std::nullopt;
 }
 
 void require_valid(const Excitation& excitation) {
@@ -159,14 +168,14 @@ void require_valid(const Oscillator& oscillator, const Start& start, const Excit
                    const std::optional<double>& t_end) {
   require_valid(oscillator, start);
   require_valid(excitation);
-  const double lasts = duration(excitation);
-  if (!t_end && lasts == std::numeric_limits<double>::infinity()) {
+  const std::optional<double> lasts = duration(excitation);
+  if (!t_end && !lasts) {
     throw InputError("t_end", "nothing", "must be given: the excitation never ends");
   }
   if (t_end) {
     require_within("t_end", *t_end, smallest_speed, largest_speed);
   }
-  const double end = t_end ? *t_end : lasts;
+  const double end = t_end ? *t_end : *lasts;
   std::visit([&](const auto& kind) { check_scaled(kind, oscillator.p, end); }, excitation);
   if (!(oscillator.p * end <= largest_phase)) {
     throw InputError(

@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/forced_event.hpp>
-
-#include <cassert>
+#include <stillpoint/core/names.hpp>
 
 namespace stillpoint {
 
+namespace {
+
+constexpr Names kinds(std::to_array<Named<ForcedEventKind>>({
+    {ForcedEventKind::start, "start"},
+    {ForcedEventKind::arrival, "arrival"},
+    {ForcedEventKind::passage, "passage"},
+    {ForcedEventKind::turn, "turn"},
+    {ForcedEventKind::excitation_end, "excitation_end"},
+    {ForcedEventKind::stick, "stick"},
+    {ForcedEventKind::release, "release"},
+    {ForcedEventKind::rest, "rest"},
+    {ForcedEventKind::end, "end"},
+}));
+
+}  // namespace
+
 std::string_view name(ForcedEventKind kind) noexcept {
-  switch (kind) {
-    case ForcedEventKind::start:
-      return "start";
-    case ForcedEventKind::arrival:
-      return "arrival";
-    case ForcedEventKind::passage:
-      return "passage";
-    case ForcedEventKind::turn:
-      return "turn";
-    case ForcedEventKind::excitation_end:
-      return "excitation_end";
-    case ForcedEventKind::stick:
-      return "stick";
-    case ForcedEventKind::release:
-      return "release";
-    case ForcedEventKind::rest:
-      return "rest";
-    case ForcedEventKind::end:
-      return "end";
-  }
-  assert(false && "a ForcedEventKind outside its enumeration");
-  return "";
+  return kinds.name(kind);
+}
+
+std::optional<ForcedEventKind> parse_forced_event_kind(std::string_view name) noexcept {
+  return kinds.parse(name);
 }
 
 }  // namespace stillpoint

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "forced_response_of_valid.hpp"
+#include "kernel/excitation_run.hpp"
+#include "kernel/forced_run.hpp"
+#include "kernel/free_run.hpp"
+#include "kernel/margin_keeper.hpp"
+#include "kernel/phase_clock.hpp"
 
-#include <stillpoint/core/excitation_run.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_run.hpp>
-#include <stillpoint/core/free_run.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/margin_keeper.hpp>
-#include <stillpoint/core/phase_clock.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using Run = ForcedRun<double, NoWatcher>;
 
-/// All but what depends on how the run ended.
+/// Everything that does not depend on how the run ended.
 ForcedResponse so_far(const Run& run) {
   const ForcedState<double>& state = run.state();
   const double p = run.map().p;
@@ -48,7 +48,7 @@ void end_at_rest(ForcedResponse& response, Outcome outcome, double stop_time, do
   response.final_velocity = 0;
 }
 
-/// The run ended while the motion went on, or while friction held the mass for a time unknown.
+/// The run ended while the mass moved, or while friction held it for an unknown time.
 void end_running(ForcedResponse& response, const Run& run) {
   const ForcedState<double>& state = run.state();
   const double p = run.map().p;
@@ -63,7 +63,7 @@ void end_running(ForcedResponse& response, const Run& run) {
   }
 }
 
-/// The free motion from the turn that the run has reached: its end by the half-cycle map.
+/// The free motion from the turn that the run has reached, to its end by the half-cycle map.
 void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscillator,
               double half_cycle_limit) {
   const double p = oscillator.p;

@@ -1,36 +1,93 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/excitation_run.hpp>
+#include "kernel/exact_sum.hpp"
+#include "kernel/excitation_run.hpp"
+#include "kernel/forced_run.hpp"
+#include "kernel/harmonic_flow.hpp"
+#include "kernel/linear_piece.hpp"
+#include "sampling.hpp"
+
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_run.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/sampling.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
+#include <variant>
 
 namespace stillpoint {
 
-/// Keeps what the run shows.
+/// What goes on between two events.
+class ForcedTrajectory::Pieces {
+ public:
+  struct Rest {
+    double u;
+  };
+  struct Piece {
+    ExactSum<double> begin;  ///< p tau
+    int direction;
+    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>> motion;
+  };
+
+  Pieces(double p, std::int64_t most) : p_(p), most_(most) {}
+
+  [[nodiscard]] double p() const { return p_; }
+
+  void add(const Piece& piece, double t_end) {
+    if (static_cast<std::int64_t>(pieces_.size()) >= most_) {
+      throw InputError("t_end", t_end,
+                       fmt::format("the motion up to there has more than {} pieces, too many for a "
+                                   "trajectory",
+                                   most_));
+    }
+    pieces_.push_back(piece);
+  }
+
+  [[nodiscard]] State at(double tau) const {
+    const double phase = p_ * tau;
+    const auto after = std::upper_bound(
+        pieces_.begin(), pieces_.end(), phase,
+        [](double instant, const Piece& later) { return instant < later.begin.high(); });
+    assert(after != pieces_.begin());
+    const Piece& piece = *std::prev(after);
+    const double h = std::max(ExactSum<double>::product(p_, tau).minus(piece.begin), 0.0);
+    const double sign = piece.direction;
+    if (const auto* rest = std::get_if<Rest>(&piece.motion)) {
+      return {tau, rest->u / p_, 0};
+    }
+    if (const auto* flow = std::get_if<HarmonicFlow<double>>(&piece.motion)) {
+      const HarmonicPoint<double> point = flow->at(h);
+      return {tau, sign * point.y / p_, sign * point.v};
+    }
+    const LinearPoint<double> point = std::get<LinearPiece<double>>(piece.motion).at(h);
+    return {tau, sign * point.y / p_, sign * point.v};
+  }
+
+ private:
+  double p_;
+  std::int64_t most_;
+  std::vector<Piece> pieces_;
+};
+
+/// Records what the run shows.
 class ForcedTrajectory::Watcher {
  public:
   static constexpr bool watches = true;
 
-  Watcher(ForcedTrajectory& path, std::int64_t most) : path_(path), most_(most) {}
+  Watcher(ForcedTrajectory& path, Pieces& pieces) : path_(path), pieces_(pieces) {}
 
   void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
-    const ForcedEvent event{kind,
-                            {std::min(now.value() / path_.p_, path_.horizon_), u / path_.p_, v}};
-    // That a rest is the final one may be known only after the end of the excitation.
+    const ForcedEvent event{
+        kind, {std::min(now.value() / pieces_.p(), path_.horizon_), u / pieces_.p(), v}};
+    // Only the end of the excitation may show that a rest is final.
     const auto later = std::upper_bound(
         path_.events_.begin(), path_.events_.end(), event,
         [](const ForcedEvent& a, const ForcedEvent& b) { return a.state.tau < b.state.tau; });
     path_.events_.insert(later, event);
     const bool rests = kind == ForcedEventKind::stick || kind == ForcedEventKind::rest;
     if (rests || kind == ForcedEventKind::start) {
-      keep({now, 1, Rest{u}});
+      keep({now, 1, Pieces::Rest{u}});
     }
   }
 
@@ -43,50 +100,31 @@ class ForcedTrajectory::Watcher {
   }
 
  private:
-  void keep(const Piece& piece) {
-    if (static_cast<std::int64_t>(path_.pieces_.size()) >= most_) {
-      throw InputError("t_end", path_.horizon_,
-                       fmt::format("the motion up to there has more than {} pieces, too many for a "
-                                   "trajectory",
-                                   most_));
-    }
-    path_.pieces_.push_back(piece);
-  }
+  void keep(const Pieces::Piece& piece) { pieces_.add(piece, path_.horizon_); }
 
   ForcedTrajectory& path_;
-  std::int64_t most_;
+  Pieces& pieces_;
 };
 
 ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& start,
                                    const Excitation& excitation,
                                    const ForcedTrajectoryOptions& limits)
-    : p_(oscillator.p), horizon_(limits.horizon) {
+    : horizon_(limits.horizon) {
   require_valid(oscillator, start, excitation, limits.horizon);
-  Watcher watcher(*this, limits.pieces);
+  const double p = oscillator.p;
+  const auto pieces = std::make_shared<Pieces>(p, limits.pieces);
+  pieces_ = pieces;
+  Watcher watcher(*this, *pieces);
   constexpr int ask_every = 1024;
   ForcedRun<double, Watcher> run(oscillator, start, watcher, Patience{limits.go_on, ask_every});
   std::visit([&](const auto& kind) { run_until(run, kind, limits.horizon); }, excitation);
   if (limits.to_rest && run.state().outcome && run.state().rest_begin.value() > 0) {
-    horizon_ = run.state().rest_begin.value() / p_;
+    horizon_ = run.state().rest_begin.value() / p;
     std::erase_if(events_, [this](const ForcedEvent& event) { return event.state.tau > horizon_; });
   }
   if (!run.state().outcome) {
-    events_.push_back({ForcedEventKind::end, {horizon_, run.state().u / p_, run.state().v}});
+    events_.push_back({ForcedEventKind::end, {horizon_, run.state().u / p, run.state().v}});
   }
-}
-
-State ForcedTrajectory::on(const Piece& piece, double tau) const {
-  const double h = std::max(ExactSum<double>::product(p_, tau).minus(piece.begin), 0.0);
-  const double sign = piece.direction;
-  if (const auto* rest = std::get_if<Rest>(&piece.motion)) {
-    return {tau, rest->u / p_, 0};
-  }
-  if (const auto* flow = std::get_if<HarmonicFlow<double>>(&piece.motion)) {
-    const HarmonicPoint<double> point = flow->at(h);
-    return {tau, sign * point.y / p_, sign * point.v};
-  }
-  const LinearPoint<double> point = std::get<LinearPiece<double>>(piece.motion).at(h);
-  return {tau, sign * point.y / p_, sign * point.v};
 }
 
 State ForcedTrajectory::at(double tau) const {
@@ -96,15 +134,10 @@ State ForcedTrajectory::at(double tau) const {
       [](double instant, const ForcedEvent& later) { return instant < later.state.tau; });
   assert(event != events_.begin());
   const ForcedEvent& before = *std::prev(event);
-  if (before.state.tau == tau || before.kind == ForcedEventKind::rest) {
+  if (before.state.tau == tau) {
     return {tau, before.state.x, before.state.v};
   }
-  const double phase = p_ * tau;
-  const auto piece = std::upper_bound(
-      pieces_.begin(), pieces_.end(), phase,
-      [](double instant, const Piece& later) { return instant < later.begin.high(); });
-  assert(piece != pieces_.begin());
-  return on(*std::prev(piece), tau);
+  return pieces_->at(tau);
 }
 
 std::vector<State> ForcedTrajectory::sampled(std::int64_t samples) const {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "kernel/free_run.hpp"
+#include "kernel/margin_keeper.hpp"
+#include "kernel/phase_clock.hpp"
+
 #include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/free_run.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/margin_keeper.hpp>
-#include <stillpoint/core/phase_clock.hpp>
 
 #include <cassert>
 #include <cmath>

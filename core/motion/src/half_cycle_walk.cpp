@@ -1,131 +1,37 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/half_cycle_walk.hpp>
-#include <stillpoint/core/phase_clock.hpp>
+#include "kernel/half_cycle_steps.hpp"
 
-#include <cmath>
-#include <numbers>
+#include <stillpoint/core/half_cycle_walk.hpp>
 
 namespace stillpoint {
 
-namespace {
-
-FirstLeg<double> validated_leg(const Oscillator& oscillator, const Start& start) {
-  require_valid(oscillator, start);
-  return first_leg(HalfCycleMap<double>(oscillator), start);
-}
-
-}  // namespace
-
 HalfCycleWalk::HalfCycleWalk(const Oscillator& oscillator, const Start& start)
-    : map_(oscillator),
-      leg_(validated_leg(oscillator, start)),
-      over_(leg_.end == FirstLegEnd::no_motion || leg_.end == FirstLegEnd::caught),
-      side_(leg_.side),
-      first_{leg_.energy, leg_.radius, leg_.farthest},
-      crest_(first_) {}
+    : steps_(std::make_unique<HalfCycleSteps>(oscillator, start)) {}
 
-double HalfCycleWalk::next_departure_speed() const {
-  return std::sqrt(crest_.energy);
+HalfCycleWalk::HalfCycleWalk(const HalfCycleWalk& other)
+    : steps_(std::make_unique<HalfCycleSteps>(*other.steps_)) {}
+
+HalfCycleWalk::HalfCycleWalk(HalfCycleWalk&& other) noexcept = default;
+
+HalfCycleWalk& HalfCycleWalk::operator=(const HalfCycleWalk& other) {
+  return *this = HalfCycleWalk(other);
 }
+
+HalfCycleWalk& HalfCycleWalk::operator=(HalfCycleWalk&& other) noexcept = default;
+
+HalfCycleWalk::~HalfCycleWalk() = default;
 
 std::optional<HalfCycle> HalfCycleWalk::next() {
-  if (over_) {
-    return std::nullopt;
-  }
-  HalfCycle now;
-  now.index = index_;
-  now.side = side_;
-  now.start_time = now.peak_time = time();
-  now.departure_speed = index_ == 1 ? leg_.speed : next_departure_speed();
-  if (index_ == 1 && leg_.end != FirstLegEnd::peak) {
-    from_inward_start(now);
-  } else {
-    from_crest(now);
-  }
-  ++index_;
-  return now;
+  return steps_->next();
 }
 
-void HalfCycleWalk::from_inward_start(HalfCycle& now) {
-  now.peak = leg_.farthest / map_.p;
-  small_ = first_leg_phase(map_, leg_);
-  if (leg_.end == FirstLegEnd::rest) {
-    end_in_dead_zone(now, leg_.rest);
-    return;
-  }
-  end_at_zero(now, leg_.energy);
-  passages_ = 0;
-  first_ = crest_;
-}
-
-void HalfCycleWalk::from_crest(HalfCycle& now) {
-  now.peak = crest_.peak / map_.p;
-  small_ +=
-      now.index == 1 ? first_leg_phase(map_, leg_) : PhaseClock<double>::up(map_, crest_.energy);
-  now.peak_time = time();
-  // With phi alone the peak decides, because the closed form counts by it.
-  const bool by_peak = map_.notch == 0;
-  const bool returns = by_peak ? crest_.peak >= 2 * map_.phi : map_.returns(crest_.radius);
-  if (returns) {
-    const double arrival = map_.phi == 0 ? crest_.energy
-                           : by_peak     ? crest_.peak * (crest_.peak - 2 * map_.phi)
-                                         : map_.arrival(crest_.radius);
-    half_turns_ += 1;
-    small_ += PhaseClock<double>::down(map_, arrival) - std::numbers::pi;
-    end_at_zero(now, arrival);
-    return;
-  }
-  if (by_peak ? crest_.peak <= map_.phi : map_.rests_at_peak(crest_.radius)) {
-    end_in_dead_zone(now, crest_.peak);
-    return;
-  }
-  half_turns_ += 1;
-  end_in_dead_zone(now, by_peak ? 2 * map_.phi - crest_.peak : map_.swing_back_rest(crest_.radius));
-}
-
-void HalfCycleWalk::end_in_dead_zone(HalfCycle& now, double rest) {
-  now.end_time = time();
-  now.end_position = now.side * (rest / map_.p);
-  now.last = over_ = true;
-}
-
-void HalfCycleWalk::end_at_zero(HalfCycle& now, double arrival) {
-  now.end_time = time();
-  now.arrival_speed = std::sqrt(arrival);
-  passages_ += 1;
-  const double left = left_of(arrival);
-  if (!(left > 0)) {
-    now.last = over_ = true;
-    return;
-  }
-  crest_ = next_crest(left);
-  side_ = -side_;
-}
-
-/// v^2 after the passage. With the notch alone it is the first one less `passages_` notches,
-/// rounded once: the sign is that of the exact remainder in ending.hpp. The first one of an inward
-/// start is what it arrives with, and that is its only passage so far.
-double HalfCycleWalk::left_of(double arrival) const {
-  return map_.phi == 0 ? std::fma(-passages_, map_.notch, first_.energy) : map_.departure(arrival);
-}
-
-Crest<double> HalfCycleWalk::next_crest(double left) const {
-  const bool first_passage_inwards = index_ == 1 && leg_.end == FirstLegEnd::arrival;
-  if (map_.notch == 0 && !first_passage_inwards) {
-    const double peak = std::fma(-passages_, 2 * map_.phi, first_.peak);
-    return {left, peak + map_.phi, peak};
-  }
-  const double radius = map_.radius(left);
-  return {left, radius, map_.peak(left, radius)};
-}
-
-double HalfCycleWalk::time() const {
-  return (std::numbers::pi * half_turns_ + small_) / map_.p;
+double HalfCycleWalk::next_departure_speed() const {
+  return steps_->next_departure_speed();
 }
 
 std::vector<HalfCycle> first_half_cycles(const Oscillator& oscillator, const Start& start,
                                          std::int64_t most) {
-  HalfCycleWalk walk(oscillator, start);
+  HalfCycleSteps walk(oscillator, start);
   std::vector<HalfCycle> list;
   while (static_cast<std::int64_t>(list.size()) < most) {
     const std::optional<HalfCycle> next = walk.next();

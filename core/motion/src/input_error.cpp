@@ -10,7 +10,7 @@ namespace stillpoint {
 
 namespace {
 
-/// As much of a wrong value as a message quotes, without a UTF-8 sequence cut in two.
+/// The part of a wrong value that a message quotes, without cutting a UTF-8 sequence in two.
 std::string shortened(const std::string& value) {
   constexpr std::size_t longest = 80;
   if (value.size() <= longest) {
@@ -48,7 +48,8 @@ InputError InputError::in_entry(std::ptrdiff_t index) const {
 TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)
     : std::runtime_error(fmt::format("f and delta are so small that the motion may take {:.3g} "
                                      "half-cycles; at most {:.3g} are allowed (half-cycle-limit)",
-                                     bound, limit)) {}
+                                     bound, limit)),
+      bound_(bound) {}
 
 TooManyHalfCycles::TooManyHalfCycles(const std::string& message) : std::runtime_error(message) {}
 

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/outcome.hpp>
-
-#include <cassert>
 
 namespace stillpoint {
 
+namespace {
+
+constexpr Names outcomes(std::to_array<Named<Outcome>>({
+    {Outcome::stopped_at_zero, "stopped_at_zero"},
+    {Outcome::stopped_in_dead_zone, "stopped_in_dead_zone"},
+    {Outcome::never_stops, "never_stops"},
+    {Outcome::caught_at_start, "caught_at_start"},
+    {Outcome::running, "running"},
+}));
+
+}  // namespace
+
 std::string_view name(Outcome outcome) noexcept {
-  switch (outcome) {
-    case Outcome::stopped_at_zero:
-      return "stopped_at_zero";
-    case Outcome::stopped_in_dead_zone:
-      return "stopped_in_dead_zone";
-    case Outcome::never_stops:
-      return "never_stops";
-    case Outcome::caught_at_start:
-      return "caught_at_start";
-    case Outcome::running:
-      return "running";
-  }
-  assert(false && "an Outcome outside its enumeration");
-  return "";
+  return outcomes.name(outcome);
+}
+
+std::optional<Outcome> parse_outcome(std::string_view name) noexcept {
+  return outcomes.parse(name);
 }
 
 }  // namespace stillpoint

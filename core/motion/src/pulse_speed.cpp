@@ -10,8 +10,8 @@ namespace stillpoint {
 
 namespace {
 
-/// A half-sine in units of k / lambda and k / lambda^2, t = lambda tau: the motion under load and
-/// friction alone, from where the load exceeds friction, sin t = ratio.
+/// A half-sine in units of k / lambda and k / lambda^2, t = lambda tau: the motion under only load
+/// and friction, from where the load exceeds friction, sin t = ratio.
 struct Push {
   double ratio{0};
   double begin{std::asin(ratio)};
@@ -42,27 +42,30 @@ struct Push {
 
 /// (F22) and (F23) in the units of Push: the pulse, or the turn, at `end`, with `speed` there and
 /// `distance` so far.
-EquivalentStart carried_back(double ratio, double end, double speed, double distance) {
+std::optional<EquivalentStart> carried_back(double ratio, double end, double speed,
+                                            double distance) {
   const double square = speed * speed + 2 * ratio * distance;
   if (!(square > 0)) {
-    return {};
+    return std::nullopt;
   }
   const double start_speed = std::sqrt(square);
-  return {start_speed, end - 2 * distance / (start_speed + speed)};
+  return EquivalentStart{start_speed, end - 2 * distance / (start_speed + speed)};
 }
 
-EquivalentStart scaled(const EquivalentStart& start, double k, double lambda) {
-  return {k / lambda * start.speed, start.tau / lambda};
+std::optional<EquivalentStart> scaled(const std::optional<EquivalentStart>& start, double k,
+                                      double lambda) {
+  return start ? std::optional(EquivalentStart{k / lambda * start->speed, start->tau / lambda})
+               : std::nullopt;
 }
 
 }  // namespace
 
-EquivalentStart equivalent_start(const HalfSine& pulse, double f) {
+std::optional<EquivalentStart> equivalent_start(const HalfSine& pulse, double f) {
   require_valid(Excitation(pulse));
   require_within("f", f, 0, largest_square);
   const double k = std::abs(pulse.k);
   if (k <= f) {
-    return {};
+    return std::nullopt;
   }
   const Push push{f / k};
   const double end = push.end();
@@ -70,12 +73,12 @@ EquivalentStart equivalent_start(const HalfSine& pulse, double f) {
                 pulse.lambda);
 }
 
-EquivalentStart equivalent_start(const Rectangle& pulse, double f) {
+std::optional<EquivalentStart> equivalent_start(const Rectangle& pulse, double f) {
   require_valid(Excitation(pulse));
   require_within("f", f, 0, largest_square);
   const double k = std::abs(pulse.k);
   if (k <= f) {
-    return {};
+    return std::nullopt;
   }
   const double ratio = f / k;
   const double end = std::numbers::pi;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "kernel/half_cycle_steps.hpp"
+#include "sampling.hpp"
+
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/sampling.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
 #include <algorithm>
@@ -10,22 +13,65 @@
 
 namespace stillpoint {
 
+namespace {
+
+constexpr Names kinds(std::to_array<Named<EventKind>>({
+    {EventKind::start, "start"},
+    {EventKind::turn, "turn"},
+    {EventKind::arrival, "arrival"},
+    {EventKind::passage, "passage"},
+    {EventKind::rest, "rest"},
+}));
+
+}  // namespace
+
 std::string_view name(EventKind kind) noexcept {
-  switch (kind) {
-    case EventKind::start:
-      return "start";
-    case EventKind::turn:
-      return "turn";
-    case EventKind::arrival:
-      return "arrival";
-    case EventKind::passage:
-      return "passage";
-    case EventKind::rest:
-      return "rest";
-  }
-  assert(false && "an EventKind outside its enumeration");
-  return "";
+  return kinds.name(kind);
 }
+
+std::optional<EventKind> parse_event_kind(std::string_view name) noexcept {
+  return kinds.parse(name);
+}
+
+/// Takes the half-cycles of a walk one by one.
+class Trajectory::Builder {
+ public:
+  Builder(Trajectory& path, const HalfCycleSteps& walk) : path_(path), walk_(walk) {}
+
+  void add(const HalfCycle& now) {
+    const double side = now.side;
+    const double shift = walk_.map().phi / path_.p_;
+    const bool inward = now.index == 1 && walk_.leg().end != FirstLegEnd::peak;
+    if (inward) {
+      path_.arcs_.push_back({now.start_time, side * now.peak, -side * now.departure_speed,
+                             side * (now.peak - shift)});
+    } else {
+      const double from = now.index == 1 ? walk_.leg().distance / path_.p_ : 0;
+      path_.arcs_.push_back(
+          {now.start_time, side * from, side * now.departure_speed, side * (from + shift)});
+      if (now.end_time > now.peak_time) {
+        path_.arcs_.push_back({now.peak_time, side * now.peak, 0, side * (now.peak - shift)});
+        add_event(EventKind::turn, now.peak_time, side * now.peak, 0);
+      }
+    }
+    if (now.arrival_speed) {
+      add_event(EventKind::arrival, now.end_time, 0, -side * *now.arrival_speed);
+    }
+    if (now.last) {
+      add_event(EventKind::rest, now.end_time, now.end_position, 0);
+    } else {
+      add_event(EventKind::passage, now.end_time, 0, -side * walk_.next_departure_speed());
+    }
+  }
+
+  void add_event(EventKind kind, double tau, double x, double v) {
+    path_.events_.push_back({kind, {tau, x, v}});
+  }
+
+ private:
+  Trajectory& path_;
+  const HalfCycleSteps& walk_;
+};
 
 Trajectory::Trajectory(const Oscillator& oscillator, const Start& start,
                        const TrajectoryOptions& limits)
@@ -34,13 +80,14 @@ Trajectory::Trajectory(const Oscillator& oscillator, const Start& start,
     require_within("horizon", *limits.horizon, std::numeric_limits<double>::min(),
                    std::numeric_limits<double>::max());
   }
-  HalfCycleWalk walk(oscillator, start);
+  HalfCycleSteps walk(oscillator, start);
   const bool moves =
       walk.leg().end != FirstLegEnd::no_motion && walk.leg().end != FirstLegEnd::caught;
   if (!limits.horizon && moves && walk.map().without_friction()) {
     throw InputError::missing("horizon", "without friction the motion never ends");
   }
-  add_event(EventKind::start, 0, start.x0, moves ? start.v0 : 0);
+  Builder builder(*this, walk);
+  builder.add_event(EventKind::start, 0, start.x0, moves ? start.v0 : 0);
   double reached = 0;
   while (!limits.horizon || reached < horizon_) {
     const std::optional<HalfCycle> next = walk.next();
@@ -50,7 +97,7 @@ Trajectory::Trajectory(const Oscillator& oscillator, const Start& start,
     if (next->index > limits.half_cycles) {
       throw TooManyHalfCycles::in_trajectory(static_cast<double>(limits.half_cycles));
     }
-    add(*next, walk);
+    builder.add(*next);
     reached = next->end_time;
   }
   if (!limits.horizon) {
@@ -58,36 +105,6 @@ Trajectory::Trajectory(const Oscillator& oscillator, const Start& start,
   }
   const auto past = [this](const auto& item) { return item.state.tau > horizon_; };
   std::erase_if(events_, past);
-}
-
-void Trajectory::add(const HalfCycle& now, const HalfCycleWalk& walk) {
-  const double side = now.side;
-  const double shift = walk.map().phi / p_;
-  const bool inward = now.index == 1 && walk.leg().end != FirstLegEnd::peak;
-  if (inward) {
-    arcs_.push_back(
-        {now.start_time, side * now.peak, -side * now.departure_speed, side * (now.peak - shift)});
-  } else {
-    const double from = now.index == 1 ? walk.leg().distance / p_ : 0;
-    arcs_.push_back(
-        {now.start_time, side * from, side * now.departure_speed, side * (from + shift)});
-    if (now.end_time > now.peak_time) {
-      arcs_.push_back({now.peak_time, side * now.peak, 0, side * (now.peak - shift)});
-      add_event(EventKind::turn, now.peak_time, side * now.peak, 0);
-    }
-  }
-  if (now.arrival_speed) {
-    add_event(EventKind::arrival, now.end_time, 0, -side * *now.arrival_speed);
-  }
-  if (now.last) {
-    add_event(EventKind::rest, now.end_time, now.end_position, 0);
-  } else {
-    add_event(EventKind::passage, now.end_time, 0, -side * walk.next_departure_speed());
-  }
-}
-
-void Trajectory::add_event(EventKind kind, double tau, double x, double v) {
-  events_.push_back({kind, {tau, x, v}});
 }
 
 State Trajectory::at(double tau) const {

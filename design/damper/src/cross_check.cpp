@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "judge.hpp"
+#include "runge_kutta.hpp"
 #include "timed.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/cross_check.hpp>
-#include <stillpoint/design/runge_kutta.hpp>
 
 #include <limits>
 

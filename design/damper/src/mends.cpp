@@ -53,7 +53,7 @@ double most_p(const Problem& problem) {
   return std::min({largest_speed, largest_speed / problem.beta, problem.v0 / problem.beta * ratio});
 }
 
-/// More p helps the amplitude and can only harm the stop, so both are asked one after the other.
+/// More p helps the amplitude and can only harm the stop, so both are tested one after the other.
 std::optional<double> mended_p(const Case& base, double least, double most) {
   const auto with = [&](double p) {
     Case changed = base;
@@ -94,12 +94,8 @@ std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits
   if (feasible(base) || !mends(problem, limits).empty()) {
     return std::nullopt;
   }
-  std::vector<Input<Case>> inputs{beta_of(problem), v0_of(problem)};
-  if (!limits.f_max) {  // which a larger p would bring nearer
-    inputs.push_back(
-        {"p", problem.p, most_p(problem), [](Case& now, double value) { now.problem.p = value; }});
-  }
-  return joint_mend_of(base, feasible, inputs);
+  // More p does no better than more beta: p beta / v0 is the same, and f_max comes nearer.
+  return joint_mend_of(base, feasible, {beta_of(problem), v0_of(problem)});
 }
 
 }  // namespace stillpoint::design

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "unit_problem.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/design/unit_problem.hpp>
 
 #include <algorithm>
 

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <cmath>
 
 namespace stillpoint::design {
 
 namespace {
 
+constexpr Names criteria(std::to_array<Named<Criterion>>({{Criterion::published, "published"},
+                                                          {Criterion::exact, "exact"}}));
+
+/// Below it beta and the limits come near the smallest normal double, where digits are lost.
 constexpr double smallest_limit = 1e-300;
 /// f2 is half of v0^2 / beta at most, and must stay a double.
 constexpr double largest_f2 = 1e305;
@@ -56,14 +60,11 @@ void require_valid(const Problem& problem, const Limits& limits) {
 }
 
 std::string_view name(Criterion criterion) noexcept {
-  switch (criterion) {
-    case Criterion::published:
-      return "published";
-    case Criterion::exact:
-      return "exact";
-  }
-  assert(false && "a Criterion outside its enumeration");
-  return "";
+  return criteria.name(criterion);
+}
+
+std::optional<Criterion> parse_criterion(std::string_view name) noexcept {
+  return criteria.parse(name);
 }
 
 }  // namespace stillpoint::design

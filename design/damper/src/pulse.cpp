@@ -44,12 +44,13 @@ Excitation excitation(const Pulse& pulse) {
   return std::visit([](const auto& kind) { return Excitation(kind); }, pulse);
 }
 
-EquivalentStart equivalent_start(const Pulse& pulse, double f) {
+std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f) {
   return std::visit([f](const auto& kind) { return stillpoint::equivalent_start(kind, f); }, pulse);
 }
 
 Problem problem_at(const PulseProblem& problem, double f) {
-  return {equivalent_start(problem.pulse, f).speed, problem.p, problem.beta, problem.criterion};
+  const auto start = equivalent_start(problem.pulse, f);
+  return {start ? start->speed : 0, problem.p, problem.beta, problem.criterion};
 }
 
 }  // namespace stillpoint::design

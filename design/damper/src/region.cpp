@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
+#include "unit_problem.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/design/unit_problem.hpp>
 
 #include <fmt/format.h>
 
@@ -86,7 +86,7 @@ double lower_end_from_stop(const Problem& problem, const Edges& edges, double to
   return a * problem.v0 * problem.p / (1 - tolerance);
 }
 
-/// Two numbers in six digits, or in all where six do not tell them apart.
+/// Two numbers with six digits, or with all if six do not distinguish them.
 std::pair<std::string, std::string> told_apart(double a, double b) {
   std::pair six{fmt::format("{:.6g}", a), fmt::format("{:.6g}", b)};
   return six.first != six.second ? six : std::pair{fmt::format("{}", a), fmt::format("{}", b)};
@@ -173,34 +173,6 @@ std::optional<double> delta1_exact(const Problem& problem, double f) {
 double delta1(const Problem& problem, double f) {
   return problem.criterion == Criterion::published ? delta1_published(problem, f)
                                                    : delta1_exact(problem, f).value_or(0);
-}
-
-std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
-  const Region region = admissible_region(problem);
-  require_within("f", f, 0, largest_square);
-  require_within("delta", delta, 0, largest_square);
-  const double lowest = delta1(problem, f);
-  return {{
-      {"dead_zone", "f", "<", f, region.f1, region.f1 - f, f < region.f1},
-      {"start", "delta", "<=", delta, region.delta2, region.delta2 - delta, delta <= region.delta2},
-      {"amplitude", "f", ">=", f, region.f2, f - region.f2, f >= region.f2},
-      {"return", "f", "<=", f, region.f3, region.f3 - f, f <= region.f3},
-      {"stop", "delta", ">", delta, lowest, delta - lowest, delta > lowest},
-  }};
-}
-
-std::vector<Constraint> constraints(const Problem& problem, const Limits& limits, double f,
-                                    double delta) {
-  const auto conditions = constraints(problem, f, delta);
-  std::vector<Constraint> list(conditions.begin(), conditions.end());
-  if (limits.f_max) {
-    list.push_back({"f_max", "f", "<=", f, *limits.f_max, *limits.f_max - f, f <= *limits.f_max});
-  }
-  if (limits.delta_max) {
-    const double cap = *limits.delta_max;
-    list.push_back({"delta_max", "delta", "<=", delta, cap, cap - delta, delta <= cap});
-  }
-  return list;
 }
 
 }  // namespace stillpoint::design

@@ -3,8 +3,9 @@
 // The initial-value problems (9) of the paper, integrated step by step. In units of V0 and p:
 // x'' = -s a - x with s = sgn x' on each monotone piece, a = f / (V0 p), notch = 2 Delta / V0^2.
 
+#include "runge_kutta.hpp"
+
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/runge_kutta.hpp>
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint.hpp>

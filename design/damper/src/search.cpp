@@ -1,45 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "nlopt_fence.hpp"
+#include "objectives.hpp"
 #include "region_edges.hpp"
 #include "search_space.hpp"
 #include "settle.hpp"
+#include "unit_problem.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/search.hpp>
-#include <stillpoint/design/unit_problem.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <cmath>
-#include <functional>
+#include <optional>
 #include <vector>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// The best point seen, by the project's own judgement: NLopt's last point may be neither feasible
+/// What is searched.
+struct Task {
+  const Problem& problem;
+  const Limits& limits;
+  Objective objective;
+  Edges edge;
+  DesignInterval interval;
+
+  /// f in the units of the closed forms.
+  [[nodiscard]] double scaled(double f) const { return f / problem.p / problem.v0; }
+};
+
+/// The best point seen, judged by our own constraints: NLopt's last point may be neither feasible
 /// nor its best.
 class Best {
  public:
-  Best(const Problem& problem, const Limits& limits, Objective objective, DesignInterval interval)
-      : problem_(problem), limits_(limits), objective_(objective), interval_(interval) {}
+  explicit Best(const Task& task) : task_(task) {}
 
   /// Ranks by (admissible, cost), with f moved into the interval and the best Delta for it.
   void consider(double f) {
     if (std::isnan(f)) {
       return;  // SLSQP's answer where its subproblem is degenerate
     }
-    const double inside = std::clamp(f, interval_.low, interval_.high);
-    const DesignPoint point = with_best_delta(problem_, limits_, inside);
-    const double cost = objective_ == Objective::robust
+    const double inside = std::clamp(f, task_.interval.low, task_.interval.high);
+    const DesignPoint point = with_best_delta(task_.problem, task_.limits, inside);
+    const double cost = task_.objective == Objective::robust
                             ? -point.tolerance
-                            : objective_value(objective_, inside / problem_.p / problem_.v0);
-    const bool fits = admissible(problem_, limits_, point.f, point.delta);
+                            : objective_value(task_.objective, task_.scaled(inside));
+    const bool fits = admissible(task_.problem, task_.limits, point.f, point.delta);
     if (!any_ || (fits && !fits_) || (fits == fits_ && cost < cost_)) {
       any_ = true;
       fits_ = fits;
@@ -52,10 +63,7 @@ class Best {
   [[nodiscard]] const DesignPoint& point() const { return point_; }
 
  private:
-  Problem problem_;
-  Limits limits_;
-  Objective objective_;
-  DesignInterval interval_;
+  const Task& task_;
   bool any_{false};
   bool fits_{false};
   double cost_{0};
@@ -75,13 +83,13 @@ NloptAlgorithm find_algorithm(const std::string& wanted) {
   return *found;
 }
 
-/// A global algorithm says where the best is, not what: DIRECT_L's 20,000 points leave 1e-5 of it.
-/// The last fifth of its budget goes to a local one from the best point so far.
+/// A global algorithm finds the place of the optimum, not its value: after 20,000 points DIRECT_L
+/// is 1e-5 off. A local algorithm gets the last fifth of the budget and starts at the best point.
+/// A smaller share leaves it short of evaluations; a larger one takes them from the global search.
 constexpr double polished_share = 0.2;
 
 NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
-                 const SearchOptions& options,
-                 const std::function<Eigen::Vector2d()>& best_so_far) {
+                 const SearchOptions& options, const Task& task, const Best& best) {
   const bool is_global = algorithm.starts_with("GN_") && options.max_evaluations > 1;
   if (!is_global) {
     return minimise(posed, algorithm, {options.max_evaluations, options.max_seconds});
@@ -91,7 +99,8 @@ NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
       minimise(posed, algorithm,
                {options.max_evaluations - polish, (1 - polished_share) * options.max_seconds});
   NloptProblem nearby = posed;
-  nearby.start = best_so_far();
+  nearby.start =
+      Eigen::Vector2d(best.point().f / task.edge.f_cap, best.point().delta / task.edge.delta_cap);
   const NloptOutcome polished =
       minimise(nearby, "LN_SBPLX", {polish, polished_share * options.max_seconds});
   outcome.x = polished.x;
@@ -99,22 +108,61 @@ NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
   return outcome;
 }
 
-}  // namespace
+/// The task as NLopt sees it; `best` is told of every f that it tries.
+NloptProblem posed_for(ConstraintSupport support, const Task& task, Best& best) {
+  const auto& [problem, limits, objective, edge, interval] = task;
+  SearchSpace space;
+  space.criterion = problem.criterion;
+  space.objective = objective;
+  space.tolerance = limits.tolerance;
+  space.a2 = task.scaled(edge.f2);
+  space.a_cap = std::min(task.scaled(edge.f_cap), unit::a3);
+  space.d_cap = edge.delta_cap / problem.v0 / problem.v0;
+  space.visit = [&](double x, double /*y*/) { best.consider(x * task.edge.f_cap); };
 
-std::string_view name(Objective objective) noexcept {
-  switch (objective) {
-    case Objective::robust:
-      return "robust";
-    case Objective::amplitude:
-      return "amplitude";
-    case Objective::time:
-      return "time";
-    case Objective::acceleration:
-      return "acceleration";
+  // Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP ends there in
+  // roundoff instead of convergence.
+  constexpr double start_fraction = 0.4;
+  const double start_f = interval.low + start_fraction * (interval.high - interval.low);
+  const DesignPoint start = with_best_delta(problem, limits, start_f);
+  const double x = start.f / edge.f_cap;
+  const double y = start.delta / edge.delta_cap;
+  if (support == ConstraintSupport::yes) {
+    return constrained(space, x, y);
   }
-  assert(false && "an Objective outside its enumeration");
-  return "";
+  return penalised(space, x, y, [&task](double at_x, double at_y) {
+    return largest_tolerance(task.problem, task.limits, at_x * task.edge.f_cap,
+                             at_y * task.edge.delta_cap)
+        .value_or(0);
+  });
 }
+
+/// The points that NLopt may miss.
+void consider_known_optima(Best& best, const Task& task) {
+  const auto& [low, high] = task.interval;
+  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
+  // a monotone one is best, and the region's own are all there is of a degenerate region.
+  best.consider(low);
+  best.consider(high);
+  // Where the strip of Delta is so thin that NLopt's steps do not resolve it, `robust` is best
+  // where the room below f_cap is as wide as the strip.
+  const double cap = task.edge.delta_cap;
+  const double floor = delta1(task.problem, high);
+  best.consider(high / (1 + (cap - floor) / (cap + floor)));
+}
+
+/// A region that only just allows the tolerance has one design, in the corner of the caps.
+std::optional<DesignPoint> corner_point(const Task& task) {
+  const auto& [problem, limits, objective, edge, interval] = task;
+  const double f = highest_centre(edge.f_cap, limits.tolerance);
+  const double delta = highest_centre(edge.delta_cap, limits.tolerance);
+  if (!admissible(problem, limits, f, delta)) {
+    return std::nullopt;
+  }
+  return DesignPoint{f, delta, largest_tolerance(problem, limits, f, delta).value_or(0)};
+}
+
+}  // namespace
 
 std::span<const std::string_view> algorithm_names() {
   static const std::vector<std::string_view> names = [] {
@@ -146,57 +194,21 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
     return std::nullopt;
   }
   const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
-  const Edges edge = edges(problem, limits);
-  const DesignInterval interval = design_interval(problem, region);
-  Best best(problem, limits, options.objective, interval);
-
-  SearchSpace space;
-  space.criterion = problem.criterion;
-  space.objective = options.objective;
-  space.tolerance = limits.tolerance;
-  space.a2 = edge.f2 / problem.p / problem.v0;
-  space.a_cap = std::min(edge.f_cap / problem.p / problem.v0, unit::a3);
-  space.d_cap = edge.delta_cap / problem.v0 / problem.v0;
-  space.visit = [&](double x, double /*y*/) { best.consider(x * edge.f_cap); };
-
-  // Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP ends there in
-  // roundoff instead of convergence.
-  constexpr double start_fraction = 0.4;
-  const double start_f = interval.low + start_fraction * (interval.high - interval.low);
-  const DesignPoint start = with_best_delta(problem, limits, start_f);
-  const double x = start.f / edge.f_cap;
-  const double y = start.delta / edge.delta_cap;
-  const auto tolerance_at = [&](double at_x, double at_y) {
-    return largest_tolerance(problem, limits, at_x * edge.f_cap, at_y * edge.delta_cap).value_or(0);
-  };
-  const NloptProblem posed = algorithm.constraints == ConstraintSupport::yes
-                                 ? constrained(space, x, y)
-                                 : penalised(space, x, y, tolerance_at);
-  const NloptOutcome outcome = run(posed, algorithm.name, options, [&] {
-    return Eigen::Vector2d(best.point().f / edge.f_cap, best.point().delta / edge.delta_cap);
-  });
-  best.consider(outcome.x[0] * edge.f_cap);
-  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
-  // a monotone one is best, and the region's own are all there is of a degenerate region.
-  best.consider(interval.low);
-  best.consider(interval.high);
-  // Where the strip of Delta is so thin that NLopt's steps do not resolve it, `robust` is best
-  // where the room below f_cap is as wide as the strip.
-  const double floor = delta1(problem, interval.high);
-  best.consider(interval.high / (1 + (edge.delta_cap - floor) / (edge.delta_cap + floor)));
-  DesignPoint point = best.point();
-  if (!best.admissible_found()) {
-    // A region that only just allows the tolerance has one design, in the corner of the caps.
-    point.f = highest_centre(edge.f_cap, limits.tolerance);
-    point.delta = highest_centre(edge.delta_cap, limits.tolerance);
-    if (!admissible(problem, limits, point.f, point.delta)) {
-      return std::nullopt;
-    }
-    point.tolerance = largest_tolerance(problem, limits, point.f, point.delta).value_or(0);
+  const Task task{problem, limits, options.objective, edges(problem, limits),
+                  design_interval(problem, region)};
+  Best best(task);
+  const NloptProblem posed = posed_for(algorithm.constraints, task, best);
+  const NloptOutcome outcome = run(posed, algorithm.name, options, task, best);
+  best.consider(outcome.x[0] * task.edge.f_cap);
+  consider_known_optima(best, task);
+  const std::optional<DesignPoint> point =
+      best.admissible_found() ? best.point() : corner_point(task);
+  if (!point) {
+    return std::nullopt;
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
   return SearchResult{
-      point, {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
+      *point, {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
 }
 
 }  // namespace stillpoint::design

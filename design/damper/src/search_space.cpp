@@ -1,34 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "search_space.hpp"
 
-#include <stillpoint/design/unit_problem.hpp>
+#include "objectives.hpp"
+#include "unit_problem.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <numbers>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// t stays below 1, where the box would reach 0.
+/// t stays below 1, where the box would reach 0 and with it the end of every formula's range. No
+/// region has a tolerance anywhere near, so nothing is lost.
 constexpr double widest_box = 1 - 1e-6;
-
-double objective_slope(Objective objective, double given) {
-  const double a = std::min(given, unit::a3);
-  switch (objective) {
-    case Objective::amplitude:
-      return unit::peak_slope(a);
-    case Objective::time:
-      return unit::stop_phase_slope(a) / std::numbers::pi;
-    case Objective::acceleration:
-      return a / unit::radius(a);
-    case Objective::robust:
-      break;
-  }
-  assert(false && "robust has no objective in a");
-  return 0;
-}
 
 /// Writes the gradient with respect to as many of (x, y, t) as NLopt asks for.
 void store(Eigen::VectorXd& gradient, double by_x, double by_y, double by_t) {
@@ -68,22 +52,6 @@ std::vector<Function> constraints_of(const SearchSpace& space) {
 
 }  // namespace
 
-double objective_value(Objective objective, double given) {
-  const double a = std::min(given, unit::a3);  // f3 divided by p and V0 may be an ulp above
-  switch (objective) {
-    case Objective::amplitude:
-      return unit::peak(a);
-    case Objective::time:
-      return unit::stop_phase(a) / std::numbers::pi;
-    case Objective::acceleration:
-      return unit::radius(a);
-    case Objective::robust:
-      break;
-  }
-  assert(false && "robust has no objective in a");
-  return 0;
-}
-
 NloptProblem constrained(const SearchSpace& space, double x, double y) {
   NloptProblem problem;
   problem.constraints = constraints_of(space);
@@ -112,7 +80,7 @@ NloptProblem constrained(const SearchSpace& space, double x, double y) {
 
 NloptProblem penalised(const SearchSpace& space, double x, double y,
                        const std::function<double(double x, double y)>& tolerance_at) {
-  // Every objective is below 2 inside the region.
+  // Every objective is below 2 inside the region: an algorithm never takes a violation for better.
   constexpr double above_all = 10;
   NloptProblem problem;
   problem.lower = Eigen::Vector2d(0, 0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "box.hpp"
 #include "region_edges.hpp"
+#include "unit_problem.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/design/unit_problem.hpp>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -36,20 +36,6 @@ double tolerance_of_stop(Criterion criterion, double a, double d) {
 
 }  // namespace
 
-bool box_admissible(const Problem& at_low, const Problem& at_high, const Limits& limits, double f,
-                    double delta) {
-  const double low = 1 - limits.tolerance;
-  const double high = 1 + limits.tolerance;
-  const auto met = [](const Constraint& constraint) { return constraint.satisfied; };
-  const auto low_corner = constraints(at_low, f * low, delta * low);
-  const auto high_corner = constraints(at_high, f * high, delta * high);
-  // amplitude and stop are tightest at the low corner, the other three at the high one; but the
-  // stop at the high corner is no part of the question, for its f may lie above f3.
-  return met(low_corner[2]) && met(low_corner[4]) && met(high_corner[0]) && met(high_corner[1]) &&
-         met(high_corner[3]) && (!limits.f_max || f * high <= *limits.f_max) &&
-         (!limits.delta_max || delta * high <= *limits.delta_max);
-}
-
 bool admissible(const Problem& problem, const Limits& limits, double f, double delta) {
   require_valid(problem, limits);
   return box_admissible(problem, problem, limits, f, delta);
@@ -79,7 +65,7 @@ std::optional<double> largest_tolerance(const Problem& problem, const Limits& li
     tolerance = std::max(0.0, tolerance - std::numeric_limits<double>::epsilon());
   }
   assert(fits(tolerance));
-  // The root above is good to a few ulps only; what is asked for is tried as it is.
+  // The root above is accurate only to a few ulps, so the requested value itself is tried.
   if (tolerance < limits.tolerance && fits(limits.tolerance)) {
     return limits.tolerance;
   }

@@ -4,20 +4,24 @@
 #include "judge.hpp"
 #include "timed.hpp"
 
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/design/prediction.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace stillpoint::design {
 
 namespace {
 
+constexpr Names warning_names(
+    std::to_array<Named<PulseWarning>>({{PulseWarning::pulse_not_short, "pulse_not_short"},
+                                        {PulseWarning::friction_not_small, "friction_not_small"}}));
+
 /// Where both are below, the reduction is good to about 2 % in the peak.
 constexpr double short_pulse = 0.2;
 constexpr double small_friction = 0.2;
-/// Of a pulse so short that the forced run's own rounding is all that is left.
+/// For a pulse so short that only the rounding of the forced run remains.
 constexpr double least_tolerance = 1e-9;
 
 std::vector<PulseWarning> warnings(const PulseCheck& check) {
@@ -34,14 +38,11 @@ std::vector<PulseWarning> warnings(const PulseCheck& check) {
 }  // namespace
 
 std::string_view name(PulseWarning warning) noexcept {
-  switch (warning) {
-    case PulseWarning::pulse_not_short:
-      return "pulse_not_short";
-    case PulseWarning::friction_not_small:
-      return "friction_not_small";
-  }
-  assert(false && "a PulseWarning outside its enumeration");
-  return "";
+  return warning_names.name(warning);
+}
+
+std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept {
+  return warning_names.parse(name);
 }
 
 PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
@@ -50,7 +51,7 @@ PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
   PulseCheck result;
   result.shortness = problem.p / angular_frequency(problem.pulse);
   result.friction_ratio = f / peak_load(problem.pulse);
-  result.start = equivalent_start(problem.pulse, f);
+  result.start = equivalent_start(problem.pulse, f).value();
 
   CheckMethod method;
   method.wall_time_s = timed([&] {
@@ -76,7 +77,7 @@ PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
     result.stop_time_error = (result.start.tau + prediction.stop_time) / *forced.stop_time - 1;
   }
   result.warnings = warnings(result);
-  // The search has asked for that already. Near f3 nothing else decides it.
+  // The search has already required that. Near f3 nothing else decides it.
   method.passed = method.passed && forced.stops_at_zero && forced.half_cycles == 1.0 &&
                   forced.peak_amplitude <= problem.beta;
   finding.cross_check.methods.push_back(method);

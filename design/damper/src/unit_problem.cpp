@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/unit_problem.hpp>
+#include "unit_problem.hpp"
 
 #include <algorithm>
 #include <cassert>

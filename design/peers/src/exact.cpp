@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/peers/exact.hpp>
+#include "kernel/excitation_run.hpp"
+#include "kernel/forced_run.hpp"
+#include "kernel/free_run.hpp"
+#include "kernel/phase_clock.hpp"
 
-#include <stillpoint/core/excitation_run.hpp>
-#include <stillpoint/core/forced_run.hpp>
-#include <stillpoint/core/free_run.hpp>
-#include <stillpoint/core/phase_clock.hpp>
+#include <stillpoint/peers/exact.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -41,7 +41,8 @@ struct Widen {
   }
   void operator()(const NoExcitation& /*none*/) const {}
   void operator()(const Harmonic& e) const {
-    through(BasicHarmonic<Real>{Real(e.k), Real(e.lambda), Real(e.phase), Real(e.duration)});
+    through(BasicHarmonic<Real>{Real(e.k), Real(e.lambda), Real(e.phase),
+                                std::optional<Real>(e.duration)});
   }
   void operator()(const HalfSine& e) const {
     through(BasicHalfSine<Real>{Real(e.k), Real(e.lambda)});

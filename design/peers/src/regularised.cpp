@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 
-// The model without events that people write first, e the width as a speed, d as a length:
+// The usual model without events, e the width as a speed, d as a length:
 //   x' = v,   v' = -W - p^2 x - (f + Delta bump(x)) tanh(v / e),
 //   bump(x) = 1 / (2 d cosh^2(x / d)), whose integral is 1.
-// It creeps where the mass should be held, so what it says of rests is read off a band |v| < 3 e:
-// tanh 3 = 0.995 is as good as held. A turn is an entry into the band or a change of sign of v
-// across it, a stick an entry under a load that friction can hold. A passage is one from beyond the
-// bump to beyond it on the other side; what comes to rest within it is no turn. The bump acts once
+// It creeps where the mass should be held, so rests are read off a band |v| < 3 e: tanh 3 = 0.995
+// counts as held. A turn is an entry into the band or a change of sign of v
+// across it, a stick an entry under a load that friction can hold. A passage leads from beyond
+// the bump to beyond it on the other side; a rest within it is not a turn. The bump acts once
 // the mass has been beyond it: a start at x = 0 is not a passage.
 
 #include "dopri5.hpp"
@@ -43,7 +43,7 @@ class SmoothRun {
     side_ = side(state);
     double t = 0;
     bool jumped = true;
-    while (t < scene_.t_end && result_.steps < most_steps_ && !(at_rest_ && settled(state, t))) {
+    while (t < scene_.t_end && result_.steps < most_steps_ && !(at_rest_ && settled(state))) {
       while (load_.stretch_end() <= t) {
         jumped = load_.next_stretch() || jumped;
       }
@@ -62,7 +62,7 @@ class SmoothRun {
       observe(state, method_.state(), t);
       state = method_.state();
     }
-    result_.outcome = outcome(state, t);
+    result_.outcome = outcome(state);
     result_.finished = t >= scene_.t_end || result_.outcome != Outcome::running;
     result_.end_time = result_.outcome == Outcome::running ? t : entered_;
     result_.x = state[0];
@@ -90,7 +90,7 @@ class SmoothRun {
     return scene_.oscillator.f + scene_.oscillator.delta / (2 * d_ * c * c);
   }
 
-  /// How far a step may go without jumping over the bump.
+  /// The longest step that cannot jump over the bump.
   [[nodiscard]] double reach(const State& state) const {
     if (scene_.oscillator.delta == 0) {
       return for_ever;
@@ -104,12 +104,12 @@ class SmoothRun {
   }
 
   /// A mass at rest that no load will ever move.
-  [[nodiscard]] bool settled(const State& state, double t) const {
-    return load_.over() && held(state, t);
+  [[nodiscard]] bool settled(const State& state) const {
+    return load_.largest() + std::abs(stiffness_ * state[0]) <= friction(state[0]);
   }
 
-  [[nodiscard]] Outcome outcome(const State& state, double t) const {
-    if (!at_rest_ || !settled(state, t)) {
+  [[nodiscard]] Outcome outcome(const State& state) const {
+    if (!at_rest_ || !settled(state)) {
       return Outcome::running;
     }
     const bool in_notch = scene_.oscillator.delta > 0 && std::abs(state[0]) < edge();
@@ -122,7 +122,7 @@ class SmoothRun {
     const bool enters = slow(now) && !at_rest_;
     if (enters) {
       entered_ = t;
-      result_.sticks += !load_.over() && held(now, t) ? 1 : 0;
+      result_.sticks += !settled(now) && held(now, t) ? 1 : 0;
     }
     const bool flies_over = !slow(now) && !at_rest_ && before[1] * now[1] < 0;
     const bool in_bump = scene_.oscillator.delta > 0 && side(now) == 0;

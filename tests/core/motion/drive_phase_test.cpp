@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "kernel/drive_phase.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/harmonic_flow.hpp"
+#include "kernel/linear_piece.hpp"
+#include "kernel/positivity.hpp"
 #include "testing/exact_run.hpp"
 #include "testing/random_scene.hpp"
-
-#include <stillpoint/core/drive_phase.hpp>
-#include <stillpoint/core/exact_sum.hpp>
-#include <stillpoint/core/harmonic_flow.hpp>
-#include <stillpoint/core/linear_piece.hpp>
-#include <stillpoint/core/positivity.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-// What is refused, and that the message names field, value and bound.
+// Wrong values are refused, and the message names field, value and bound.
 
 namespace stillpoint::test {
 
@@ -49,6 +49,7 @@ BOOST_AUTO_TEST_CASE(waves_out_of_range_are_refused) {
   BOOST_TEST(refused(Harmonic{1, 0}) == "lambda");
   BOOST_TEST(refused(Harmonic{1, -1}) == "lambda");
   BOOST_TEST(refused(Harmonic{1, not_a_number}) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, 1, 0, infinity}) == "duration");
   BOOST_TEST(refused(Harmonic{1, 1, infinity}) == "phase");
   BOOST_TEST(refused(Harmonic{1, 1, 0, -1}) == "duration");
   BOOST_TEST(refused(Harmonic{1, 1, 0, not_a_number}) == "duration");
@@ -61,6 +62,8 @@ BOOST_AUTO_TEST_CASE(waves_out_of_range_are_refused) {
 
 BOOST_AUTO_TEST_CASE(what_is_out_of_range_with_respect_to_p_is_refused) {
   BOOST_TEST(refused(Harmonic{1, 1}, 10, 1e13) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, 1e-3}, 10, 1.1e9) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, 1}, 10, 0.9e-12) == "lambda");
   BOOST_TEST(refused(Harmonic{1e100, 1e-100}, 10, 1e-100) == "k");
   BOOST_TEST(refused(Record{{0, 1e100}, 1, {}}, 10, 1e-100) == "record value 2");
   BOOST_TEST(refused(Record{{0, 1e-9}, 1e-100, {}}, 10, 1e-60) == "record step");
@@ -83,16 +86,21 @@ BOOST_AUTO_TEST_CASE(the_end_is_needed_and_bounded) {
   BOOST_TEST(refused(Harmonic{1, 1}, -1) == "t_end");
   BOOST_TEST(refused(Harmonic{1, 1}, not_a_number) == "t_end");
   BOOST_TEST(refused(Harmonic{1, 1}, 1e16) == "t_end");
+  BOOST_TEST(refused(NoExcitation{}, 1.1e15) == "t_end");   // p t_end
+  BOOST_TEST(refused(Harmonic{1, 1e6}, 1.1e9) == "t_end");  // lambda t_end
+  BOOST_TEST(refused(HalfSine{1, 1e6}, 1.1e9).empty());     // lambda only up to its end
+  BOOST_TEST(refused(Record{{1, 1}, 1.1e15, {}}, std::nullopt) == "duration");
 }
 
 BOOST_AUTO_TEST_CASE(the_duration_is_when_w_becomes_zero) {
-  BOOST_TEST(duration(NoExcitation{}) == 0);
-  BOOST_TEST(duration(Harmonic{1, 1}) == infinity);
-  BOOST_TEST(duration(HalfSine{1, 2}) == std::numbers::pi / 2);
-  BOOST_TEST(duration(FullSine{1, 2}) == std::numbers::pi);
-  BOOST_TEST(duration(Rectangle{1, 4}) == std::numbers::pi / 4);
-  BOOST_TEST(duration(Record{{1, 2, 3}, 0.5, {}}) == 1);
-  BOOST_TEST(duration(Record{{1, 2}, 0, {0.25, 7}}) == 7);
+  BOOST_TEST(*duration(NoExcitation{}) == 0);
+  BOOST_TEST(!duration(Harmonic{1, 1}).has_value());
+  BOOST_TEST(*duration(Harmonic{1, 1, 0, 3}) == 3);
+  BOOST_TEST(*duration(HalfSine{1, 2}) == std::numbers::pi / 2);
+  BOOST_TEST(*duration(FullSine{1, 2}) == std::numbers::pi);
+  BOOST_TEST(*duration(Rectangle{1, 4}) == std::numbers::pi / 4);
+  BOOST_TEST(*duration(Record{{1, 2, 3}, 0.5, {}}) == 1);
+  BOOST_TEST(*duration(Record{{1, 2}, 0, {0.25, 7}}) == 7);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

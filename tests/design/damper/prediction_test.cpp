@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 #include "reference.hpp"
+#include "unit_problem.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/design/unit_problem.hpp>
 
 #include <boost/test/unit_test.hpp>
 

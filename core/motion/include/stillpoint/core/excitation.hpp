@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What shakes the base: W(tau) in units of g, tau >= 0. Outside of what is said here W = 0.
+// The base acceleration W(tau) in units of g, tau >= 0. Outside the stated intervals W = 0.
 
-#include <limits>
+#include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct BasicHarmonic {
   Real k{0};
   Real lambda{1};  ///< > 0
   Real phase{0};
-  Real duration{std::numeric_limits<Real>::infinity()};  ///< >= 0
+  std::optional<Real> duration{};  ///< >= 0; empty: it never ends
 };
 using Harmonic = BasicHarmonic<double>;
 
@@ -43,8 +44,8 @@ struct BasicRectangle {
 };
 using Rectangle = BasicRectangle<double>;
 
-/// W goes straight from one sample to the next. It is 0 before the first and after the last, where
-/// it may jump; a single sample lasts no time at all.
+/// W is linear between samples. It is 0 before the first and after the last sample, where it may
+/// jump; a single sample has no duration.
 template <class Real>
 struct BasicRecord {
   std::vector<Real> values;
@@ -58,17 +59,20 @@ struct NoExcitation {};
 
 using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rectangle, Record>;
 
-/// p tau, lambda tau and the phase are at most this in a run under an excitation: further on sines
+/// "harmonic", "half-sine", "full-sine", "rectangle", "record"; "none".
+[[nodiscard]] std::string_view name(const Excitation& excitation) noexcept;
+
+/// p tau, lambda tau and the phase are at most this in a run under an excitation: beyond it sines
 /// lose their digits.
 inline constexpr double largest_phase = 1e15;
 
-/// The excitation is 0 from here on; infinite where it never ends.
-[[nodiscard]] double duration(const Excitation& excitation);
+/// The excitation is 0 from here on; empty where it never ends.
+[[nodiscard]] std::optional<double> duration(const Excitation& excitation);
 
 /// Throws InputError, naming the field ("lambda", "record value 17", ...), unless
-///   |k| <= 1e150, lambda and duration within [1e-150, 1e150] (duration 0 and infinity are right as
-///   well), |phase| <= 1e15, and in a record at least one sample, values as k, step as lambda,
-///   times within [0, 1e150], growing.
+///   |k| <= 1e150, lambda and duration within [1e-150, 1e150] (a duration of 0 is right as well),
+///   |phase| <= 1e15, and in a record at least one sample, values as k, step as lambda, times
+///   within [0, 1e150], growing.
 void require_valid(const Excitation& excitation);
 
 }  // namespace stillpoint

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 namespace stillpoint {
@@ -16,10 +17,14 @@ enum class ForcedEventKind {
   stick,           ///< friction holds the mass for a while, or for ever
   release,         ///< the end of a stick
   rest,            ///< the final rest
-  end,             ///< the end of the run, where the motion goes on
+  end,             ///< the end of the run, if the motion goes on
 };
 
 /// The name in output: the enumerator's own.
 [[nodiscard]] std::string_view name(ForcedEventKind kind) noexcept;
+
+/// The enumerator of that name; empty where there is none.
+[[nodiscard]] std::optional<ForcedEventKind> parse_forced_event_kind(
+    std::string_view name) noexcept;
 
 }  // namespace stillpoint

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/exact_sum.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_event.hpp>
-#include <stillpoint/core/harmonic_flow.hpp>
-#include <stillpoint/core/linear_piece.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
 
 #include <cstdint>
 #include <functional>
-#include <variant>
+#include <memory>
 #include <vector>
 
 namespace stillpoint {
@@ -22,9 +19,9 @@ struct ForcedEvent {
 };
 
 struct ForcedTrajectoryOptions {
-  double horizon{0};               ///< tau up to which; > 0
+  double horizon{0};               ///< the last tau; > 0
   std::int64_t pieces{2'000'000};  ///< at most; a motion with more throws InputError of t_end
-  /// As in ForcedOptions; where it says no, the trajectory ends there.
+  /// As in ForcedOptions; if it returns false, the trajectory ends there.
   std::function<bool(double)> go_on{};
   bool to_rest{false};  ///< ends at the final rest, if that is known by then and not at tau = 0
 };
@@ -48,22 +45,12 @@ class ForcedTrajectory {
   [[nodiscard]] double horizon() const { return horizon_; }
 
  private:
-  struct Rest {
-    double u;
-  };
-  struct Piece {
-    ExactSum<double> begin;  ///< p tau
-    int direction;
-    std::variant<Rest, HarmonicFlow<double>, LinearPiece<double>> motion;
-  };
+  class Pieces;
   class Watcher;
 
-  [[nodiscard]] State on(const Piece& piece, double tau) const;
-
-  double p_;
   double horizon_;
-  std::vector<Piece> pieces_;
   std::vector<ForcedEvent> events_;
+  std::shared_ptr<const Pieces> pieces_;
 };
 
 }  // namespace stillpoint

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/ending.hpp>
-#include <stillpoint/core/first_leg.hpp>
-#include <stillpoint/core/half_cycle_map.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace stillpoint {
+
+class HalfCycleSteps;
 
 /// One half-cycle: from x = 0 (or the start) out to a peak and back to x = 0 (or to rest).
 struct HalfCycle {
   std::int64_t index{1};                ///< 1, 2, ...
   int side{1};                          ///< sign of x during it
   double start_time{0};                 ///< tau
-  double departure_speed{0};            ///< |x'| at its start, what the notch left
+  double departure_speed{0};            ///< |x'| at its start, after the notch
   double peak_time{0};                  ///< tau of the peak; start_time where it starts inwards
   double peak{0};                       ///< largest |x| of it
   double end_time{0};                   ///< tau of the arrival at x = 0, or of the rest
@@ -27,11 +27,16 @@ struct HalfCycle {
 };
 
 /// Walks through a free motion half-cycle by half-cycle, in constant memory, times included. With
-/// one friction alone each half-cycle comes from the closed form, rounded once, so that the walk
+/// only one friction each half-cycle comes from the closed form, rounded once, so that the walk
 /// ends where free_response says. Throws InputError like free_response.
 class HalfCycleWalk {
  public:
   HalfCycleWalk(const Oscillator& oscillator, const Start& start);
+  HalfCycleWalk(const HalfCycleWalk& other);
+  HalfCycleWalk(HalfCycleWalk&& other) noexcept;
+  HalfCycleWalk& operator=(const HalfCycleWalk& other);
+  HalfCycleWalk& operator=(HalfCycleWalk&& other) noexcept;
+  ~HalfCycleWalk();
 
   /// The next half-cycle; empty after the last one. A motion without friction goes on for ever.
   [[nodiscard]] std::optional<HalfCycle> next();
@@ -39,28 +44,8 @@ class HalfCycleWalk {
   /// |x'| with which the next half-cycle leaves x = 0.
   [[nodiscard]] double next_departure_speed() const;
 
-  [[nodiscard]] const FirstLeg<double>& leg() const { return leg_; }
-  [[nodiscard]] const HalfCycleMap<double>& map() const { return map_; }
-
  private:
-  void from_inward_start(HalfCycle& now);
-  void from_crest(HalfCycle& now);
-  void end_in_dead_zone(HalfCycle& now, double rest);
-  void end_at_zero(HalfCycle& now, double arrival);
-  [[nodiscard]] Crest<double> next_crest(double left) const;
-  [[nodiscard]] double left_of(double arrival) const;
-  [[nodiscard]] double time() const;
-
-  HalfCycleMap<double> map_;
-  FirstLeg<double> leg_;
-  bool over_;
-  std::int64_t index_{1};
-  int side_;
-  Crest<double> first_;   ///< the closed forms count from here
-  Crest<double> crest_;   ///< of the half-cycle to come
-  double passages_{0};    ///< since first_
-  double half_turns_{0};  ///< phases are pi half_turns_ + small_: no digit of pi k is lost
-  double small_{0};
+  std::unique_ptr<HalfCycleSteps> steps_;
 };
 
 /// The first `most` half-cycles.

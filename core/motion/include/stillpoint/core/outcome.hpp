@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 namespace stillpoint {
@@ -16,5 +17,8 @@ enum class Outcome {
 
 /// The name in reports: the enumerator's own.
 [[nodiscard]] std::string_view name(Outcome outcome) noexcept;
+
+/// The enumerator of that name; empty where there is none.
+[[nodiscard]] std::optional<Outcome> parse_outcome(std::string_view name) noexcept;
 
 }  // namespace stillpoint

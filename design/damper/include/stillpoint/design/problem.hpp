@@ -21,11 +21,11 @@ struct Problem {
   Criterion criterion{Criterion::published};
 };
 
-/// What may be built. Every limit holds for the whole box f (1 +- tolerance), Delta (1 +-
+/// What can be built. Every limit holds for the whole box f (1 +- tolerance), Delta (1 +-
 /// tolerance).
 struct Limits {
-  std::optional<double> f_max;
-  std::optional<double> delta_max;
+  std::optional<double> f_max{};
+  std::optional<double> delta_max{};
   double tolerance{0};  ///< in [0, 1)
 };
 
@@ -37,5 +37,7 @@ void require_valid(const Problem& problem, const Limits& limits = {});
 
 /// "published" or "exact".
 [[nodiscard]] std::string_view name(Criterion criterion) noexcept;
+/// The criterion of that name; empty where there is none.
+[[nodiscard]] std::optional<Criterion> parse_criterion(std::string_view name) noexcept;
 
 }  // namespace stillpoint::design

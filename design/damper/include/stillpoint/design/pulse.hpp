@@ -5,15 +5,16 @@
 #include <stillpoint/core/pulse_speed.hpp>
 #include <stillpoint/design/problem.hpp>
 
+#include <optional>
 #include <string_view>
 #include <variant>
 
 namespace stillpoint::design {
 
-/// The pulses that amount to an initial velocity. A full sine does not: it leaves none.
+/// The pulses that act like an initial velocity. A full sine does not: it leaves none.
 using Pulse = std::variant<HalfSine, Rectangle>;
 
-/// A problem whose initial velocity a pulse leaves. Friction acts during the pulse already, so that
+/// A problem whose initial velocity comes from a pulse. Friction already acts during the pulse, so
 /// the velocity depends on f and falls with it: docs/forced.md section 8.
 struct PulseProblem {
   Pulse pulse;
@@ -22,17 +23,18 @@ struct PulseProblem {
   Criterion criterion{Criterion::published};
 };
 
-/// Throws InputError, naming the field, unless k > 0, lambda >= p (a longer pulse is no impulse),
-/// and the problem of the velocity left without friction is valid (problem.hpp).
+/// Throws InputError, naming the field, unless k > 0, lambda >= p (a longer pulse is not an
+/// impulse), and the problem of the velocity left without friction is valid (problem.hpp).
 void require_valid(const PulseProblem& problem, const Limits& limits = {});
 
 [[nodiscard]] double peak_load(const Pulse& pulse);          ///< k
 [[nodiscard]] double angular_frequency(const Pulse& pulse);  ///< lambda
 [[nodiscard]] std::string_view name(const Pulse& pulse);     ///< "half-sine" or "rectangle"
 [[nodiscard]] Excitation excitation(const Pulse& pulse);
-[[nodiscard]] EquivalentStart equivalent_start(const Pulse& pulse, double f);
+/// Of core, empty where the mass never moves.
+[[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f);
 
-/// The problem with the velocity that the pulse leaves under friction f < k.
+/// The problem with the velocity that the pulse leaves under friction f; 0 where f >= k.
 [[nodiscard]] Problem problem_at(const PulseProblem& problem, double f);
 
 }  // namespace stillpoint::design

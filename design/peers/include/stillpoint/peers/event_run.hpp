@@ -4,8 +4,8 @@
 // One motion by an integrator: the rules of docs/forced.md section 1 around pieces in which the
 // sign s of v is constant,
 //   x' = v,   v' = -W(t) - p^2 x - s f.
-// Events are what its users take them for: a change of sign over a step, then a bracketed root on
-// the integrator's own states within the step.
+// An event is found as users do it: a change of sign over a step, then a bracketed root on the
+// integrator's own states within the step.
 //
 // A Method integrates:
 //   begin(motion, t, state)  a new piece, or after a jump of W
@@ -60,6 +60,10 @@ class EventRun {
   [[nodiscard]] double& v() { return state_[1]; }
   [[nodiscard]] double load() const { return load_(t_) + stiffness_ * state_[0]; }
   [[nodiscard]] bool held() const { return std::abs(load()) <= scene_.oscillator.f; }
+  /// At rest, and no load to come will ever move it: a harmonic one swings to +-k for ever.
+  [[nodiscard]] bool held_for_ever() const {
+    return load_.largest() + std::abs(stiffness_ * state_[0]) <= scene_.oscillator.f;
+  }
 
   void begin() {
     enter_stretch();
@@ -87,7 +91,7 @@ class EventRun {
     result_.finished = result_.outcome != Outcome::running || t_ >= scene_.t_end;
     if (!result_.finished) {
       result_.end_time = t_;
-    } else if (result_.outcome == Outcome::running && resting_ && load_.over() && held()) {
+    } else if (result_.outcome == Outcome::running && resting_ && held_for_ever()) {
       stop_where_it_rests();
     } else if (result_.outcome == Outcome::running) {
       result_.end_time = t_;
@@ -111,7 +115,7 @@ class EventRun {
     if (!held()) {
       return set_off();
     }
-    if (load_.over()) {
+    if (held_for_ever()) {
       return stop_where_it_rests();
     }
     --effort_left_;
@@ -177,7 +181,7 @@ class EventRun {
       if (turned) {
         locate(motion, 1, step.from, step.to);
       }
-      // Where the motion turns within the step, its place there says whether it met the notch.
+      // If the motion turns within the step, its position there says whether it met the notch.
       if (notched && s * x() >= 0) {
         locate(motion, 0, step.from, t_);
         arrive();

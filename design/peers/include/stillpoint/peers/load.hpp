@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// W(tau) as integrators want it: smooth on a stretch, and the ends of stretches known.
+// W(tau) for integrators: smooth stretches with known ends.
 
 #include <stillpoint/core/excitation.hpp>
 
@@ -19,7 +19,8 @@ inline constexpr double for_ever = std::numeric_limits<double>::infinity();
 struct NoLoad {
   double operator()(double /*t*/) const { return 0; }
   [[nodiscard]] static double stretch_end() { return for_ever; }
-  [[nodiscard]] static bool over() { return true; }
+  /// The largest |W| from here on; infinite where it is not known because more is to come.
+  [[nodiscard]] static double largest() { return 0; }
   [[nodiscard]] static double scan_step() { return for_ever; }
   static bool next_stretch() { return false; }
 };
@@ -29,7 +30,8 @@ class WaveLoad {
  public:
   WaveLoad(double k, double lambda, double phase, double end)
       : k_(k), lambda_(lambda), phase_(phase), end_(end) {}
-  explicit WaveLoad(const Harmonic& e) : WaveLoad(e.k, e.lambda, e.phase, e.duration) {}
+  explicit WaveLoad(const Harmonic& e)
+      : WaveLoad(e.k, e.lambda, e.phase, e.duration.value_or(for_ever)) {}
   explicit WaveLoad(const HalfSine& e) : WaveLoad(e.k, e.lambda, 0, std::numbers::pi / e.lambda) {}
   explicit WaveLoad(const FullSine& e)
       : WaveLoad(e.k, e.lambda, 0, 2 * std::numbers::pi / e.lambda) {}
@@ -38,7 +40,8 @@ class WaveLoad {
 
   double operator()(double t) const { return k_ * std::sin(lambda_ * t + phase_); }
   [[nodiscard]] double stretch_end() const { return end_; }
-  [[nodiscard]] bool over() const { return end_ == for_ever && k_ == 0; }
+  /// Of |W| from here on for ever; infinite where something else still comes.
+  [[nodiscard]] double largest() const { return end_ == for_ever ? std::abs(k_) : for_ever; }
   /// Between looks at the load of a mass at rest.
   [[nodiscard]] double scan_step() const {
     return lambda_ > 0 ? std::numbers::pi / 16 / lambda_ : for_ever;
@@ -64,7 +67,7 @@ class RecordLoad {
 
   double operator()(double t) const { return w_ + slope_ * (t - begin_); }
   [[nodiscard]] double stretch_end() const { return end_; }
-  [[nodiscard]] bool over() const { return next_ >= record_->values.size(); }
+  [[nodiscard]] double largest() const { return over() ? 0 : for_ever; }
   /// Looking at the samples is enough: the largest load between is at one of them.
   [[nodiscard]] static double scan_step() { return for_ever; }
   bool next_stretch() {
@@ -83,6 +86,7 @@ class RecordLoad {
   }
 
  private:
+  [[nodiscard]] bool over() const { return next_ >= record_->values.size(); }
   [[nodiscard]] double time(std::size_t i) const {
     return record_->times.empty() ? record_->step * static_cast<double>(i) : record_->times[i];
   }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/figures/figure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stillpoint::figures {
+
+namespace {
+
+/// Multiples of 1, 2 or 5 times a power of ten, about six of them.
+std::vector<double> round_values(double least, double most) {
+  constexpr double wanted = 6;
+  const double raw = (most - least) / wanted;
+  const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+  const double digit = raw / decade;
+  const double step = decade * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
+  std::vector<double> values;
+  const double first = std::ceil(least / step);
+  for (int i = 0; (first + i) * step <= most && i < 20; ++i) {
+    values.push_back((first + i) * step + 0.0);
+  }
+  return values;
+}
+
+/// Powers of ten, every one or every so many.
+std::vector<double> decades(double least, double most) {
+  constexpr double wanted = 6;
+  const double first = std::ceil(least - 1e-9);
+  const double last = std::floor(most + 1e-9);
+  const double step = std::ceil((last - first + 1) / wanted);
+  std::vector<double> values;
+  for (double exponent = std::ceil(first / step) * step; exponent <= last; exponent += step) {
+    values.push_back(std::pow(10.0, exponent));
+  }
+  return values;
+}
+
+}  // namespace
+
+double FigureAxis::position(double value) const {
+  if (scale == Scale::linear) {
+    return (value - least) / (most - least);
+  }
+  return value > 0 ? std::log10(value / least) / std::log10(most / least) : -1;
+}
+
+double FigureAxis::value(double position) const {
+  return scale == Scale::linear ? least + (most - least) * position
+                                : least * std::pow(most / least, position);
+}
+
+std::vector<double> ticks(const FigureAxis& axis) {
+  if (axis.scale == Scale::logarithmic) {
+    const double from = std::log10(axis.least);
+    const double to = std::log10(axis.most);
+    if (to - from >= 2) {
+      return decades(from, to);
+    }
+  }
+  return round_values(axis.least, axis.most);
+}
+
+FigureAxis axis_around(std::string label, double least, double most) {
+  constexpr double margin = 0.06;
+  const double span = most - least;
+  const double room = span > 0 ? margin * span : std::max(std::abs(most), 1e-300);
+  return {std::move(label), least - room, most + room};
+}
+
+}  // namespace stillpoint::figures

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/figures/figure.hpp>
+
+#include <string>
+#include <vector>
+
+namespace stillpoint::figures {
+
+/// The names in figures with a sample of each, in lines of a width. What has the same name shares
+/// its entry.
+class FigureLegend {
+ public:
+  explicit FigureLegend(double width) : width_(width) {}
+
+  void add(const Figure& figure);
+
+  [[nodiscard]] double height() const;
+  /// Its upper left corner at (x, y).
+  [[nodiscard]] std::string drawn(double x, double y) const;
+
+ private:
+  struct Entry {
+    std::string name;
+    std::string sample;  ///< drawn about (12, -4), 24 wide
+    double x;
+    int line;
+  };
+
+  void enter(const std::string& name, const std::string& sample);
+
+  double width_;
+  std::vector<Entry> entries_;
+  double next_x_{0};
+  int last_line_{0};
+};
+
+}  // namespace stillpoint::figures

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/figures/html_page.hpp>
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace stillpoint::figures {
+
+namespace {
+
+using fmt::format;
+
+constexpr std::string_view page_style = R"(
+:root{color-scheme:light dark}
+body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;margin:0 auto;max-width:1180px;padding:16px;color:#222;background:#fff}
+h1{font-size:22px;margin:4px 0;overflow-wrap:anywhere}h2{font-size:17px;margin:24px 0 6px}
+.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,480px),1fr));gap:20px;margin-top:14px}
+.figures figure{margin:0;break-inside:avoid;max-width:640px}
+.figure{width:100%;height:auto;display:block}
+.plot{cursor:crosshair}
+.readout{min-height:1.5em;font-size:13px;padding-left:14%}
+.readout button{font:inherit;margin-left:8px}
+.wide{overflow-x:auto;break-inside:avoid}
+table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left;white-space:nowrap}
+td{font-variant-numeric:tabular-nums}
+pre{overflow-x:auto;font:13px/1.4 "DejaVu Sans Mono",monospace;background:#f4f4f4;padding:10px}
+footer{margin-top:24px;font-size:13px;color:#666}
+)";
+
+constexpr std::string_view dark_page_style = R"(
+body{color:#ddd;background:#14181d}td,th{border-color:#444}pre{background:#1d232a}footer{color:#aaa}
+)";
+
+constexpr std::string_view print_style = R"(
+body{max-width:none;padding:0}.figures{grid-template-columns:1fr 1fr}.readout{display:none}
+pre{white-space:pre-wrap;overflow:visible}.wide{overflow:visible}td,th{white-space:normal;padding:2px 5px}table{font-size:12px}
+)";
+
+std::string figures(const std::vector<Figure>& list) {
+  std::string text = "<div class=\"figures\">\n";
+  for (const Figure& figure : list) {
+    text += "<figure>\n" + svg(figure, Frame::in_page) +
+            "<div class=\"readout\" aria-hidden=\"true\"></div>\n</figure>\n";
+  }
+  return text + "</div>\n";
+}
+
+std::string table(const HtmlTable& table) {
+  std::string text = format("<h2>{}</h2>\n<div class=\"wide\"><table>\n", escaped(table.heading));
+  bool head = true;
+  for (const auto& row : table.rows) {
+    text += "<tr>";
+    for (const std::string& cell : row) {
+      const std::string_view tag = head ? "th" : "td";
+      text += format("<{0}>{1}</{0}>", tag, escaped(cell));
+    }
+    text += "</tr>\n";
+    head = false;
+  }
+  return text + "</table></div>\n";
+}
+
+}  // namespace
+
+std::string html(const HtmlPage& page) {
+  std::string text = format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
+      "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>{}</p>\n",
+      escaped(page.title), page_style, figure_style(), dark_page_style, dark_figure_style(),
+      print_style, escaped(page.title), escaped(page.verdict));
+  text += figures(page.figures);
+  for (const HtmlTable& now : page.tables) {
+    text += table(now);
+  }
+  if (!page.report.empty()) {
+    text += format("<h2>Report</h2>\n<pre>{}</pre>\n", escaped(page.report));
+  }
+  if (!page.scene.empty()) {
+    text += format(
+        "<h2>Input</h2>\n<p>As <code>scene.json</code>; <code>stillpoint {} scene.json --html "
+        "page.html</code> gives this page again.</p>\n<pre>{}</pre>\n",
+        escaped(page.command), escaped(page.scene));
+  }
+  text += format("<footer>{}</footer>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",
+                 escaped(page.footer), html_script());
+  return text;
+}
+
+}  // namespace stillpoint::figures

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/figures/html_page.hpp>
+
+namespace stillpoint::figures {
+
+namespace {
+
+/// Values under the pointer come from what is drawn, by the mapping of the axes that the figure
+/// carries; zooming changes the view of the plot, and the ticks with it.
+constexpr std::string_view script = R"js(
+'use strict';
+for (const figure of document.querySelectorAll('svg.figure')) {
+  const scales = figure.dataset.scales.split(' ').map(name => name === 'linear'
+    ? {to: v => v, from: u => u} : {to: Math.log10, from: u => 10 ** u, decades: true});
+  const [x0, x1] = figure.dataset.x.split(' ').map(Number).map(scales[0].to);
+  const [y0, y1] = figure.dataset.y.split(' ').map(Number).map(scales[1].to);
+  const [left, top, w, h] = figure.dataset.plot.split(' ').map(Number);
+  const plot = figure.querySelector('.plot'), frame = figure.querySelector('.frame');
+  const readout = figure.parentNode.querySelector('.readout');
+  const ring = document.createElementNS(plot.namespaceURI, 'circle');
+  ring.setAttribute('class', 'ring orange hover-ring');
+  ring.setAttribute('visibility', 'hidden');
+  plot.append(ring);
+  frame.style.pointerEvents = 'none';
+  const value = (px, py) => [scales[0].from(x0 + px / w * (x1 - x0)), scales[1].from(y1 - py / h * (y1 - y0))];
+  const points = [];
+  for (const curve of plot.querySelectorAll('.curve.hover'))
+    for (const m of curve.getAttribute('d').matchAll(/[ML](\S+?) ([^ML]+)/g))
+      points.push([+m[1], +m[2], curve.dataset.name]);
+  for (const pin of plot.querySelectorAll('.pin[data-at]')) {
+    const m = pin.getAttribute('transform').match(/\(([^ ]+) ([^)]+)\)/);
+    points.push([+m[1], +m[2], pin.dataset.name, pin.dataset.at.split(' ').map(Number)]);
+  }
+  // What the colour of a map says at a place; nothing where there is no map.
+  let named = () => '';
+  const image = plot.querySelector('image');
+  if (image) {
+    const names = new Map(image.dataset.names.split('|').map(entry => [entry.slice(0, 7), entry.slice(8)]));
+    const picture = new Image();
+    picture.onload = () => {
+      const canvas = document.createElement('canvas');
+      canvas.width = picture.width; canvas.height = picture.height;
+      const pixels = canvas.getContext('2d', {willReadFrequently: true});
+      pixels.drawImage(picture, 0, 0);
+      named = (px, py) => {
+        const [r, g, b] = pixels.getImageData(px / w * canvas.width, py / h * canvas.height, 1, 1).data;
+        return names.get('#' + [r, g, b].map(c => c.toString(16).padStart(2, '0')).join('')) || '';
+      };
+    };
+    picture.src = image.getAttribute('href');
+  }
+  let view = [0, 0, w, h];
+  const at = event => {
+    const box = figure.getBoundingClientRect(), s = figure.viewBox.baseVal.width / box.width;
+    const px = (event.clientX - box.left) * s - left, py = (event.clientY - box.top) * s - top;
+    return [view[0] + px / w * view[2], view[1] + py / h * view[3]];
+  };
+  const inside = ([px, py]) =>
+    px >= view[0] && py >= view[1] && px <= view[0] + view[2] && py <= view[1] + view[3];
+  const rounds = (a, b) => {
+    const raw = (b - a) / 6, decade = 10 ** Math.floor(Math.log10(raw)), d = raw / decade;
+    const step = decade * (d <= 1 ? 1 : d <= 2 ? 2 : d <= 5 ? 5 : 10), all = [];
+    for (let i = Math.ceil(a / step); i * step <= b && all.length < 20; ++i) all.push(i * step);
+    return all;
+  };
+  // Where the ticks of an axis stand between its values a and b, from 0 to 1, and their words.
+  const ticks = (scale, a, b) => {
+    const from = scale.to(a), to = scale.to(b);
+    const values = scale.decades && to - from >= 2
+      ? rounds(from, to).filter(Number.isInteger).map(scale.from) : rounds(a, b);
+    return values.map(t => [(scale.to(t) - from) / (to - from), +t.toPrecision(8)]);
+  };
+  const whole = figure.querySelector('.ticks').innerHTML;
+  const show = () => {
+    const k = view[2] / w;
+    plot.setAttribute('viewBox', view.join(' '));
+    for (const pin of plot.querySelectorAll('.pin'))
+      pin.setAttribute('transform', pin.getAttribute('transform').replace(/ scale.*/, '') + ` scale(${k})`);
+    ring.setAttribute('r', 6 * k);
+    let text = whole;
+    if (k < 1) {
+      text = '';
+      const [a, d] = value(view[0], view[1]), [b, c] = value(view[0] + view[2], view[1] + view[3]);
+      for (const [u, t] of ticks(scales[0], a, b)) {
+        const x = left + u * w;
+        text += `<path class="grid" d="M${x} ${top}v${h}"/><text x="${x}" y="${top + h + 17}" text-anchor="middle">${t}</text>`;
+      }
+      for (const [u, t] of ticks(scales[1], c, d)) {
+        const y = top + (1 - u) * h;
+        text += `<path class="grid" d="M${left} ${y}h${w}"/><text x="${left - 6}" y="${y + 4}" text-anchor="end">${t}</text>`;
+      }
+    }
+    figure.querySelector('.ticks').innerHTML = text;
+  };
+  const move = (x, y, size) => {
+    const s = Math.min(1, Math.max(size, 1e-3));
+    view = [Math.min(Math.max(x, 0), w * (1 - s)), Math.min(Math.max(y, 0), h * (1 - s)), w * s, h * s];
+    show();
+  };
+  let dragged = null;
+  figure.addEventListener('wheel', event => {
+    const [px, py] = at(event), s = view[2] / w, next = s * (event.deltaY < 0 ? 0.8 : 1.25);
+    if (!inside([px, py]) || (next > 1 && s === 1)) return;
+    event.preventDefault();
+    const r = Math.min(1, next) / s;
+    move(px - (px - view[0]) * r, py - (py - view[1]) * r, s * r);
+  }, {passive: false});
+  // Not of the plot: where nothing is drawn, nothing of it lies under the pointer.
+  figure.addEventListener('pointerdown', event => { dragged = event.button === 0 && inside(at(event)) ? at(event) : null; });
+  addEventListener('pointerup', () => { dragged = null; });
+  figure.addEventListener('dblclick', () => move(0, 0, 1));
+  const leave = () => { ring.setAttribute('visibility', 'hidden'); readout.textContent = ''; };
+  figure.addEventListener('pointerleave', leave);
+  figure.addEventListener('pointermove', event => {
+    const [px, py] = at(event);
+    figure.style.cursor = inside([px, py]) ? 'crosshair' : '';
+    if (!event.buttons) dragged = null;  // let go outside of the window
+    if (dragged && view[2] < w) {
+      move(view[0] + dragged[0] - px, view[1] + dragged[1] - py, view[2] / w);
+      return;
+    }
+    if (!inside([px, py])) {
+      leave();
+      return;
+    }
+    let best = null, least = (view[2] / 12) ** 2;
+    for (const point of points) {
+      const d = (point[0] - px) ** 2 + (point[1] - py) ** 2;
+      if (d <= least && inside(point)) { least = d; best = point; }
+    }
+    ring.setAttribute('visibility', best ? 'visible' : 'hidden');
+    const [vx, vy] = best ? best[3] || value(best[0], best[1]) : value(px, py);
+    if (best) { ring.setAttribute('cx', best[0]); ring.setAttribute('cy', best[1]); }
+    const name = best ? best[2] : named(px, py);
+    readout.textContent = (name ? name + ': ' : '') + +vx.toPrecision(5) + ', ' + +vy.toPrecision(5);
+  });
+  show();
+}
+)js";
+
+}  // namespace
+
+std::string_view html_script() noexcept {
+  return script;
+}
+
+}  // namespace stillpoint::figures

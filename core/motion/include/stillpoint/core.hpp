@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// All of stillpoint::core.
+
+#include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/forced_batch.hpp>
+#include <stillpoint/core/forced_event.hpp>
+#include <stillpoint/core/forced_half_cycles.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/pulse_speed.hpp>
+#include <stillpoint/core/state.hpp>
+#include <stillpoint/core/trajectory.hpp>

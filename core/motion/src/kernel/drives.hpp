@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The excitations as the forced run uses them: the load on the mass now, the sliding piece ahead,
+// and the release from rest. In units where p = 1: w = W / p, h = p times a time.
+
+#include "kernel/drive_phase.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/harmonic_piece.hpp"
+#include "kernel/hold.hpp"
+#include "kernel/linear_piece.hpp"
+#include "kernel/piece_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace stillpoint {
+
+/// A sliding state in its own direction (+1 or -1): y = direction * p x and so on.
+template <class Real>
+struct Sliding {
+  Real y;
+  Real v;
+  Real a;
+  int direction;
+};
+
+/// W is linear from one load to another, or constant.
+template <class Real>
+class LinearDrive {
+ public:
+  LinearDrive() : LinearDrive(Real(0), Real(0)) {}
+  /// Constant: W / p and W.
+  LinearDrive(const Real& w, const Real& full) : LinearDrive(w, full, w, full, Real(1)) {}
+  /// From one to the other.
+  LinearDrive(Real w, Real full, Real end_w, Real end_full, const Real& length)
+      : w_(std::move(w)),
+        rate_((end_w - w_) / length),
+        end_w_(std::move(end_w)),
+        full_(std::move(full)),
+        end_full_(std::move(end_full)),
+        length_(length) {}
+
+  [[nodiscard]] const Real& w() const { return w_; }
+
+  /// W itself with all its digits, or a turn within rounding of a tie would be met for ever.
+  [[nodiscard]] Load<Real> load() const {
+    Load<Real> now{w_, ExactSum<Real>(full_)};
+    now.full.add_product(Real((end_full_ - full_) / length_), elapsed_);
+    return now;
+  }
+
+  /// The load is as good as its own digits.
+  [[nodiscard]] Real amplitude() const { return Real(0); }
+
+  void advance(const Real& h) {
+    w_ += rate_ * h;
+    elapsed_ += h;
+  }
+  void advance(const ExactSum<Real>& h) { advance(h.value()); }
+
+  /// Along a piece of this drive.
+  void advance_to(const typename LinearPiece<Real>::End& end, int /*direction*/) { advance(end.h); }
+
+  [[nodiscard]] LinearPiece<Real> piece(const Sliding<Real>& from) const {
+    return {{from.y, from.v, from.a}, Real(from.direction) * rate_};
+  }
+
+  /// When a load that is held first exceeds friction; none if it never does.
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) const {
+    using std::abs;
+    using std::max;
+    const int sign = rate_ > 0 ? 1 : -1;
+    if (rate_ == 0 || !(hold.excess({end_w_, ExactSum<Real>(end_full_)}, sign) > 0)) {
+      return std::nullopt;
+    }
+    const Real room = hold.phi() - Real(sign) * (w_ + hold.u());
+    return ExactSum<Real>(Real(max(room, Real(0)) / abs(rate_)));
+  }
+
+  /// Between its ends this load has no crest.
+  void crests(const Hold<Real>& /*hold*/, const Real& /*wait*/, bool /*released*/) const {}
+
+  /// The direction of the mass after the release.
+  [[nodiscard]] int release_direction() const { return rate_ > 0 ? -1 : 1; }
+
+  /// The largest |w + u| ahead, if the drive lasts for ever, and its excess over friction.
+  [[nodiscard]] Real largest_load(const Real& u) const {
+    using std::abs;
+    return abs(Real(u + w_));
+  }
+  [[nodiscard]] Real largest_excess(const Hold<Real>& hold) const {
+    const Load<Real> now = load();
+    return hold.excess(now, hold.sign(now));
+  }
+
+ private:
+  Real w_;
+  Real rate_;
+  Real end_w_;
+  Real full_;  ///< W at the begin and at the end
+  Real end_full_;
+  Real length_;
+  Real elapsed_{0};
+};
+
+/// W = K sin psi; K >= 0.
+template <class Real>
+class HarmonicDrive {
+ public:
+  /// `k` is its amplitude.
+  HarmonicDrive(const DrivePhase<Real>& phase, Load<Real> k, TippingMargin<Real>& margin)
+      : phase_(phase),
+        k_(std::move(k.w)),
+        full_k_(k.full.value()),
+        inverse_k_(k_ == 0 ? Real(0) : Real(1 / k_)),
+        margin_(margin),
+        now_(phase.sin_cos()) {}
+
+  /// The factor on an error of the phase.
+  [[nodiscard]] const Real& amplitude() const { return k_; }
+
+  [[nodiscard]] Real w() const { return k_ * now_.sine; }
+  [[nodiscard]] Load<Real> load() const {
+    return {k_ * now_.sine, ExactSum<Real>(full_k_ * now_.sine)};
+  }
+
+  void advance(const Real& h) {
+    phase_.advance(h);
+    now_ = phase_.sin_cos();
+  }
+
+  /// Along a piece of this drive, whose end has the sine and cosine of the phase, by sums of
+  /// angles: docs/forced.md section 2. Their errors must not add up.
+  void advance_to(const typename HarmonicPiece<Real>::End& end, int direction) {
+    constexpr int pieces_by_sums = 3;
+    if (k_ == 0 || ++by_sums_ > pieces_by_sums) {
+      by_sums_ = 0;
+      advance(end.h);
+      return;
+    }
+    phase_.advance(end.h);
+    const Real scale = Real(direction) * inverse_k_;
+    now_ = {end.at.w * scale, end.at.q * scale};
+  }
+
+  [[nodiscard]] HarmonicPiece<Real> piece(const Sliding<Real>& from) {
+    const Real k = Real(from.direction) * k_;
+    HarmonicPoint<Real> start{from.y, from.v, from.a, k * now_.sine, k * now_.cosine};
+    if (start.v == 0 && start.a == 0 && start.q > 0) {
+      start.q = Real(0);  // released at a crest: by rounding the load seems to recede
+    }
+    return {phase_, start, k, k_, guesses_, margin_};
+  }
+
+  void advance(const ExactSum<Real>& h) {
+    phase_.advance(h);
+    now_ = phase_.sin_cos();
+  }
+
+  /// When a load that is held first exceeds friction: (F18). A sum of two numbers, so that the
+  /// phase there has all digits of its distance to the crest.
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) {
+    room_up_ = room(hold, 1);
+    room_down_ = room(hold, -1);
+    const std::optional<Ahead> up = first_above(room_up_, phase_.psi(), now_.cosine > 0);
+    const std::optional<Ahead> down =
+        first_above(room_down_, Real(phase_.psi() + pi<Real>()), now_.cosine < 0);
+    if (!up && !down) {
+      return std::nullopt;
+    }
+    direction_ = up && (!down || up->wait < down->wait) ? -1 : 1;
+    const Ahead& first = direction_ < 0 ? *up : *down;
+    ExactSum<Real> wait(first.wait);
+    if (first.wait > 0) {
+      DrivePhase<Real> there = phase_;
+      there.advance(first.wait);
+      if (direction_ > 0) {
+        there.turn_by_half();
+      }
+      wait.add(there.short_of_crest(first.to_crest) / phase_.ratio());
+    }
+    return wait.value() > 0 ? wait : ExactSum<Real>();
+  }
+
+  [[nodiscard]] int release_direction() const { return direction_; }
+
+  /// How near the crests of the load come to friction during a wait after release(), the last crest
+  /// included.
+  void crests(const Hold<Real>& hold, const Real& wait, bool released) const {
+    const Real angle = wait * phase_.ratio();
+    const auto decide = [&](int sign, const Real& room, const Real& ahead) {
+      const Real to_crest = ahead < 0 ? Real(ahead + 2 * pi<Real>()) : ahead;
+      if ((released && sign == -direction_) || to_crest < angle) {
+        margin_.decide(room < 0 ? Real(-room) : room, hold.size(k_));
+      }
+    };
+    decide(1, room_up_, Real(pi<Real>() / 2 - phase_.psi()));
+    decide(-1, room_down_, Real(-pi<Real>() / 2 - phase_.psi()));
+  }
+  [[nodiscard]] Real largest_load(const Real& u) const {
+    using std::abs;
+    return abs(u) + k_;
+  }
+  [[nodiscard]] Real largest_excess(const Hold<Real>& hold) const {
+    return room(hold, hold.u() < 0 ? -1 : 1);
+  }
+
+ private:
+  struct Ahead {
+    Real wait;
+    Real to_crest;  ///< from there, in psi
+  };
+
+  /// By how much the crest of the load in the direction `sign` exceeds friction.
+  [[nodiscard]] Real room(const Hold<Real>& hold, int sign) const {
+    const Real spare = k_ - hold.phi();  // first, or u would be rounded away
+    return hold.sharpened(Real(spare + Real(sign) * hold.u()),
+                          {k_, ExactSum<Real>(Real(sign) * full_k_)}, sign);
+  }
+
+  /// When the rising load first passes the level that its crest exceeds by `room`. `grows`: it is
+  /// rising now.
+  [[nodiscard]] std::optional<Ahead> first_above(const Real& room, const Real& psi,
+                                                 bool grows) const {
+    using std::asin;
+    using std::sqrt;
+    if (!(room > 0)) {
+      return std::nullopt;
+    }
+    const Real turn = 2 * pi<Real>();
+    // From the crossing up to the crest, with all digits where the crest hardly exceeds the level.
+    const Real below = room / (2 * k_);
+    const Real to_crest = below < 1 ? Real(2 * asin(sqrt(below))) : pi<Real>();
+    Real ahead = pi<Real>() / 2 - to_crest - psi;
+    while (ahead < 0) {  // by one turn or two
+      ahead += turn;
+    }
+    if (!(ahead < turn)) {
+      ahead -= turn;
+    }
+    // The crossing is past, the crest ahead: |w + u| = phi to the last bit, and growing.
+    if (grows && turn - ahead < to_crest) {
+      return Ahead{Real(0), to_crest};
+    }
+    return Ahead{Real(ahead / phase_.ratio()), to_crest};
+  }
+
+  DrivePhase<Real> phase_;
+  Real k_;
+  Real full_k_;
+  Real inverse_k_;  ///< unused where k = 0
+  TippingMargin<Real>& margin_;
+  typename DrivePhase<Real>::SinCos now_;
+  EventGuesses<Real> guesses_;
+  int direction_{1};
+  Real room_up_{0};  ///< what a crest exceeds, at the last look for a release
+  Real room_down_{0};
+  int by_sums_{0};  ///< pieces since `now_` was taken from the phase
+};
+
+/// The piece that a drive makes of a sliding state.
+template <class Drive, class Real>
+using PieceOf = decltype(std::declval<Drive&>().piece(std::declval<const Sliding<Real>&>()));
+
+/// A piece on which x = 0 was passed without a notch; the place is found only on demand.
+template <class Drive, class Real>
+struct Crossing {
+  using Piece = PieceOf<Drive, Real>;
+  Piece piece;
+  typename Piece::End end;
+
+  // By reference; otherwise a piece would be copied twice on the way in.
+  // NOLINTNEXTLINE(modernize-pass-by-value)
+  Crossing(const Piece& on, const typename Piece::End& until) : piece(on), end(until) {}
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Takes a forced run through each kind of excitation, one overload a kind.
+
+#include "kernel/drive_phase.hpp"
+#include "kernel/drives.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/forced_run.hpp"
+#include "kernel/phase_clock.hpp"
+#include "kernel/record_run.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+
+#include <limits>
+
+namespace stillpoint {
+
+namespace detail {
+
+/// p times `time`, or `end` where that comes first or there is no such time.
+template <class Real>
+ExactSum<Real> earlier(const Real& p, const Real& time, const ExactSum<Real>& end) {
+  if (time == std::numeric_limits<Real>::infinity()) {
+    return end;
+  }
+  const ExactSum<Real> phase = ExactSum<Real>::product(p, time);
+  return phase.minus(end) < 0 ? phase : end;
+}
+
+/// The load at its end.
+template <class Real, class Watcher>
+Load<Real> harmonic(ForcedRun<Real, Watcher>& run, const Real& k, const Real& lambda,
+                    const Real& phase, const ExactSum<Real>& length, bool for_ever) {
+  const Real& p = run.map().p;
+  const Real size = k / p;
+  // sin(psi + pi) in place of a negative k
+  DrivePhase<Real> psi(lambda, p, phase);
+  if (size < 0) {
+    psi.turn_by_half();
+  }
+  const Load<Real> crest =
+      size < 0 ? Load<Real>{-size, ExactSum<Real>(-k)} : Load<Real>{size, ExactSum<Real>(k)};
+  HarmonicDrive<Real> drive(psi, crest, run.state().margin);
+  run.through(drive, length, for_ever);
+  return drive.load();
+}
+
+}  // namespace detail
+
+/// The excitation is 0 from here on; infinity where it never ends.
+template <class Real>
+Real duration_of(const NoExcitation& /*excitation*/) {
+  return Real(0);
+}
+template <class Real>
+Real duration_of(const BasicHarmonic<Real>& excitation) {
+  return excitation.duration.value_or(std::numeric_limits<Real>::infinity());
+}
+template <class Real>
+Real duration_of(const BasicHalfSine<Real>& pulse) {
+  return pi<Real>() / pulse.lambda;
+}
+template <class Real>
+Real duration_of(const BasicFullSine<Real>& pulse) {
+  return 2 * pi<Real>() / pulse.lambda;
+}
+template <class Real>
+Real duration_of(const BasicRectangle<Real>& pulse) {
+  return pi<Real>() / pulse.lambda;
+}
+template <class Real>
+Real duration_of(const BasicRecord<Real>& record) {
+  if (!record.times.empty()) {
+    return record.times.back();
+  }
+  return record.step * Real(record.values.size() - 1);
+}
+
+/// Through the excitation, or until p tau = `end` where that is earlier; the load there.
+template <class Real, class Watcher>
+Load<Real> excite(ForcedRun<Real, Watcher>& /*run*/, const NoExcitation& /*excitation*/,
+                  const ExactSum<Real>& /*end*/) {
+  return {};
+}
+
+template <class Real, class Watcher>
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicHarmonic<Real>& excitation,
+                  const ExactSum<Real>& end) {
+  const bool for_ever = !excitation.duration;
+  return detail::harmonic(run, excitation.k, excitation.lambda, excitation.phase,
+                          detail::earlier(run.map().p, duration_of<Real>(excitation), end),
+                          for_ever);
+}
+
+template <class Real, class Watcher>
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicHalfSine<Real>& pulse,
+                  const ExactSum<Real>& end) {
+  return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
+                          detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
+}
+
+template <class Real, class Watcher>
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicFullSine<Real>& pulse,
+                  const ExactSum<Real>& end) {
+  return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
+                          detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
+}
+
+template <class Real, class Watcher>
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicRectangle<Real>& pulse,
+                  const ExactSum<Real>& end) {
+  LinearDrive<Real> drive(Real(pulse.k / run.map().p), pulse.k);
+  run.through(drive, detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
+  return drive.load();
+}
+
+template <class Real, class Watcher>
+Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicRecord<Real>& record,
+                  const ExactSum<Real>& end) {
+  return RecordRun<Real, Watcher>(run, record).through(end);
+}
+
+/// The whole motion up to tau = t_end.
+template <class Real, class Watcher, class AnyExcitation>
+void run_until(ForcedRun<Real, Watcher>& run, const AnyExcitation& excitation, const Real& t_end) {
+  const ExactSum<Real> end = ExactSum<Real>::product(run.map().p, t_end);
+  LinearDrive<Real> nothing;
+  if (run.over()) {
+    return;
+  }
+  const Load<Real> load = excite(run, excitation, end);
+  if (run.over()) {
+    return;
+  }
+  if (t_end < duration_of<Real>(excitation)) {
+    run.end(load);
+    return;
+  }
+  run.jump(load, nothing.load());
+  run.event(ForcedEventKind::excitation_end);
+  run.settle();
+  ExactSum<Real> left = end;
+  left.add(-run.state().now.high());
+  left.add(-run.state().now.low());
+  run.through(nothing, left, true);
+  run.end(nothing.load());
+}
+
+/// The motion through an excitation that ends, and then up to the next turn or to its rest.
+template <class Real, class Watcher, class AnyExcitation>
+void run_to_free_turn(ForcedRun<Real, Watcher>& run, const AnyExcitation& excitation) {
+  if (run.over()) {
+    return;
+  }
+  LinearDrive<Real> nothing;
+  const Load<Real> load =
+      excite(run, excitation, ExactSum<Real>::product(run.map().p, duration_of<Real>(excitation)));
+  if (run.over()) {
+    return;
+  }
+  run.jump(load, nothing.load());
+  run.event(ForcedEventKind::excitation_end);
+  run.slide_to_turn(nothing);
+  run.settle();
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The rules of the motion under an excitation, docs/forced.md section 1, written once for double
+// and for a multiprecision scalar. In units where p = 1, as half_cycle_map.hpp:
+//
+// | here     | means                                                   |
+// |----------|---------------------------------------------------------|
+// | u        | p x                                                     |
+// | v        | x'                                                      |
+// | w        | W / p                                                   |
+// | phi      | f / p                                                   |
+// | notch    | 2 Delta                                                 |
+// | h, now   | p tau, of a piece and of the run                        |
+//
+// A drive (drives.hpp) is a stretch of the excitation without a kink. `through` takes the motion
+// through one; kinks are where the next begins. A watcher sees every event and every piece.
+
+#include "kernel/drives.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/forced_state.hpp"
+#include "kernel/half_cycle_map.hpp"
+#include "kernel/hold.hpp"
+#include "kernel/piece_end.hpp"
+
+#include <stillpoint/core/forced_event.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/outcome.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace stillpoint {
+
+template <class Real, class Watcher = NoWatcher>
+class ForcedRun {
+ public:
+  ForcedRun(const BasicOscillator<Real>& oscillator, const BasicStart<Real>& start,
+            Watcher& watcher, Patience patience = {})
+      : map_(oscillator), f_(oscillator.f), watcher_(watcher), patience_(std::move(patience)) {
+    begin(start);
+  }
+
+  [[nodiscard]] const ForcedState<Real>& state() const { return s_; }
+  [[nodiscard]] ForcedState<Real>& state() { return s_; }
+  [[nodiscard]] const HalfCycleMap<Real>& map() const { return map_; }
+  [[nodiscard]] bool over() const { return s_.mode == ForcedMode::over; }
+  [[nodiscard]] bool cancelled() const { return patience_.ended(); }
+
+  /// More half-cycles throw TooManyHalfCycles.
+  void allow_half_cycles(double most) { most_passages_ = static_cast<std::int64_t>(most) - 1; }
+
+  /// Follows the motion for `length` under one drive; `for_ever` says that no other drive follows.
+  template <class Drive>
+  void through(Drive& drive, const ExactSum<Real>& length, bool for_ever) {
+    std::optional<Crossing<Drive, Real>> last;
+    through(drive, length, for_ever, last);
+    arrived(last);
+  }
+
+  /// The same, but the last crossing of x = 0 without a notch is left to the caller: a caller that
+  /// goes through many drives needs the speed of the very last crossing only.
+  template <class Drive>
+  void through(Drive& drive, const ExactSum<Real>& length, bool for_ever,
+               std::optional<Crossing<Drive, Real>>& last) {
+    ExactSum<Real> left = length;
+    // A released mass slides under the same drive: the wait was shorter than the rest of the drive.
+    assert(s_.mode != ForcedMode::sliding || s_.v != 0);
+    while (!over() && left.value() > 0 && tick()) {
+      if (s_.mode == ForcedMode::resting) {
+        rest(drive, left, for_ever);
+      } else {
+        slide(drive, left, last);
+      }
+    }
+  }
+
+  /// The speed at the last crossing of x = 0, if there was any.
+  template <class AnyCrossing>
+  void arrived(const std::optional<AnyCrossing>& last) {
+    if (last) {
+      s_.arrival_speed = last->piece.arrival_before(last->end).at.v;
+    }
+  }
+
+  /// Follows the motion under a drive that lasts until v = 0, and leaves the decision there open.
+  template <class Drive>
+  void slide_to_turn(Drive& drive) {
+    while (s_.mode == ForcedMode::sliding && tick()) {
+      std::optional<Crossing<Drive, Real>> last;
+      ExactSum<Real> left(Real(8));  // more than 2 pi, where every piece ends
+      slide(drive, left, last);
+      arrived(last);
+    }
+    if (!over()) {
+      s_.mode = ForcedMode::resting;
+    }
+  }
+
+  /// W jumps here: docs/forced.md (F26).
+  void jump(const Load<Real>& from, const Load<Real>& to) {
+    if (over()) {
+      return;
+    }
+    const Hold<Real> hold = hold_at(s_.u);
+    const int driven = hold.drives(to);
+    if (s_.mode == ForcedMode::resting) {
+      decide_hold(to);
+      if (driven != -hold.sign(from)) {
+        decide_hold(from);  // against a release just before
+      }
+    }
+    if (driven != hold.drives(from)) {
+      decide_turn_at(from);
+    }
+  }
+
+  /// The run ends here, before the motion does: (F26) again, and for passages too.
+  void end(const Load<Real>& load) {
+    if (over()) {
+      return;
+    }
+    decide_turn_at(load);
+    if (s_.mode == ForcedMode::resting) {
+      decide_hold(load);
+    } else {
+      const Real distance = magnitude(s_.u);
+      s_.margin.decide(distance, distance + magnitude(s_.v) * s_.now.value());
+    }
+  }
+
+  /// No excitation from here on: at rest inside the dead zone the mass stays for ever.
+  void settle() {
+    if (s_.mode == ForcedMode::resting) {
+      decide_hold({});
+    }
+    if (s_.mode == ForcedMode::resting && magnitude(s_.u) <= map_.phi) {
+      stop_where_it_rests();
+    }
+  }
+
+  /// Once per piece; false if the run should end.
+  bool tick() {
+    if (patience_.lasts([this] { return static_cast<double>(Real(s_.now.value() / map_.p)); })) {
+      return true;
+    }
+    s_.mode = ForcedMode::over;
+    return false;
+  }
+
+  /// At rest for ever, since rest_begin: that may be known only later, when the load is over.
+  void stop(Outcome outcome) {
+    s_.mode = ForcedMode::over;
+    s_.outcome = outcome;
+    event(ForcedEventKind::rest, s_.rest_begin);
+  }
+
+  void event(ForcedEventKind kind) { event(kind, s_.now); }
+
+  void event(ForcedEventKind kind, const ExactSum<Real>& when) {
+    if constexpr (Watcher::watches) {
+      watcher_.event(kind, when, s_.u, s_.v);
+    }
+  }
+
+  Watcher& watcher() { return watcher_; }
+
+  /// Which loads friction holds at a place.
+  [[nodiscard]] Hold<Real> hold_at(const Real& u) const { return {map_.p, f_, map_.phi, u}; }
+
+  /// Rule 1, with a notch; the mass has come to x = 0 with s_.v.
+  void arrive() {
+    const Real energy = s_.v * s_.v;
+    const Real left = map_.departure(energy);
+    s_.u = Real(0);
+    s_.arrival_speed = magnitude(s_.v);
+    event(ForcedEventKind::arrival);
+    s_.margin.decide(magnitude(left), energy + map_.notch);
+    s_.margin.decide(energy, energy + s_.farthest * s_.farthest);  // against a turn before x = 0
+    if (!(left > 0)) {
+      s_.v = Real(0);
+      s_.rest_begin = s_.now;
+      stop(Outcome::stopped_at_zero);
+      return;
+    }
+    using std::sqrt;
+    s_.v = Real(s_.direction) * sqrt(left);
+    pass();
+    event(ForcedEventKind::passage);
+  }
+
+  /// v = 0 has been reached; the load decides what follows, this one or the one after a kink.
+  void turn() {
+    s_.v = Real(0);
+    s_.mode = ForcedMode::resting;
+    s_.fresh = true;
+    s_.rest_begin = s_.now;
+    if (s_.u != 0) {
+      ++s_.turning_points;
+    }
+    const Real distance = magnitude(s_.u);
+    s_.farthest = std::max(s_.farthest, distance);
+    s_.margin.decide(distance, s_.farthest);
+    event(ForcedEventKind::turn);
+  }
+
+  static Real magnitude(const Real& value) {
+    using std::abs;
+    return abs(value);
+  }
+
+ private:
+  /// Is the mass held?
+  void decide_hold(const Load<Real>& load) {
+    const Real excess = magnitude(Real(s_.u + load.w)) - map_.phi;
+    s_.margin.decide(magnitude(excess), hold_at(s_.u).size(load.w));
+  }
+
+  /// Does the last turn, or the next under this load, come before this instant or after it? By its
+  /// distance in time to first order, of the time so far.
+  void decide_turn_at(const Load<Real>& load) {
+    const Real now = s_.now.value();
+    if (s_.mode == ForcedMode::resting) {
+      s_.margin.decide(s_.now.minus(s_.rest_begin), now);
+      return;
+    }
+    const Real v = magnitude(s_.v);
+    s_.margin.decide(v, v + magnitude(own_direction(load.w).a) * now);
+  }
+
+  void pass() {
+    if (++s_.passages > most_passages_) {
+      throw TooManyHalfCycles::under_excitation(static_cast<double>(most_passages_ + 1),
+                                                static_cast<double>(s_.now.value() / map_.p));
+    }
+  }
+
+  void stop_where_it_rests() {
+    stop(s_.u == 0 ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone);
+  }
+
+  /// Rule 4.
+  void begin(const BasicStart<Real>& start) {
+    s_.u = map_.p * start.x0;
+    s_.v = start.v0;
+    s_.farthest = magnitude(s_.u);
+    const Real energy = s_.v * s_.v;
+    const bool notched = s_.u == 0 && s_.v != 0 && map_.notch > 0;
+    if (notched) {
+      s_.margin.decide(magnitude(Real(energy - map_.notch)), energy + map_.notch);
+    }
+    if (notched && energy < map_.notch) {
+      s_.v = Real(0);
+      s_.mode = ForcedMode::over;
+      s_.outcome = Outcome::caught_at_start;
+    } else if (s_.v != 0) {
+      s_.mode = ForcedMode::sliding;
+      s_.direction = s_.v > 0 ? 1 : -1;
+      s_.moved = true;
+    }
+    event(ForcedEventKind::start);
+  }
+
+  /// Rule 2.
+  template <class Drive>
+  void rest(Drive& drive, ExactSum<Real>& left, bool for_ever) {
+    const Real w = drive.w();
+    const Real load = s_.u + w;
+    const int sign = load > 0 ? 1 : -1;
+    const Real size = magnitude(s_.u) + magnitude(w) + map_.phi;
+    Real excess = magnitude(load) - map_.phi;
+    if (s_.fresh) {
+      s_.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
+    }
+    if (Hold<Real>::may_tie(excess, size)) {
+      excess = hold_at(s_.u).excess(drive.load(), sign);
+    }
+    if (excess > 0) {
+      set_off(-sign, excess);
+      return;
+    }
+    if (s_.fresh) {
+      s_.fresh = false;
+      event(ForcedEventKind::stick);
+    }
+    const Hold<Real> hold = hold_at(s_.u);
+    if (for_ever) {
+      const Real largest = drive.largest_load(s_.u);
+      s_.margin.decide(magnitude(Real(largest - map_.phi)), largest + map_.phi);
+      if (!(drive.largest_excess(hold) > 0)) {
+        stop_where_it_rests();
+        return;
+      }
+    }
+    const std::optional<ExactSum<Real>> wait = drive.release(hold);
+    const bool waits = !wait || !(wait->value() < left.value());
+    drive.crests(hold, waits ? left.value() : wait->value(), !waits);
+    if (waits) {
+      s_.now.add(left.high());
+      s_.now.add(left.low());
+      drive.advance(left.value());
+      left = ExactSum<Real>();
+      return;
+    }
+    pass_time(drive, left, *wait);
+    set_off(drive.release_direction(), Real(0));
+  }
+
+  void set_off(int direction, const Real& acceleration) {
+    const Real waited = s_.fresh ? Real(0) : s_.now.minus(s_.rest_begin);
+    if (waited > 0) {
+      ++s_.sticks;
+      s_.stick_time.add(waited);
+    }
+    s_.mode = ForcedMode::sliding;
+    s_.direction = direction;
+    s_.first_acceleration = acceleration;
+    s_.fresh = false;
+    s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0);
+    s_.moved = true;
+    if (waited > 0) {
+      event(ForcedEventKind::release);
+    }
+  }
+
+  template <class Drive>
+  void pass_time(Drive& drive, ExactSum<Real>& left, const ExactSum<Real>& h) {
+    left.add(-h.high(), -h.low());
+    s_.now.add(h.high(), h.low());
+    drive.advance(h);
+  }
+
+  /// Where the motion sets off or goes on, in its own direction.
+  [[nodiscard]] Sliding<Real> own_direction(const Real& w) const {
+    const Real sign(s_.direction);
+    const Real y = sign * s_.u;
+    const Real a =
+        s_.first_acceleration ? *s_.first_acceleration : Real(-(y + sign * w + map_.phi));
+    return {y, sign * s_.v, a, s_.direction};
+  }
+
+  template <class Drive>
+  void slide(Drive& drive, ExactSum<Real>& left, std::optional<Crossing<Drive, Real>>& last) {
+    const Sliding<Real> from = own_direction(drive.w());
+    auto piece = drive.piece(from);
+    const bool inward = from.y < 0;
+    auto end = piece.first_event(left.value(), inward && map_.notch > 0);
+    if (end.event == PieceEvent::none && !(end.at.v > 0)) {
+      end.event = PieceEvent::turn;  // within rounding of the end of the drive
+    }
+    s_.acceleration = piece.largest_acceleration(end, s_.acceleration);
+    if constexpr (Watcher::watches) {
+      watcher_.piece(s_.now, from.direction, piece);
+    }
+    if (map_.notch == 0 && inward &&
+        (end.at.y > 0 || (end.at.y == 0 && end.event == PieceEvent::none))) {
+      pass();
+      last.emplace(piece, end);
+      watch_crossing(*last);
+    }
+    left.add(-end.h);
+    s_.now.add(end.h);
+    drive.advance_to(end, from.direction);
+    s_.first_acceleration.reset();
+    s_.u = Real(from.direction) * end.at.y;
+    s_.v = Real(from.direction) * end.at.v;
+    if (end.event == PieceEvent::arrival) {
+      arrive();
+    } else if (end.event == PieceEvent::turn) {
+      turn();
+    }
+  }
+
+  template <class AnyCrossing>
+  void watch_crossing(const AnyCrossing& crossing) {
+    if constexpr (Watcher::watches) {
+      const auto at_zero = crossing.piece.arrival_before(crossing.end);
+      ExactSum<Real> when = s_.now;
+      when.add(at_zero.h);
+      const Real v = Real(s_.direction) * at_zero.at.v;
+      watcher_.event(ForcedEventKind::arrival, when, Real(0), v);
+      watcher_.event(ForcedEventKind::passage, when, Real(0), v);
+    }
+  }
+
+  HalfCycleMap<Real> map_;
+  Real f_;
+  Watcher& watcher_;
+  Patience patience_;
+  std::int64_t most_passages_{std::numeric_limits<std::int64_t>::max()};
+  ForcedState<Real> s_;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Whether friction holds the mass at rest: |W + p^2 x| <= f, docs/forced.md section 1, rule 2. In
+// the units of forced_run.hpp that is |w + u| <= phi, but w = W / p and phi = f / p are rounded
+// separately, so for a load that equals f exactly, such as a plateau of a record, rounding would
+// decide whether it is held. Where they are too close to tell, W, p u and f themselves decide.
+
+#include "kernel/exact_sum.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stillpoint {
+
+/// A load: w = W / p, and W itself, exact where it can be.
+template <class Real>
+struct Load {
+  Real w{0};
+  ExactSum<Real> full;
+};
+
+template <class Real>
+class Hold {
+ public:
+  /// At the place u = p x.
+  Hold(Real p, Real f, Real phi, Real u)
+      : p_(std::move(p)), f_(std::move(f)), phi_(std::move(phi)), u_(std::move(u)) {}
+
+  [[nodiscard]] const Real& u() const { return u_; }
+  [[nodiscard]] const Real& phi() const { return phi_; }
+
+  /// The direction of the load with the spring, +1 or -1.
+  [[nodiscard]] int sign(const Load<Real>& load) const { return load.w + u_ > 0 ? 1 : -1; }
+
+  /// The scale of a load: its error is some epsilon of this.
+  [[nodiscard]] Real size(const Real& w) const {
+    using std::abs;
+    return abs(u_) + abs(w) + phi_;
+  }
+
+  /// Whether a difference of w + u and phi may be rounding alone.
+  [[nodiscard]] static bool may_tie(const Real& difference, const Real& size) {
+    using std::abs;
+    return abs(difference) <= 4 * std::numeric_limits<Real>::epsilon() * size;
+  }
+
+  /// Up to this |w + u| is held for certain: it is no tie, since |w| <= |w + u| + |u| there.
+  [[nodiscard]] Real held_for_certain() const {
+    using std::abs;
+    return phi_ - 16 * std::numeric_limits<Real>::epsilon() * (phi_ + abs(u_));
+  }
+
+  /// By how much load and spring exceed phi in the direction `sign`; held where <= 0.
+  [[nodiscard]] Real excess(const Load<Real>& load, int sign) const {
+    return sharpened(Real(Real(sign) * (load.w + u_) - phi_), load, sign);
+  }
+
+  /// `rounded` is that excess, as the caller computed it from w and phi.
+  [[nodiscard]] Real sharpened(const Real& rounded, const Load<Real>& load, int sign) const {
+    return may_tie(rounded, size(load.w)) ? exact_excess(load, sign) : rounded;
+  }
+
+  /// The direction in which the load drives the mass: 0 where it is held.
+  [[nodiscard]] int drives(const Load<Real>& load) const {
+    const int toward = sign(load);
+    return excess(load, toward) > 0 ? -toward : 0;
+  }
+
+ private:
+  /// A separate function, since it is hardly ever called.
+  [[gnu::noinline]] [[nodiscard]] Real exact_excess(const Load<Real>& load, int sign) const {
+    ExactSum<Real> exact{Real(-f_)};
+    exact.add(Real(Real(sign) * load.full.high()), Real(Real(sign) * load.full.low()));
+    exact.add_product(Real(Real(sign) * p_), u_);
+    return exact.value() / p_;
+  }
+
+  Real p_;
+  Real f_;
+  Real phi_;
+  Real u_;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A sliding piece under an excitation that is linear in time: between two samples of a record, in a
+// rectangle pulse, and after the end of any excitation. docs/forced.md section 5.
+// Mirrored as in harmonic_point.hpp: y = p x, v = x', a = x''/p; `rate` = dw/dh, w = W / p.
+
+#include "kernel/phase_clock.hpp"
+#include "kernel/piece_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+namespace stillpoint {
+
+template <class Real>
+struct LinearPoint {
+  Real y;
+  Real v;
+  Real a;
+};
+
+/// sin h, 1 - cos h and h - sin h, each with all its digits for small h.
+template <class Real>
+struct LinearTerms {
+  Real sine;
+  Real versine;
+  Real lag;
+
+  explicit LinearTerms(const Real& h) {
+    if constexpr (std::is_same_v<Real, double>) {
+      if (h * h < 1.0 / 64) {
+        by_series(h);
+        return;
+      }
+    }
+    using std::cos;
+    using std::sin;
+    const Real half_sine = sin(h / 2);
+    sine = 2 * half_sine * cos(h / 2);
+    versine = 2 * half_sine * half_sine;
+    if (!(h < 1)) {
+      lag = h - sine;
+      return;
+    }
+    Real term = h * h * h / 6;
+    lag = term;
+    for (int n = 4; !(term < lag * std::numeric_limits<Real>::epsilon() / 4) && term > 0; n += 2) {
+      term *= h * h / (n * (n + 1));
+      lag += (n % 4 == 0) ? Real(-term) : term;
+    }
+  }
+
+ private:
+  /// Between the samples of a record h is small. The neglected terms are below 4e-18 of each for
+  /// h < 1/8.
+  void by_series(const Real& h) {
+    const Real z = h * h;
+    versine = z * (1.0 / 2 - z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320 - z / 3628800))));
+    lag =
+        h * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880 - z / 39916800))));
+    sine = h - lag;
+  }
+};
+
+template <class Real>
+class LinearPiece {
+ public:
+  using Point = LinearPoint<Real>;
+  using End = PieceEnd<Real, Point>;
+
+  LinearPiece(Point start, Real rate) : start_(std::move(start)), rate_(std::move(rate)) {}
+
+  /// (F16).
+  [[nodiscard]] Point at(const Real& h) const {
+    const LinearTerms<Real> terms(h);
+    const Point& s = start_;
+    return {s.y + (s.v * terms.sine + s.a * terms.versine - rate_ * terms.lag),
+            s.v + (s.a * terms.sine - (s.v + rate_) * terms.versine),
+            s.a - s.a * terms.versine - (s.v + rate_) * terms.sine};
+  }
+
+  [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
+    const std::optional<HalfAngle> half = first_turn();
+    const Real turn = half && !beyond(*half, limit) ? angle(*half) : Real(0);
+    End end{PieceEvent::turn, turn, {}};
+    if (turn > 0 && turn <= limit) {
+      end.at = at(turn);
+      polish_turn(end, limit);
+    } else {
+      // No piece is so long that the rounding of its time matters.
+      end = {PieceEvent::none, std::min(limit, Real(2 * pi<Real>())), {}};
+      end.at = at(end.h);
+    }
+    if (want_arrival && !(end.at.y < 0)) {
+      return arrival_before(end);
+    }
+    return end;
+  }
+
+  /// Where y = 0 on a piece that ends with y >= 0, started from y < 0 and has v > 0 between.
+  [[nodiscard]] End arrival_before(const End& end) const {
+    Real low{0};
+    Real high = end.h;
+    Real h = end.h * (start_.y / (start_.y - end.at.y));
+    if (!(h > low && h < high)) {
+      h = low + (high - low) / 2;
+    }
+    while (true) {
+      const Point now = at(h);
+      (now.y < 0 ? low : high) = h;
+      Real next = h - now.y / now.v;
+      if (!(next > low && next < high)) {
+        next = low + (high - low) / 2;
+      }
+      if (!(next > low && next < high)) {
+        return {PieceEvent::arrival, high, at(high)};
+      }
+      const Real d = next - h;
+      h = next;
+      if ((d < 0 ? Real(-d) : d) <= 2 * std::numeric_limits<Real>::epsilon() * h) {
+        return {PieceEvent::arrival, h, at(h)};
+      }
+    }
+  }
+
+  /// The largest |a| up to `end`, or `so_far` where that is larger: (a, a') turns rigidly.
+  [[nodiscard]] Real largest_acceleration(const End& end, const Real& so_far) const {
+    using std::abs;
+    using std::max;
+    using std::sqrt;
+    const Real jerk = -(start_.v + rate_);
+    const Real end_jerk = -(end.at.v + rate_);
+    const Real most = max(so_far, max(Real(abs(start_.a)), Real(abs(end.at.a))));
+    const bool crest = end.h >= pi<Real>() || (jerk < 0) != (end_jerk < 0);
+    return crest ? max(most, Real(sqrt(start_.a * start_.a + jerk * jerk))) : most;
+  }
+
+ private:
+  /// The h in (0, 2 pi] with tan(h/2) = rise / run; run >= 0, so h <= pi where rise > 0.
+  struct HalfAngle {
+    Real rise;
+    Real run;
+  };
+
+  /// (F17): the first h in (0, 2 pi] with v = 0, if there is one.
+  [[nodiscard]] std::optional<HalfAngle> first_turn() const {
+    using std::sqrt;
+    const Point& s = start_;
+    if (s.v == 0 && s.a == 0) {
+      return rate_ == 0 ? std::nullopt : std::optional<HalfAngle>({Real(0), Real(1)});
+    }
+    const Real square = s.a * s.a + s.v * (s.v + 2 * rate_);
+    if (square < 0) {
+      return std::nullopt;
+    }
+    const Real sum = s.a < 0 ? Real(s.a - sqrt(square)) : Real(s.a + sqrt(square));
+    const HalfAngle first = half_angle(sum, Real(s.v + 2 * rate_));
+    if (s.v == 0) {
+      return first;
+    }
+    const HalfAngle second = half_angle(Real(-s.v), sum);
+    return earlier(first, second) ? first : second;
+  }
+
+  /// Certainly later than `limit`, without the arctangent: tan x < 1.1 x for 0 < x < 1/2.
+  static bool beyond(const HalfAngle& half, const Real& limit) {
+    return limit < 1 && !(half.rise > 0 && half.rise <= Real(0.55) * limit * half.run);
+  }
+
+  static HalfAngle half_angle(const Real& rise, const Real& run) {
+    return run < 0 ? HalfAngle{-rise, -run} : HalfAngle{rise, run};
+  }
+
+  static bool earlier(const HalfAngle& one, const HalfAngle& other) {
+    if ((one.rise > 0) != (other.rise > 0)) {
+      return one.rise > 0;
+    }
+    return one.rise * other.run < other.rise * one.run;
+  }
+
+  static Real angle(const HalfAngle& half) {
+    using std::atan2;
+    const Real h = 2 * atan2(half.rise, half.run);
+    return h > 0 ? h : Real(h + 2 * pi<Real>());
+  }
+
+  /// Restores the digits that the closed form lost, except where v only touches 0 and there is
+  /// nothing to gain.
+  void polish_turn(End& end, const Real& limit) const {
+    const Real d = -end.at.v / end.at.a;
+    const Real h = end.h + d;
+    const Real size = d < 0 ? Real(-d) : d;
+    if (end.at.a < 0 && size < end.h / 1000 && h <= limit) {
+      end.h = h;
+      end.at = at(h);
+    }
+  }
+
+  Point start_;
+  Real rate_;
+};
+
+}  // namespace stillpoint

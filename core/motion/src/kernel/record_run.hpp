@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A forced run under a record: docs/forced.md section 5. Most intervals between samples hold no
+// event; there (F21) proves it from the values at both ends and the motion advances by nine
+// multiplications with coefficients that depend on the interval alone. The others go through
+// ForcedRun::through.
+
+#include "kernel/forced_run.hpp"
+#include "kernel/linear_piece.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace stillpoint {
+
+/// (F16) over a whole interval of length h, with dw = rate h in place of the rate.
+template <class Real>
+struct IntervalTerms {
+  Real h{0};
+  Real sine{0};
+  Real versine{0};
+  Real lag{0};      ///< (h - sin h) / h
+  Real bend{0};     ///< (1 - cos h) / h
+  Real pull{0};     ///< sin h / h
+  Real fall{0};     ///< -h / 8
+  Real cosine{0};   ///< cos(h/2), or less: between samples |a| is at most that at them over this
+  Real least_v{0};  ///< what v must exceed at both ends anyway; no v does where h is too long
+
+  IntervalTerms() = default;
+  explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
+
+ private:
+  IntervalTerms(const Real& length, const LinearTerms<Real>& terms)
+      : h(length),
+        sine(terms.sine),
+        versine(terms.versine),
+        lag(terms.lag / length),
+        bend(terms.versine / length),
+        pull(terms.sine / length),
+        fall(-length / 8),
+        cosine(1 - length * length / 8),
+        least_v(length < 1 ? Real(0) : std::numeric_limits<Real>::max()) {}
+};
+
+template <class Real>
+class RecordTimes {
+ public:
+  RecordTimes(const BasicRecord<Real>& record, const Real& p)
+      : record_(record), p_(p), even_(p * record.step) {}
+
+  /// p times the time of a sample.
+  [[nodiscard]] ExactSum<Real> at(std::size_t i) const {
+    return record_.times.empty() ? ExactSum<Real>::product(even_, Real(i))
+                                 : ExactSum<Real>::product(p_, record_.times[i]);
+  }
+
+  /// Whether all intervals have one length.
+  [[nodiscard]] bool even() const { return record_.times.empty(); }
+
+  /// p times the length of the interval after it.
+  [[nodiscard]] Real length(std::size_t i) const {
+    return record_.times.empty() ? even_ : Real(p_ * (record_.times[i + 1] - record_.times[i]));
+  }
+
+ private:
+  const BasicRecord<Real>& record_;
+  Real p_;
+  Real even_;
+};
+
+template <class Real, class Watcher>
+class RecordRun {
+ public:
+  RecordRun(ForcedRun<Real, Watcher>& run, const BasicRecord<Real>& record)
+      : run_(run), record_(record), times_(record, run.map().p), inverse_p_(1 / run.map().p) {}
+
+  /// Through the record, or until p tau = `end`; the load there.
+  Load<Real> through(const ExactSum<Real>& end) {
+    before_first_sample(end);
+    if (record_.values.size() > 1 && end.minus(times_.at(0)) > 0) {
+      run_.jump(load_, load(0));
+      between_samples(end);
+      run_.arrived(crossing_);
+    }
+    return load_;
+  }
+
+ private:
+  using Run = ForcedRun<Real, Watcher>;
+
+  void before_first_sample(const ExactSum<Real>& end) {
+    const ExactSum<Real> first = times_.at(0);
+    LinearDrive<Real> nothing;
+    run_.through(nothing, end.minus(first) < 0 ? end : first, false);
+  }
+
+  void between_samples(const ExactSum<Real>& end) {
+    const std::size_t last = whole_intervals(end);
+    std::size_t i = 0;
+    while (i < last && !run_.over() && run_.tick()) {
+      i = run_.state().mode == ForcedMode::sliding ? slide_from(i, last) : rest_from(i, last);
+      if (i < last) {
+        through_interval(i, ExactSum<Real>(times_.length(i)));
+        ++i;
+      }
+    }
+    if (run_.over()) {
+      return;
+    }
+    run_.state().now = times_.at(i);
+    load_ = load(i);
+    if (i + 1 < record_.values.size()) {
+      if (run_.state().mode == ForcedMode::resting) {
+        decide_held_crest(i, run_.hold_at(run_.state().u));
+      }
+      const ExactSum<Real> length(end.minus(times_.at(i)));
+      through_interval(i, length);
+      LinearDrive<Real> reached = drive_from(i);
+      reached.advance(length.value());
+      load_ = reached.load();
+    }
+  }
+
+  /// How many intervals end before p tau = `end` or there.
+  [[nodiscard]] std::size_t whole_intervals(const ExactSum<Real>& end) const {
+    std::size_t low = 0;
+    std::size_t high = record_.values.size() - 1;
+    while (low < high) {
+      const std::size_t middle = high - (high - low) / 2;
+      if (end.minus(times_.at(middle)) < 0) {
+        high = middle - 1;
+      } else {
+        low = middle;
+      }
+    }
+    return low;
+  }
+
+  [[nodiscard]] Real sample(std::size_t i) const { return record_.values[i] * inverse_p_; }
+  [[nodiscard]] Load<Real> load(std::size_t i) const {
+    return {sample(i), ExactSum<Real>(record_.values[i])};
+  }
+
+  [[nodiscard]] LinearDrive<Real> drive_from(std::size_t i) const {
+    return {sample(i), record_.values[i], sample(i + 1), record_.values[i + 1], times_.length(i)};
+  }
+
+  void through_interval(std::size_t i, const ExactSum<Real>& length) {
+    run_.state().now = times_.at(i);
+    const ForcedState<Real>& s = run_.state();
+    const bool rested = s.mode == ForcedMode::resting;
+    const Real before = s.u;
+    const std::int64_t sticks = s.sticks;
+    LinearDrive<Real> drive = drive_from(i);
+    run_.through(drive, length, false, crossing_);
+    if (s.sticks > sticks) {
+      decide_crest(i, run_.hold_at(rested ? before : s.u));
+    }
+  }
+
+  /// By how much the load eventually exceeds friction, after a release from sample i on.
+  void decide_crest(std::size_t i, const Hold<Real>& hold) {
+    const int drives = hold.drives(load(i));
+    const int sign = drives != 0 ? -drives : sample(i + 1) > sample(i) ? 1 : -1;
+    const auto excess = [&](std::size_t at) {
+      return Real(sign) * (sample(at) + hold.u()) - hold.phi();
+    };
+    const TippingMargin<Real>& margin = run_.state().margin;
+    while (i + 1 < record_.values.size() && excess(i + 1) > excess(i)) {
+      ++i;
+      if (!margin.matters(excess(i), hold.size(sample(i)))) {
+        return;  // nor does a larger one
+      }
+    }
+    decide_hold(i, hold, sign);
+  }
+
+  /// How near the load came to what is held, at a sample where it was largest; whether it was.
+  bool decide_held_crest(std::size_t i, const Hold<Real>& hold) {
+    const int sign = sample(i) + hold.u() > 0 ? 1 : -1;
+    const bool crest = Real(sign) * (sample(i + 1) - sample(i)) <= 0;
+    if (crest) {
+      decide_hold(i, hold, sign);
+    }
+    return crest;
+  }
+
+  void decide_hold(std::size_t i, const Hold<Real>& hold, int sign) {
+    const Real excess = hold.excess(load(i), sign);
+    run_.state().margin.decide(Run::magnitude(excess), hold.size(sample(i)));
+  }
+
+  /// From sample i on while (F21) proves that no event comes; returns the first sample without such
+  /// a proof, or a later one after a stretch that the hook should see.
+  std::size_t slide_from(std::size_t i, std::size_t last) {
+    return times_.even() ? slide_along<true>(i, last) : slide_along<false>(i, last);
+  }
+
+  template <bool even>
+  [[gnu::noinline]] std::size_t slide_along(std::size_t i, std::size_t last) {
+    constexpr std::size_t afresh = 16;
+    ForcedState<Real>& s = run_.state();
+    const Real sign(s.direction);
+    const Real signed_inverse = sign * inverse_p_;
+    const Real phi = run_.map().phi;
+    Real y = sign * s.u;
+    Real v = sign * s.v;
+    Real w = record_.values[i] * signed_inverse;
+    Real a = -(y + phi + w);
+    Real size = Run::magnitude(a);
+    Real largest = s.acceleration;
+    if (!(v > 0)) {
+      return i;
+    }
+    const Real arrival = y < 0 ? Real(0) : std::numeric_limits<Real>::max();
+    take_terms(i);
+    const IntervalTerms<Real>& t = terms_;
+    Real matters = largest * t.cosine;
+    for (; i < last; ++i) {
+      if constexpr (!even) {
+        take_terms(i);
+        matters = largest * t.cosine;
+      }
+      const Real next_w = record_.values[i + 1] * signed_inverse;
+      const Real rise = next_w - w;
+      const Real next_v = (v - v * t.versine) + (a * t.sine - rise * t.bend);
+      const Real next_y = y + (v * t.sine + a * t.versine - rise * t.lag);
+      if (!(std::min(v, next_v) > std::max(t.least_v, Real(t.fall * rise))) || next_y >= arrival) {
+        break;
+      }
+      // By (F16) a does not need y, so v and a wait only for each other. Now and then a is computed
+      // from y again, so that rounding errors do not let the two drift apart.
+      const Real next_a = i % afresh == 0
+                              ? Real(-(next_y + phi + next_w))
+                              : Real((a - a * t.versine) - (v * t.sine + rise * t.pull));
+      const Real next_size = Run::magnitude(next_a);
+      if (std::max(size, next_size) > matters) [[unlikely]] {
+        const LinearPiece<Real> piece({y, v, a}, Real(rise / t.h));
+        largest =
+            piece.largest_acceleration({PieceEvent::none, t.h, {next_y, next_v, next_a}}, largest);
+        matters = largest * t.cosine;
+      }
+      if constexpr (Watcher::watches) {
+        run_.watcher().piece(times_.at(i), s.direction,
+                             LinearPiece<Real>({y, v, a}, Real(rise / t.h)));
+      }
+      y = next_y;
+      v = next_v;
+      a = next_a;
+      w = next_w;
+      size = next_size;
+    }
+    s.acceleration = largest;
+    s.u = sign * y;
+    s.v = sign * v;
+    return i;
+  }
+
+  /// Those of the interval after sample i.
+  void take_terms(std::size_t i) {
+    if (const Real h = times_.length(i); h != terms_.h) {
+      terms_ = IntervalTerms<Real>(h);
+    }
+  }
+
+  /// On from sample i while the load at both ends of each interval, and so between, is held.
+  std::size_t rest_from(std::size_t i, std::size_t last) {
+    const ForcedState<Real>& s = run_.state();
+    const Hold<Real> hold = run_.hold_at(s.u);
+    const Real certain = hold.held_for_certain();
+    const auto held = [&](std::size_t at) {
+      return Run::magnitude(Real(s.u + sample(at))) <= certain || hold.drives(load(at)) == 0;
+    };
+    if (s.fresh || !held(i)) {
+      return i;
+    }
+    Real crest{-1};  // only what is larger can matter to the margin
+    for (; i < last; ++i) {
+      if (const Real size = Run::magnitude(Real(s.u + sample(i))); size > crest) {
+        if (decide_held_crest(i, hold)) {
+          crest = size;
+        }
+      }
+      if (!held(i + 1)) {
+        break;
+      }
+    }
+    return i;
+  }
+
+  Run& run_;
+  const BasicRecord<Real>& record_;
+  RecordTimes<Real> times_;
+  IntervalTerms<Real> terms_;
+  std::optional<Crossing<LinearDrive<Real>, Real>> crossing_;  ///< the last without a notch
+  Real inverse_p_;
+  Load<Real> load_;  ///< at the end
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "box.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace stillpoint::design {
+
+namespace {
+
+struct Asked {
+  const Problem& problem;
+  const Region& region;
+  double f;
+};
+
+/// The corner of the tolerance box at which a condition is tightest.
+enum class Corner { low, high };
+
+/// One of the conditions of region.hpp.
+struct Condition {
+  std::string_view name;
+  std::string_view variable;
+  std::string_view relation;
+  Corner tightest;
+  double (*limit)(const Asked& asked);
+};
+
+constexpr std::array<Condition, 5> conditions{{
+    {"dead_zone", "f", "<", Corner::high, [](const Asked& asked) { return asked.region.f1; }},
+    {"start", "delta", "<=", Corner::high, [](const Asked& asked) { return asked.region.delta2; }},
+    {"amplitude", "f", ">=", Corner::low, [](const Asked& asked) { return asked.region.f2; }},
+    {"return", "f", "<=", Corner::high, [](const Asked& asked) { return asked.region.f3; }},
+    // Delta1 falls with f. At the high corner f may lie above f3, where it means nothing.
+    {"stop", "delta", ">", Corner::low,
+     [](const Asked& asked) { return delta1(asked.problem, asked.f); }},
+}};
+
+Constraint compared(std::string_view name, std::string_view variable, std::string_view relation,
+                    double value, double limit) {
+  const bool below = relation.front() == '<';
+  const double slack = below ? limit - value : value - limit;
+  const bool strict = relation.size() == 1;
+  return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
+}
+
+/// Whether the conditions that are tightest at this corner of the box hold there.
+bool hold_at(Corner corner, const Problem& problem, double f, double delta) {
+  const auto list = constraints(problem, f, delta);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (conditions[i].tightest == corner && !list[i].satisfied) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
+  const Region region = admissible_region(problem);
+  require_within("f", f, 0, largest_square);
+  require_within("delta", delta, 0, largest_square);
+  const Asked asked{problem, region, f};
+  std::array<Constraint, 5> list;
+  std::ranges::transform(conditions, list.begin(), [&](const Condition& condition) {
+    return compared(condition.name, condition.variable, condition.relation,
+                    condition.variable == "f" ? f : delta, condition.limit(asked));
+  });
+  return list;
+}
+
+std::vector<Constraint> constraints(const Problem& problem, const Limits& limits, double f,
+                                    double delta) {
+  const auto of_the_motion = constraints(problem, f, delta);
+  std::vector<Constraint> list(of_the_motion.begin(), of_the_motion.end());
+  if (limits.f_max) {
+    list.push_back(compared("f_max", "f", "<=", f, *limits.f_max));
+  }
+  if (limits.delta_max) {
+    list.push_back(compared("delta_max", "delta", "<=", delta, *limits.delta_max));
+  }
+  return list;
+}
+
+bool box_admissible(const Problem& at_low, const Problem& at_high, const Limits& limits, double f,
+                    double delta) {
+  const double low = 1 - limits.tolerance;
+  const double high = 1 + limits.tolerance;
+  const bool low_holds = hold_at(Corner::low, at_low, f * low, delta * low);
+  const bool high_holds = hold_at(Corner::high, at_high, f * high, delta * high);
+  return low_holds && high_holds && (!limits.f_max || f * high <= *limits.f_max) &&
+         (!limits.delta_max || delta * high <= *limits.delta_max);
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "objectives.hpp"
+
+#include "unit_problem.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numbers>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// In a = f / (V0 p).
+struct ClosedForm {
+  double (*value)(double a);
+  double (*slope)(double a);
+};
+
+struct Row {
+  Objective objective;
+  std::string_view name;
+  ClosedForm form;
+};
+
+constexpr ClosedForm none{nullptr, nullptr};
+constexpr ClosedForm peak{&unit::peak, &unit::peak_slope};
+constexpr ClosedForm stop_time{
+    [](double a) { return unit::stop_phase(a) / std::numbers::pi; },
+    [](double a) { return unit::stop_phase_slope(a) / std::numbers::pi; }};
+constexpr ClosedForm peak_acceleration{&unit::radius, [](double a) { return a / unit::radius(a); }};
+
+constexpr std::array rows{
+    Row{Objective::robust, "robust", none},
+    Row{Objective::amplitude, "amplitude", peak},
+    Row{Objective::time, "time", stop_time},
+    Row{Objective::acceleration, "acceleration", peak_acceleration},
+};
+
+constexpr std::array names = [] {
+  std::array<std::string_view, rows.size()> list;
+  std::ranges::transform(rows, list.begin(), &Row::name);
+  return list;
+}();
+
+const Row& row_of(Objective objective) {
+  const auto* const row = std::ranges::find(rows, objective, &Row::objective);
+  assert(row != rows.end() && "an Objective without a row");
+  return *row;
+}
+
+/// f3 divided by p and V0 may be an ulp above a3.
+double within(double given) {
+  return std::min(given, unit::a3);
+}
+
+}  // namespace
+
+std::string_view name(Objective objective) noexcept {
+  return row_of(objective).name;
+}
+
+std::optional<Objective> parse_objective(std::string_view name) noexcept {
+  const auto* const row = std::ranges::find(rows, name, &Row::name);
+  return row != rows.end() ? std::optional(row->objective) : std::nullopt;
+}
+
+std::span<const std::string_view> objective_names() {
+  return names;
+}
+
+double objective_value(Objective objective, double given) {
+  return row_of(objective).form.value(within(given));
+}
+
+double objective_slope(Objective objective, double given) {
+  return row_of(objective).form.slope(within(given));
+}
+
+}  // namespace stillpoint::design

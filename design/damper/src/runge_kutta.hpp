@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/oscillator.hpp>
+
+#include <cstdint>
+
+namespace stillpoint::design {
+
+/// What an integrator can say about a free motion that comes to rest.
+struct IntegratedMotion {
+  bool stopped{false};  ///< false: still moving after max_half_cycles
+  double peak_amplitude{0};
+  double peak_acceleration{0};  ///< largest |x''| at the ends of the monotone pieces
+  double arrival_speed{0};      ///< at the last arrival at x = 0; 0 where there was none
+  double stop_time{0};
+  double stop_position{0};
+  std::int64_t half_cycles{0};
+};
+
+/// The free motion from x = 0 as a series of initial-value problems, the paper's (9): adaptive
+/// Runge-Kutta (Boost.Odeint's dopri5 with dense output), passages and turns bracketed between
+/// steps and located by Boost.Math's TOMS 748. Shares only the rules with the half-cycle
+/// map. Made to check, not to be fast. `tolerance` is the integrator's, absolute and relative,
+/// for x p / v0 and v / v0. Throws InputError unless v0 > 0 and there is some friction.
+[[nodiscard]] IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0,
+                                                     double tolerance,
+                                                     std::int64_t max_half_cycles = 1000);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "figure_map.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/figures/figure.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(figure_test)
+
+namespace {
+
+using namespace stillpoint::figures;
+
+/// One of everything, on axes that make a unit 43 pixels wide and 29 high.
+Figure one_of_everything() {
+  Figure figure;
+  figure.id = "all";
+  figure.title = "A < B & \"C\"";
+  figure.description = "One of everything.";
+  figure.x = {"time, s", 0, 10};
+  figure.y = {"x, mm", -5, 5};
+  figure.map = {2, 2, {0, 1, 1, 0}, {"#000000", "#ffffff"}, {"black", "white"}};
+  figure.bands = {{"band", 2, 4, Ink::grey}};
+  figure.areas = {{"area", {{0, 0}, {1, 0}, {1, 1}}, Ink::sky},
+                  {"edge", {{5, 0}, {6, 0}, {6, 1}}, Ink::blue, false}};
+  figure.curves = {{"curve", {{{0, 0}, {10, 5}}, {{5, -5}, {10, -5}}}, Ink::orange, Dash::dashed}};
+  figure.marks = {{"mark", {{5, 2.5}}, Shape::diamond, Ink::green},
+                  {"hollow", {{1, -1}}, Shape::disc, Ink::blue, Fill::hollow},
+                  {"crossed", {{2, -1}}, Shape::square, Ink::grey, Fill::crossed},
+                  {"star", {{3, -1}}, Shape::star, Ink::orange},
+                  {"triangle", {{4, -1}}, Shape::triangle, Ink::purple},
+                  {"wedge", {{5, -1}}, Shape::wedge, Ink::amber},
+                  {"cross", {{6, -1}}, Shape::cross, Ink::sky}};
+  figure.notes = {{"note", {1, 1}, Anchor::end, true}};
+  return figure;
+}
+
+std::string golden(const std::string& name) {
+  std::ifstream file(std::string(STILLPOINT_GOLDEN) + "/" + name);
+  BOOST_TEST_REQUIRE(file.good(), name);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(figure)
+
+BOOST_AUTO_TEST_CASE(is_drawn_as_the_golden_file_says) {
+  Figure figure = one_of_everything();
+  figure.map = {};  // its bytes are zlib's
+  const std::string drawn = svg(figure, Frame::alone);
+  std::ofstream("figure.svg") << drawn;
+  BOOST_TEST(drawn == golden("figure.svg"),
+             "look at the figure.svg that this test has written; if it is right, it is golden");
+}
+
+BOOST_AUTO_TEST_CASE(puts_what_it_draws_where_the_axes_say) {
+  // The plot is 430 x 290: x = 5 is at 215, y = 2.5 a quarter from the top, at 72.5.
+  const std::string text = svg(one_of_everything(), Frame::in_page);
+  BOOST_TEST(contains(text, "data-plot=\"74 34 430 290\""));
+  BOOST_TEST(contains(text, "translate(215.00 72.50)\" data-name=\"mark\" data-at=\"5 2.5\""));
+  BOOST_TEST(contains(text, "d=\"M0.00 145.00L430.00 0.00M215.00 290.00L430.00 290.00\""));
+  BOOST_TEST(contains(text, "d=\"M86.00 0V290H172.00V0Z\""));
+}
+
+BOOST_AUTO_TEST_CASE(escapes_words) {
+  const std::string text = svg(one_of_everything(), Frame::alone);
+  BOOST_TEST(contains(text, "A &lt; B &amp; &quot;C&quot;</title>"));
+  BOOST_TEST(!contains(text, "A < B"));
+}
+
+BOOST_AUTO_TEST_CASE(has_round_ticks) {
+  BOOST_TEST(ticks({"", 0, 10}) == (std::vector<double>{0, 2, 4, 6, 8, 10}),
+             boost::test_tools::per_element());
+  BOOST_TEST(ticks({"", -0.5, 1.2}) == (std::vector<double>{-0.5, 0, 0.5, 1}),
+             boost::test_tools::per_element());
+  for (const double scale : {1e-300, 1e-9, 3.0, 7e20, 1e300}) {
+    const auto list = ticks({"", -0.3 * scale, 0.9 * scale});
+    BOOST_TEST(list.size() >= 3U);
+    BOOST_TEST(list.size() <= 8U);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(has_powers_of_ten_as_ticks_of_a_logarithmic_axis) {
+  using enum Scale;
+  BOOST_TEST(ticks({"", 2e-3, 5, logarithmic}) == (std::vector<double>{1e-2, 1e-1, 1}),
+             boost::test_tools::per_element());
+  BOOST_TEST(ticks({"", 1e-16, 1, logarithmic}) ==
+                 (std::vector<double>{1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1}),
+             boost::test_tools::per_element());
+  BOOST_TEST(ticks({"", 2, 11, logarithmic}) == (std::vector<double>{2, 4, 6, 8, 10}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(places_values_by_the_scale_of_their_axis) {
+  const FigureAxis axis{"", 1e-4, 1e4, Scale::logarithmic};
+  BOOST_TEST(axis.position(1) == 0.5);
+  BOOST_TEST(axis.position(0) == -1);
+  BOOST_TEST(axis.value(0.75) == 100, boost::test_tools::tolerance(1e-15));
+  Figure figure = one_of_everything();
+  figure.x = axis;
+  figure.marks[0].points[0].x = 1;
+  BOOST_TEST(contains(svg(figure, Frame::in_page), "translate(215.00 72.50)"));
+}
+
+BOOST_AUTO_TEST_CASE(sheet_draws_every_figure_and_one_legend) {
+  Figure other = one_of_everything();
+  other.id = "other";
+  const std::string text = svg(FigureSheet{"sheet", "Both", "Two.", {one_of_everything(), other}});
+  BOOST_TEST(contains(text, "all-title"));
+  BOOST_TEST(contains(text, "x=\"520\" y=\""));
+  const std::string entry = ">mark</text>";
+  BOOST_TEST(text.find(entry) != std::string::npos);
+  BOOST_TEST(text.find(entry) == text.rfind(entry));
+}
+
+BOOST_AUTO_TEST_CASE(has_an_axis_around_values_that_are_all_the_same) {
+  for (const double value : {0.0, 3.0, -2.0}) {
+    const FigureAxis axis = axis_around("", value, value);
+    BOOST_TEST(axis.least < value);
+    BOOST_TEST(axis.most > value);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(map_is_a_png) {
+  // base64 of the signature and of the header's length and name.
+  BOOST_TEST(map_base64(one_of_everything().map).starts_with("iVBORw0KGgoAAAANSUhEUg"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()
