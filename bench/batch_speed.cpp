@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 
-// How fast the batch interface is, as a multiple of the time of one square root among many, which
-// is measured in the same run: docs/batch.md. The work is 1e6 motions with v0 = p = 1 on a grid,
-// f from 1e-3 to 0.1 and delta from 1e-4 to 0.1, evenly in the logarithm.
+// Measures the batch interface in multiples of the time of one square root among many, which is
+// measured in the same run: docs/batch.md. The work is 1e6 motions with v0 = p = 1 on a logarithmic
+// grid, f from 1e-3 to 0.1 and delta from 1e-4 to 0.1.
 //
 //   stillpoint_batch_speed [ROUNDS]
 //
-// Each round measures everything once; of each the shortest time counts, since what else the
-// machine does can only add to it. It is processor time where one thread works, and elapsed time
-// where two are compared with one.
+// Each round measures everything once, and the shortest time of each counts, since other work of
+// the machine can only add to it. It is processor time for one thread, and elapsed time where two
+// threads are compared with one.
 
 #include "sqrt_floor.hpp"
 
@@ -84,7 +84,7 @@ void keep_least(double& least, double value) {
 
 constexpr double never = 1e300;
 
-/// Nanoseconds: of a square root, else of all half-cycles.
+/// Nanoseconds for a square root, otherwise for all half-cycles.
 struct Times {
   double floor{never};
   double in_order{never};
@@ -112,7 +112,7 @@ class Measurement {
     keep_least(least.in_random_order_with_times, batch(random_, true, 1).of_processor);
   }
 
-  /// By free_response, one motion after another; every hundredth.
+  /// Every hundredth motion by free_response, one after another.
   [[nodiscard]] double scalar(bool times) const {
     double half_cycles = 0;
     const Nanoseconds time = timed([&] {
@@ -125,7 +125,7 @@ class Measurement {
     return time.of_processor / half_cycles;
   }
 
-  /// Of a half-cycle where all motions are alike and long.
+  /// Time of a half-cycle where all motions are alike and long.
   [[nodiscard]] double alike() {
     const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(20000, 1e-4);
     const Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(20000, 3.8e-4);

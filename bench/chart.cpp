@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 
-// Small multiples: a figure a scene, error across, time up, both logarithmic.
+// Small multiples: one figure per scene, error across, time up, both logarithmic.
 
 #include "reports.hpp"
 
-#include <figure.hpp>
-#include <html_page.hpp>
+#include <stillpoint/figures/figure.hpp>
+#include <stillpoint/figures/html_page.hpp>
 
 #include <fmt/format.h>
 
@@ -21,21 +21,21 @@ namespace stillpoint::bench {
 
 namespace {
 
-using cli::Figure;
-using cli::FigureAxis;
-using cli::FigureCurve;
-using cli::FigureMarks;
-using cli::FigurePoint;
-using cli::FigureSheet;
-using cli::Fill;
-using cli::HtmlPage;
-using cli::Ink;
-using cli::Scale;
-using cli::Shape;
+using figures::Figure;
+using figures::FigureAxis;
+using figures::FigureCurve;
+using figures::FigureMarks;
+using figures::FigurePoint;
+using figures::FigureSheet;
+using figures::Fill;
+using figures::HtmlPage;
+using figures::Ink;
+using figures::Scale;
+using figures::Shape;
 
 constexpr double microsecond = 1e-6;
 
-/// How a method looks, by its place in the list; the kernel is the first.
+/// The looks of a method, by its place in the list; the kernel is the first.
 constexpr std::array<std::pair<Shape, Ink>, 6> looks{{{Shape::star, Ink::orange},
                                                       {Shape::disc, Ink::blue},
                                                       {Shape::square, Ink::amber},
@@ -44,7 +44,7 @@ constexpr std::array<std::pair<Shape, Ink>, 6> looks{{{Shape::star, Ink::orange}
                                                       {Shape::wedge, Ink::grey}}};
 
 FigurePoint place(const Row& row) {
-  // What is below the spacing of doubles is luck.
+  // An error below the spacing of doubles is luck.
   return {std::clamp(row.verdict.largest(), 1e-16, 10.0), row.time.median / microsecond};
 }
 
@@ -73,7 +73,7 @@ std::string description(const SceneRows& scene) {
   return text + ".";
 }
 
-/// A line through the settings that count right; marks of those that do not are crossed.
+/// A line through the settings with right counts; the marks of the others are crossed.
 void add_method(Figure& figure, const MethodRows& method, std::size_t index) {
   const auto [shape, ink] = looks.at(index % looks.size());
   const std::string name = method.method.name;
@@ -119,7 +119,7 @@ FigureSheet sheet(const Comparison& comparison) {
 }  // namespace
 
 std::string chart(const Comparison& comparison) {
-  return cli::svg(sheet(comparison));
+  return figures::svg(sheet(comparison));
 }
 
 std::string chart_page(const Comparison& comparison) {
@@ -131,7 +131,7 @@ std::string chart_page(const Comparison& comparison) {
       fmt::format("{}. {}, {}, {}.", all.title, machine.processor, machine.compiler, machine.date);
   page.footer = "./dev bench";
   page.figures = std::move(all.figures);
-  return cli::html(page);
+  return figures::html(page);
 }
 
 }  // namespace stillpoint::bench

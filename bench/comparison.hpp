@@ -24,7 +24,7 @@ struct MethodRows {
   Method method;
   std::vector<Row> rows;  ///< in the order of the settings
 
-  /// The row that takes the least time of those that reach the bound.
+  /// The fastest row that meets the bound.
   [[nodiscard]] const Row* cheapest(double bound) const;
 };
 
@@ -35,20 +35,20 @@ struct SceneRows {
   [[nodiscard]] const Row& kernel() const { return methods.front().rows.front(); }
 };
 
-/// The fastest of the rivals on a scene at a bound on its errors.
+/// The fastest rival on a scene for a bound on its errors.
 struct Rival {
   const MethodRows* method;
   const Row* row;
-  double ratio;  ///< its time by that of the kernel
+  double ratio;  ///< its time over the kernel's
 };
 
 [[nodiscard]] std::optional<Rival> best_rival(const SceneRows& scene, double bound);
 
-/// Everything that one run finds; the reports only render it.
+/// All results of one run; the reports only render them.
 struct Comparison {
   Machine machine;
   peers::MeasureOptions options;
-  double seconds{0};  ///< that the run took
+  double seconds{0};  ///< duration of the run
   std::vector<SceneRows> scenes;
   std::vector<Unit> free_modes;  ///< on scene S2
 };

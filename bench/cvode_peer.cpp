@@ -75,7 +75,7 @@ class CvodeAdams {
     const double from = now_;
     require(CVodeSetStopTime(memory_, limit), "CVodeSetStopTime");
     const int flag = CVode(memory_, limit, y_, &now_, CV_ONE_STEP);
-    if (flag == CV_TOO_CLOSE) {  // a few roundings before the kink: nothing happens in between
+    if (flag == CV_TOO_CLOSE) {  // within rounding of the kink: nothing happens in between
       now_ = limit;
       return {from, now_};
     }

@@ -49,7 +49,7 @@ std::vector<Unit> free_modes(const peers::Scene& scene, const peers::MeasureOpti
   }
   divide(timings[4], static_cast<double>(roots));
   divide(timings[5], static_cast<double>(roots));
-  return {{"a half-cycle, counts and peaks alone", timings[0]},
+  return {{"a half-cycle, counts and peaks only", timings[0]},
           {"a half-cycle, with times", timings[1]},
           {"a half-cycle, with times and decision margin", timings[2]},
           {"free_peak, a whole motion", timings[3]},

@@ -16,8 +16,8 @@ struct Unit {
   peers::Timing seconds;
 };
 
-/// The free kernel for a half-cycle in each of its modes, free_peak for a motion, and what the
-/// hardware's square root takes.
+/// Times of the free kernel per half-cycle in each mode, of free_peak per motion, and of the
+/// hardware square root.
 [[nodiscard]] std::vector<Unit> free_modes(const peers::Scene& scene,
                                            const peers::MeasureOptions& options);
 

@@ -52,7 +52,7 @@ class Rk8pd {
 
   template <class AnyMotion>
   void begin(const AnyMotion& /*motion*/, double t, const State& state) {
-    // After a discontinuity, as the manual says of both resets.
+    // The manual asks for both resets after a discontinuity.
     gsl_odeiv2_step_reset(step_.get());
     gsl_odeiv2_evolve_reset(evolve_.get());
     now_ = t;

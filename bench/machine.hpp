@@ -6,7 +6,7 @@
 
 namespace stillpoint::bench {
 
-/// Where and with what the figures were taken.
+/// Where and with what the figures were measured.
 struct Machine {
   std::string processor;
   unsigned cores{0};

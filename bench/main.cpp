@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// Speed against error: this project's kernel and what others would use, on the scenes of
-// data/reference. Writes performance.json, .md, .svg and .html.
+// Speed against error: this project's kernel and the methods that others would use, on the scenes
+// of data/reference. Writes performance.json, .md, .svg and .html.
 
 #include "comparison.hpp"
 #include "reports.hpp"

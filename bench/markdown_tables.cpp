@@ -17,7 +17,7 @@ std::string microseconds(double seconds) {
   return fmt::format("{:.{}f}", us, decimals);
 }
 
-/// A round factor needs no digits that the spread would not bear.
+/// A round factor: more digits would be lost in the spread.
 std::string factor(double ratio) {
   return fmt::format("{:.{}f}", ratio, ratio < 10 ? 1 : 0);
 }
@@ -36,9 +36,8 @@ std::string setting(const MethodRows& method, const Row& row) {
 void ratios(Text& text, const Comparison& comparison) {
   add(text,
       "## How many times faster\n\n"
-      "The kernel against the best of dopri5, RK4 and rk8pd, each at its cheapest setting with "
-      "right "
-      "counts and no error above the bound.\n\n"
+      "This table compares the kernel with the best of dopri5, RK4 and rk8pd, each at its cheapest "
+      "setting with right counts and no error above the bound.\n\n"
       "| scene | kernel, us | its largest error | 1e-6 | 1e-8 | 1e-10 "
       "|\n|---|---|---|---|---|---|\n");
   for (const SceneRows& scene : comparison.scenes) {
@@ -61,9 +60,9 @@ void ratios(Text& text, const Comparison& comparison) {
 void each_peer(Text& text, const Comparison& comparison) {
   add(text,
       "## Each peer at 1e-8\n\n"
-      "Its time by that of the kernel, at its cheapest setting with right counts and no error "
-      "above "
-      "1e-8; in brackets how many of its settings had a wrong count.\n\n| scene |");
+      "The time of each peer in multiples of the kernel's, at its cheapest setting with right "
+      "counts and no error above 1e-8; in brackets, how many of its settings had a wrong count.\n\n"
+      "| scene |");
   const auto& methods = comparison.scenes.front().methods;
   for (std::size_t i = 1; i < methods.size(); ++i) {
     add(text, " {} |", methods[i].method.name);
@@ -93,8 +92,8 @@ void each_peer(Text& text, const Comparison& comparison) {
 void free_kernel(Text& text, const Comparison& comparison) {
   add(text,
       "## The free kernel and the square root\n\n"
-      "A half-cycle is one square root that waits for the one before it. Scene S2, one motion at a "
-      "time; nanoseconds.\n\n| | median | quartiles |\n|---|---|---|\n");
+      "A half-cycle is one square root that waits for the one before it. Times are in nanoseconds, "
+      "for scene S2, one motion at a time.\n\n| | median | quartiles |\n|---|---|---|\n");
   for (const Unit& unit : comparison.free_modes) {
     add(text, "| {} | {:.2f} | {:.2f} .. {:.2f} |\n", unit.what, unit.seconds.median * 1e9,
         unit.seconds.low * 1e9, unit.seconds.high * 1e9);

@@ -6,13 +6,13 @@
 
 namespace stillpoint::bench {
 
-/// For each scene and bound the best of the rivals.
+/// The best rival for each scene and bound.
 void ratios(Text& text, const Comparison& comparison);
 
-/// What each of the peers costs at 1e-8, and how many of its settings count wrong.
+/// The time of each peer at 1e-8, and how many of its settings have a wrong count.
 void each_peer(Text& text, const Comparison& comparison);
 
-/// The free kernel in its modes beside the square root.
+/// The free kernel in each mode, and the square root.
 void free_kernel(Text& text, const Comparison& comparison);
 
 /// A scene, its reference and every setting of every method.

@@ -9,13 +9,13 @@
 
 namespace stillpoint::bench {
 
-/// A method, and how readers are told of it.
+/// A method, and its description for readers.
 struct Method {
   std::string name;              ///< "RK4"
   std::string what;              ///< one sentence: what it is and how it was used
-  std::string knob;              ///< what its setting is; empty where it has none
-  bool rival{false};             ///< of those that the speed ratio is taken against
-  std::vector<double> settings;  ///< for the scene at hand, the coarsest first
+  std::string knob;              ///< the name of its setting; empty if it has none
+  bool rival{false};             ///< the speed ratio is taken against it
+  std::vector<double> settings;  ///< for this scene, the coarsest first
   std::function<peers::Result(const peers::Scene&, double setting)> run;
 };
 

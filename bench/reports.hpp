@@ -10,12 +10,12 @@ namespace stillpoint::bench {
 /// All figures, times in seconds.
 [[nodiscard]] std::string json_report(const Comparison& comparison);
 
-/// docs/performance.md. Every figure in its sentences comes from the comparison.
+/// docs/performance.md. Every number in its sentences comes from the comparison.
 [[nodiscard]] std::string markdown_report(const Comparison& comparison);
 
-/// Time against error, a panel a scene, a line a method, as SVG.
+/// Time against error, a panel per scene and a line per method, as SVG.
 [[nodiscard]] std::string chart(const Comparison& comparison);
-/// The same as a page that shows values under the pointer.
+/// The same, as a page that shows values under the pointer.
 [[nodiscard]] std::string chart_page(const Comparison& comparison);
 
 }  // namespace stillpoint::bench

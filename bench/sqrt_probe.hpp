@@ -9,7 +9,7 @@ namespace stillpoint::bench {
 /// to[i] = sqrt(from[i]) with the widest vectors that the machine has.
 void vector_sqrt(std::span<const double> from, std::span<double> to);
 
-/// `count` square roots, each of the last one plus 1: what a chain of half-cycles cannot go below.
+/// `count` square roots, each of the previous one plus 1: the floor for a chain of half-cycles.
 [[nodiscard]] double chained_sqrt(double from, std::size_t count);
 
 }  // namespace stillpoint::bench

@@ -8,7 +8,7 @@
 
 namespace stillpoint::bench {
 
-/// A report as it grows.
+/// A report under construction.
 using Text = fmt::memory_buffer;
 
 template <class... Arguments>

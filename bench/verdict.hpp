@@ -7,7 +7,7 @@
 
 namespace stillpoint::bench {
 
-/// How far a result is from the truth. Errors are absolute, in the dimensionless units of the
+/// The errors of a result. They are absolute, in the dimensionless units of the
 /// scene.
 struct Verdict {
   double peak{0};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-// A fixed amount of work, for counting instructions: `stillpoint_workload NAME` does it twice, once
-// to have everything set up (Highway times the clock, the loader binds names, memory is taken) and
-// once in stillpoint_counted(), where callgrind is told to count. So the count depends on the
-// machine through its mathematical library alone.
+// A fixed amount of work, for counting instructions. `stillpoint_workload NAME` does it twice: once
+// to set everything up (Highway times the clock, the loader binds names, memory is allocated) and
+// once in stillpoint_counted(), where callgrind counts. So the count depends on the machine only
+// through its mathematical library.
 
 #include <stillpoint/core/batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
@@ -56,7 +56,7 @@ double forced_record() {
   return forced_response({1, 0.05, 0}, {0, 0}, saw, options).final_position.value();
 }
 
-/// The lanes by SSE4, which every x86-64 of today has: 4096 motions on a grid, one thread.
+/// The lanes with SSE4, which every current x86-64 has: 4096 motions on a grid, one thread.
 double batch() {
   constexpr Eigen::Index side = 64;
   static const Eigen::ArrayXd f = Eigen::ArrayXd::LinSpaced(side, 0.001, 0.1).replicate(side, 1);

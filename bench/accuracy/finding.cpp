@@ -22,7 +22,7 @@ double ulps(double value, const Exact& expected) {
   return std::abs(static_cast<double>((Exact(value) - expected) / ulp));
 }
 
-/// By central differences in 50 digits, which leave some fifteen of them.
+/// By central differences in 50 digits, of which some fifteen remain.
 double condition_number(const HardCase& hard_case, const Inputs<double>& inputs,
                         const Exact& value) {
   const Exact step("1e-20");
@@ -37,7 +37,7 @@ double condition_number(const HardCase& hard_case, const Inputs<double>& inputs,
   return static_cast<double>(sum / abs(value));
 }
 
-/// What one neighbour adds.
+/// The errors of one neighbour.
 struct Errors {
   double kernel;
   double by_condition;
@@ -47,7 +47,7 @@ struct Errors {
 Errors errors_at(const HardCase& hard_case, const Inputs<double>& inputs, double condition_alike) {
   const Exact expected = hard_case.exact(widened(inputs));
   const double error = ulps(hard_case.kernel(inputs), expected);
-  // One that is more than a few ulps off may be harder than the rest: then its own number counts.
+  // A neighbour that is more than a few ulps off may be harder than the rest: use its own number.
   constexpr double few_ulps = 4;
   const bool alike = hard_case.alike && error <= few_ulps * std::max(1.0, condition_alike);
   const double condition = alike ? condition_alike : condition_number(hard_case, inputs, expected);
@@ -55,7 +55,7 @@ Errors errors_at(const HardCase& hard_case, const Inputs<double>& inputs, double
   return {error, error / std::max(1.0, condition), naive};
 }
 
-/// Of every neighbour, on all cores: what takes minutes is the reference in 50 digits.
+/// Of every neighbour, on all cores: the reference in 50 digits takes minutes.
 std::vector<Errors> errors_of_neighbours(const HardCase& hard_case, double condition_alike) {
   constexpr int seed = 20261121;
   Dice dice(seed);

@@ -77,7 +77,7 @@ HardCase under_harmonic(Metric metric) {
   return now;
 }
 
-/// Every input changed by up to a relative `spread`, with the same events as before.
+/// Each input changed by a relative `spread` at most, with the same events as before.
 std::function<Inputs<double>(Dice&)> around(const Inputs<double>& inputs, double spread) {
   const auto kinds = test::run_forced(harmonic_scene(inputs)).seen.kinds;
   return [=](Dice& dice) {
@@ -94,7 +94,7 @@ std::function<Inputs<double>(Dice&)> around(const Inputs<double>& inputs, double
   };
 }
 
-/// Without friction, in closed form; in 50 digits right as far as the detuning leaves some.
+/// Without friction, in closed form; right in 50 digits as long as the detuning leaves enough.
 template <class Real>
 Real divided(const Inputs<Real>& in) {
   using std::sin;
@@ -132,7 +132,7 @@ HardCase near_resonance(double detuning, const std::string& text) {
 HardCase fast_forcing() {
   HardCase now = under_harmonic(Metric::position);
   now.name = "forcing a million times faster than the spring";
-  now.why = "the ripple's phase must not lose the digits that 1e6 cycles cost";
+  now.why = "the phase of the ripple must keep the digits that 1e6 cycles use up";
   now.naive = "the closed form with p^2 - lambda^2 as a divisor";
   now.inputs = {0.5, 1, 0, 0, 0.2, 1e6, 0, 10};
   now.neighbour = [](Dice& dice) {
@@ -146,7 +146,7 @@ HardCase fast_forcing() {
   return now;
 }
 
-/// At rest under k sin(lambda tau) until it exceeds f, which k hardly does.
+/// At rest under k sin(lambda tau) until it exceeds f; k hardly exceeds f.
 HardCase release_at_the_crest() {
   HardCase now;
   now.metric = "time of the release";
@@ -174,8 +174,8 @@ HardCase release_at_the_crest() {
 HardCase just_released() {
   HardCase now = under_harmonic(Metric::position);
   now.name = "a little after a release";
-  now.why = "x grows with the cube of the time: five digits for each that the sum keeps";
-  now.naive = "e + (x0 - e) cos(p h) + x_W(h), its terms as they stand";
+  now.why = "x grows with the cube of the time, so a sum of larger terms loses its digits";
+  now.naive = "e + (x0 - e) cos(p h) + x_W(h), term by term";
   const auto at = [](double later) {
     return Inputs<double>{0, 1, 0.18, 0, 0.2, 0.35, 0, std::asin(0.9) / 0.35 + later};
   };
@@ -208,12 +208,12 @@ HardCase scene(const std::string& name, const std::string& why, const Inputs<dou
   return now;
 }
 
-/// The record as it is; V0, p and f are the inputs.
+/// The record is fixed; the inputs are p and f.
 HardCase short_stick() {
   HardCase now;
   now.metric = "stick_time";
   now.name = "scene S5: the stick of 0.029 that sign tests step over";
-  now.why = "between two samples, begun and ended by small speeds";
+  now.why = "it lies between two samples, and the speeds before and after it are small";
   now.inputs = {1, 0.05};
   now.kernel = [](const Inputs<double>& in) {
     ForcedOptions options;
@@ -249,10 +249,10 @@ std::vector<HardCase> forced_cases() {
                 {0.5, 1, 0.05, 0.01, 0.2, 1, 0, 200}, Metric::position, 1e-4, 2000),
           scene("scene S4: 22 sticks, to 200", "each stick ends where the load grows slowly",
                 {0.5, 1, 0.18, 0, 0.2, 0.35, 0, 200}, Metric::position, 1e-4, 2000),
-          scene("100 cycles of forcing", "every error of the phase would show",
+          scene("100 cycles of forcing", "any error of the phase shows",
                 {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 200 * std::numbers::pi / 0.8},
                 Metric::position, 1e-6, 1000),
-          scene("1000 cycles of forcing", "every error of the phase would show",
+          scene("1000 cycles of forcing", "any error of the phase shows",
                 {0.5, 1, 0.05, 0.001, 0.2, 0.8, 0.3, 2000 * std::numbers::pi / 0.8},
                 Metric::position, 1e-6, 200),
           short_stick()};

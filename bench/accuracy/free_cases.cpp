@@ -63,8 +63,8 @@ Inputs<double> near_f3(Dice& dice, double least, double most) {
 
 HardCase grazing_arrival() {
   HardCase now = measured(arrival_speed);
-  now.name = "arrival that only just comes back to x = 0";
-  now.why = "a graze: what is under the root vanishes, and no form keeps more than the inputs give";
+  now.name = "arrival that barely gets back to x = 0";
+  now.why = "a graze: the term under the root vanishes, and no formula is better than its inputs";
   now.naive = "sqrt(B (B - 2f))/p, B = S - f";
   now.inputs = {1, 1, (1 - 1e-10) / std::sqrt(8.0), 0.25};
   now.neighbour = [](Dice& dice) { return near_f3(dice, -12, -6); };
@@ -78,7 +78,7 @@ HardCase grazing_arrival() {
 HardCase grazing_time() {
   HardCase now = measured(stop_time);
   now.name = "time of that arrival";
-  now.why = "the same graze; it costs the time half as many digits";
+  now.why = "the same graze, which costs the time half as many digits";
   now.naive = "(atan2(V0 p, f) + acos(-f/(S - 2f)))/p";
   now.inputs = {1, 1, (1 - 1e-10) / std::sqrt(8.0), 0.25};
   now.neighbour = [](Dice& dice) { return near_f3(dice, -12, -6); };
@@ -92,7 +92,7 @@ HardCase grazing_time() {
 HardCase swing_back() {
   HardCase now = measured(stop_position);
   now.name = "rest just short of x = 0";
-  now.why = "2f - B cancels in any form: the condition number says so";
+  now.why = "2f - B cancels in any formula, as the condition number shows";
   now.naive = "(2f - (S - f))/p^2";
   now.inputs = {1, 1, (1 + 1e-8) / std::sqrt(8.0), 0.25};
   now.neighbour = [](Dice& dice) {
@@ -106,7 +106,7 @@ HardCase swing_back() {
   return now;
 }
 
-/// From peak to peak as the formulas stand, with their times; from x = 0 to the rest there.
+/// From peak to peak by the formulas as printed, with their times; from x = 0 to the rest there.
 double plain_stop_time(const Inputs<double>& in) {
   const double p = in[1];
   const double f = in[2];
@@ -126,8 +126,8 @@ double plain_stop_time(const Inputs<double>& in) {
 HardCase long_motion(const std::string& name, const Inputs<double>& inputs, int neighbours) {
   HardCase now = measured(stop_time);
   now.name = name;
-  now.why = "each half-cycle carries the errors of those before";
-  now.naive = "the map as published, an arc tangent and an arc cosine a half-cycle";
+  now.why = "each half-cycle inherits the errors of the previous ones";
+  now.naive = "the map as published, with an arctangent and an arc cosine per half-cycle";
   now.inputs = inputs;
   now.neighbour = [inputs](Dice& dice) {
     while (true) {
@@ -136,7 +136,7 @@ HardCase long_motion(const std::string& name, const Inputs<double>& inputs, int 
         value *= 1 + 1e-2 * dice.uniform(-1, 1);
       }
       const Response response = free_response({in[1], in[2], in[3]}, {0, in[0]});
-      // Near a tie the count is a matter of rounding, and the naive loop may go on into nothing.
+      // Near a tie rounding decides the count, and the naive loop may go too far.
       if (response.stops_at_zero && response.decision_margin.value() > 1e-9) {
         return in;
       }
@@ -144,15 +144,15 @@ HardCase long_motion(const std::string& name, const Inputs<double>& inputs, int 
   };
   now.by_naive = plain_stop_time;
   now.neighbours = neighbours;
-  // The condition number in 50 digits takes minutes there.
+  // For longer motions the condition numbers in 50 digits would take minutes.
   now.alike = inputs[2] < 1e-3;
   return now;
 }
 
 HardCase constant_friction_alone() {
   HardCase now = measured(stop_position);
-  now.name = "rest after 5e8 half-cycles of constant friction alone";
-  now.why = "the last peak is a remainder; the condition number is large in any form";
+  now.name = "rest after 5e8 half-cycles with constant friction only";
+  now.why = "the last peak is a remainder; the condition number is large for any formula";
   now.naive = "A - 2 f/p^2 round(A p^2/(2f))";
   now.inputs = {1, 1, 1e-9, 0};
   now.neighbour = [](Dice& dice) {
@@ -170,8 +170,8 @@ HardCase constant_friction_alone() {
 
 HardCase point_friction_alone() {
   HardCase now = measured(arrival_speed);
-  now.name = "last arrival after 6e7 passages of point friction alone";
-  now.why = "V0^2 less 2 Delta, 6e7 times: an exact remainder";
+  now.name = "last arrival after 6e7 passages with point friction only";
+  now.why = "V0^2 minus 2 Delta, 6e7 times, which is an exact remainder";
   now.inputs = {1.1, 1, 0, 1e-8};
   now.neighbour = [](Dice& dice) {
     return Inputs<double>{dice.power_of_ten(-0.5, 0.5), 1, 0, dice.power_of_ten(-8.5, -7.5)};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A figure that is hard to compute, and the three ways to it that the page of accuracy compares.
+// A quantity that is hard to compute, and the three ways to compute it that docs/accuracy.md
+// compares.
 
 #include "testing/exact_run.hpp"
 #include "testing/random_scene.hpp"
@@ -21,12 +22,12 @@ using Inputs = std::vector<Real>;
 struct HardCase {
   std::string name;
   std::string metric;
-  std::string why;    ///< what is hard about it
-  std::string naive;  ///< the formula that people write first; empty: there is none
+  std::string why;    ///< why it is hard
+  std::string naive;  ///< the obvious formula; empty if there is none
   Inputs<double> inputs;
   std::function<Inputs<double>(Dice&)> neighbour;  ///< inputs as hard as those
   std::function<double(const Inputs<double>&)> kernel;
-  std::function<double(const Inputs<double>&)> by_naive;  ///< empty as `naive`
+  std::function<double(const Inputs<double>&)> by_naive;  ///< empty if `naive` is
   std::function<Exact(const Inputs<Exact>&)> exact;
   int neighbours{2000};
   bool alike{false};  ///< most neighbours have about the condition number of `inputs`

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// Numerical stability: each hard case by the program, by the formula that people write first, and
-// in 50 digits. Prints the page docs/accuracy.md, or writes it.
+// Numerical stability: computes each hard case by the program, by the naive formula and in 50
+// digits. Prints the page docs/accuracy.md, or writes it.
 
 #include "finding.hpp"
 #include "page.hpp"

@@ -24,7 +24,7 @@ void add(std::string& text, const Section& section) {
   auto end = std::back_inserter(text);
   fmt::format_to(end,
                  "\n## {}\n\n"
-                 "| case | figure | expected | condition number | error | worst | worst by "
+                 "| case | quantity | expected | condition number | error | worst | worst by "
                  "condition | naive error | naive worst |\n|---|---|---|---|---|---|---|---|---|\n",
                  section.heading);
   for (const auto& [now, found] : section.rows) {
@@ -33,7 +33,7 @@ void add(std::string& text, const Section& section) {
                    ulps(found.worst), now.neighbours, ulps(found.worst_by_condition),
                    ulps(found.naive_error), ulps(found.naive_worst));
   }
-  text += "\nWhat is hard about them, and the naive formula:\n\n";
+  text += "\nWhy each case is hard, and its naive formula:\n\n";
   for (const auto& [now, found] : section.rows) {
     fmt::format_to(end, "- {}: {}.{}\n", now.name, now.why,
                    now.naive.empty() ? "" : fmt::format(" Naive: {}.", now.naive));
@@ -46,17 +46,15 @@ std::string page(const std::vector<Section>& sections) {
   const bench::Machine machine = bench::this_machine();
   std::string text = fmt::format(
       "# Accuracy of the hard cases\n\n"
-      "`./dev accuracy` made this page; `./dev accuracy --update-docs` makes it again. {}, "
-      "`{}`.\n\n"
-      "Each figure is computed by the program in double, by the formula that people write first "
-      "(where there is one), and in 50 digits from the same doubles. Errors are in units in the "
-      "last place (ulp) of the expected value. *Worst* is over so many random neighbours that are "
-      "as hard. The *condition number* is the sum over the inputs of |input/value d value/d "
-      "input|: in units of 2^-53, inputs that are off by one change the value by that much, "
-      "whatever computes it. So *worst by condition*, the error over the condition number where "
-      "that is above 1, is what the computation itself lost. For a free motion of n half-cycles 2 "
-      "(2 "
-      "+ n) of it are promised.\n",
+      "`./dev accuracy` made this page; `./dev accuracy --update-docs` updates it. {}, `{}`.\n\n"
+      "Each quantity is computed by the program in double precision, by the obvious (naive) "
+      "formula where there is one, and in 50 digits from the same doubles. Errors are in units in "
+      "the last place (ulp) of the expected value. *Worst* is the largest error of the given "
+      "number of random neighbours that are as hard. The *condition number* is the sum over the "
+      "inputs of |input/value d value/d input|: if each input is off by 2^-53 of itself, the value "
+      "changes by that many 2^-53, however it is computed. So *worst by condition*, the error "
+      "divided by the condition number where that is above 1, is what the computation itself "
+      "lost. For a free motion of n half-cycles it is promised to be at most 2 (2 + n).\n",
       machine.compiler, machine.flags);
   for (const Section& section : sections) {
     add(text, section);

@@ -11,16 +11,16 @@ namespace stillpoint::cli {
 namespace {
 
 peers::Scene scene_of(const SimulateInput& input) {
-  peers::Scene scene{input.oscillator, input.start,
-                     input.excitation ? input.excitation->excitation : NoExcitation{}};
+  const SimulationRequest& request = input.request;
+  peers::Scene scene{request.oscillator, request.start, request.excitation};
   const std::optional<double> t_end =
-      input.t_end ? input.t_end
-                  : peers::far_enough(scene.oscillator, scene.start, scene.excitation);
+      request.t_end ? request.t_end
+                    : peers::far_enough(scene.oscillator, scene.start, scene.excitation);
   if (!t_end) {
     throw UsageError("the motion never stops: give it some friction, or an excitation and --t-end");
   }
   scene.t_end = *t_end;
-  if (input.excitation && scene.t_end > peers::longest(scene)) {
+  if (is_forced(request) && scene.t_end > peers::longest(scene)) {
     throw UsageError(fmt::format(
         "t-end = {}: the motion up to there is too long for 50 digits, at most {:.3g} for this one",
         scene.t_end, peers::longest(scene)));
@@ -28,16 +28,16 @@ peers::Scene scene_of(const SimulateInput& input) {
   return scene;
 }
 
-std::string reason(const SimulateInput& input) {
-  const auto& [p, f, delta] = input.oscillator;
-  if (!input.excitation) {
+std::string reason(const SimulationRequest& request) {
+  const auto& [p, f, delta] = request.oscillator;
+  if (!is_forced(request)) {
     return f > 0 && delta > 0
                ? "the half-cycle map is exact from peak to peak, one square root each, and has no "
                  "step or tolerance to choose"
                : "one friction alone ends in a closed form, an exact remainder, however many "
                  "half-cycles it takes";
   }
-  return std::holds_alternative<Record>(input.excitation->excitation)
+  return std::holds_alternative<Record>(request.excitation)
              ? "between samples the motion is a closed form with constant coefficients, and each "
                "interval is proved to hold no event or searched for it"
              : "between events the motion is a closed form, and the first event is found by a "
@@ -48,7 +48,7 @@ std::string reason(const SimulateInput& input) {
 }  // namespace
 
 AccuracyAnswer compare_methods(const SimulateInput& input) {
-  return {peers::compare(scene_of(input)), reason(input)};
+  return {peers::compare(scene_of(input)), reason(input.request)};
 }
 
 }  // namespace stillpoint::cli

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.hpp"
 
-#include "printable.hpp"
 #include "version.hpp"
+
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -116,7 +117,7 @@ void refuse_extras(const CLI::App& app) {
   if (extras.empty()) {
     return;
   }
-  const std::string first = shortened(extras.front(), longest_word);
+  const std::string first = records::shortened(extras.front(), records::longest_word);
   if (!first.starts_with("-")) {
     throw UsageError(fmt::format("{}: unexpected, only one scene can be given", first));
   }
@@ -165,7 +166,8 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
   const std::vector<std::string> extras = app.remaining();
   throw UsageError(fmt::format(
       "{}: must be design, region, simulate, sweep or accuracy (stillpoint --help)",
-      extras.empty() ? "no command" : "command " + shortened(extras.front(), longest_word)));
+      extras.empty() ? "no command"
+                     : "command " + records::shortened(extras.front(), records::longest_word)));
 }
 
 }  // namespace
@@ -199,7 +201,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
                            : app.help();
     return invocation;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(shortened(error.what(), longest_path));
+    throw UsageError(records::shortened(error.what(), records::longest_path));
   }
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty()) {

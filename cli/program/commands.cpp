@@ -10,9 +10,9 @@
 #include "text_report.hpp"
 #include "trajectory_csv.hpp"
 
-#include <stillpoint/core/forced_half_cycles.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/pulse_design.hpp>
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/region_answer.hpp>
 
 #include <fmt/format.h>
 
@@ -33,75 +33,21 @@ void report(const Settings& settings, const Json& json, const Text& text, Output
   }
 }
 
-design::DesignResult answer(const DesignInput& input) {
-  const auto& [problem, limits, search] = input.request;
-  return input.pulse
-             ? design::design(
-                   {{*input.pulse, problem.p, problem.beta, problem.criterion}, limits, search})
-             : design::design(input.request);
-}
-
-SimulateAnswer free_answer(const SimulateInput& input) {
-  FreeOptions options;
-  options.half_cycle_limit = input.half_cycle_limit.value_or(options.half_cycle_limit);
-  SimulateAnswer answer;
-  answer.response = free_response(input.oscillator, input.start, options);
-  answer.half_cycles = first_half_cycles(input.oscillator, input.start, input.max_half_cycles);
-  if (input.trajectory) {
-    answer.trajectory = free_trajectory_csv(input, answer.response);
+/// A free motion of so many half-cycles that it takes long is refused; a forced one is watched.
+Simulation watched(const SimulationRequest& request) {
+  if (!is_forced(request)) {
+    return simulate(request);
   }
-  return answer;
-}
-
-/// A motion that excitation throws far rests late; where it is listed it must be followed until
-/// then.
-void require_followable(const SimulateInput& input, double horizon) {
-  const double latest = largest_phase / input.oscillator.p;
-  if (!input.t_end && horizon > latest) {
-    throw InputError::missing(
-        "t-end", fmt::format("the motion goes on to tau = {:.6g} and can be followed up to {:.6g}: "
-                             "give --t-end",
-                             horizon, latest));
-  }
-}
-
-SimulateAnswer forced_answer(const SimulateInput& input) {
-  const Excitation& excitation = input.excitation->excitation;
-  Progress progress(progress_in_tau(input.t_end.value_or(0)), input.t_end.value_or(0));
-  ForcedOptions options;
-  options.t_end = input.t_end;
-  options.half_cycle_limit = input.half_cycle_limit;
-  const auto goes_on = [&progress](double tau) { return progress.goes_on(tau); };
-  options.go_on = [&](double tau) {
+  const double end = request.t_end.value_or(0);
+  Progress progress(progress_in_tau(end), end);
+  double reached = 0;
+  Simulation answer = simulate(request, [&](double tau) {
+    reached = tau;
     progress.announce_minutes(tau);
-    return goes_on(tau);
-  };
-  SimulateAnswer answer;
-  const auto trace = [&](double horizon) {
-    if (input.trajectory && !answer.trajectory) {
-      answer.trajectory = forced_trajectory_csv(input, horizon, goes_on);
-    }
-    if (Progress::interrupted()) {
-      throw Interrupted("interrupted while tracing the motion, nothing is written");
-    }
-  };
-  if (input.t_end) {
-    trace(*input.t_end);  // first: a run that is too long for it shall not be followed for nothing
-  }
-  answer.forced = forced_response(input.oscillator, input.start, excitation, options);
-  if (answer.forced->cancelled) {
-    throw Interrupted(fmt::format("interrupted at tau = {:.6g}, nothing is written",
-                                  answer.forced->end_time.value_or(0)));
-  }
-  const Response& what_any_motion_has = *answer.forced;
-  answer.response = what_any_motion_has;
-  const double horizon = forced_horizon(input, *answer.forced);
-  require_followable(input, horizon);
-  trace(horizon);
-  answer.half_cycles = forced_half_cycles(input.oscillator, input.start, excitation, horizon,
-                                          input.max_half_cycles, goes_on);
+    return progress.goes_on(tau);
+  });
   if (Progress::interrupted()) {
-    throw Interrupted("interrupted while listing half-cycles, nothing is written");
+    throw Interrupted(fmt::format("interrupted at tau = {:.6g}, nothing is written", reached));
   }
   return answer;
 }
@@ -116,12 +62,8 @@ ExitCode exit_code(const design::DesignResult& result) {
 }
 
 ExitCode run_design(const Settings& settings, Output& output) {
-  DesignInput input = design_input(settings);
-  const design::DesignResult result = answer(input);
-  if (input.physical) {
-    input.physical->velocity_m_per_s =
-        result.request.problem.v0 * input.physical->scales.velocity_m_per_s;
-  }
+  const DesignInput input = design_input(settings);
+  const design::DesignResult result = design::design(input.request);
   if (wants_pictures(settings)) {
     write_pictures(settings, Command::design, design_page(input, result), output);
   }
@@ -134,21 +76,7 @@ ExitCode run_design(const Settings& settings, Output& output) {
 
 ExitCode run_region(const Settings& settings, Output& output) {
   const RegionInput input = region_input(settings);
-  RegionAnswer answer;
-  answer.region = design::admissible_region(input.problem, input.limits);
-  answer.reason = design::reason(answer.region, input.problem, input.limits);
-  answer.mends = design::mends(input.problem, input.limits);
-  answer.joint_mend = design::joint_mend(input.problem, input.limits);
-  if (input.f) {
-    answer.delta1_published = design::delta1_published(input.problem, *input.f);
-    answer.delta1_exact = design::delta1_exact(input.problem, *input.f);
-  }
-  if (input.delta) {
-    answer.constraints = design::constraints(input.problem, input.limits, *input.f, *input.delta);
-    answer.tolerance =
-        design::largest_tolerance(input.problem, input.limits, *input.f, *input.delta);
-    answer.admissible = design::admissible(input.problem, input.limits, *input.f, *input.delta);
-  }
+  const design::RegionAnswer answer = design::answer(input.request);
   if (wants_pictures(settings)) {
     write_pictures(settings, Command::region, region_page(input, answer), output);
   }
@@ -161,9 +89,10 @@ ExitCode run_region(const Settings& settings, Output& output) {
 
 ExitCode run_simulate(const Settings& settings, Output& output) {
   const SimulateInput input = simulate_input(settings);
-  const SimulateAnswer answer = input.excitation ? forced_answer(input) : free_answer(input);
-  if (answer.trajectory) {
-    output.write_file("trajectory", *input.trajectory, *answer.trajectory);
+  const Simulation answer = watched(input.request);
+  if (input.trajectory) {
+    output.write_file("trajectory", *input.trajectory,
+                      trajectory_csv(answer.trajectory, input.physical));
   }
   if (wants_pictures(settings)) {
     write_pictures(settings, Command::simulate, simulate_page(input, answer), output);

@@ -52,12 +52,13 @@ Excitation harmonic(const Settings& settings) {
   return Harmonic{k, lambda, settings.number("phase").value_or(0), settings.number("duration")};
 }
 
-ExcitationInput record(const Settings& settings, const RecordClock& clock, double gravity) {
+ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
+                       double gravity) {
   refuse(settings, wave_options, "record");
-  RecordOptions options;
+  records::RecordOptions options;
   options.step = settings.number("record-step");
   if (const auto units = settings.text("record-units")) {
-    options.units = parse_record_units(*units);
+    options.units = records::parse_record_units(*units);
   }
   options.scale = settings.number("record-scale").value_or(1);
   options.gravity_m_per_s2 = gravity;
@@ -66,23 +67,19 @@ ExcitationInput record(const Settings& settings, const RecordClock& clock, doubl
   if (!path) {
     throw InputError::missing("record", "give --record FILE");
   }
-  RecordFile file = read_record(*path, options);
+  records::RecordFile file = records::read_record(*path, options);
   for (double& time : file.times) {
     time /= clock.per_tau;
   }
   return {Record{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
-          "record",
-          path,
-          file.description,
-          settings.text("record-units"),
-          settings.number("record-step"),
-          settings.number("record-scale")};
+          report::RecordOrigin{*path, file.description, settings.text("record-units"),
+                               settings.number("record-step"), settings.number("record-scale")}};
 }
 
 }  // namespace
 
-std::optional<ExcitationInput> excitation_input(const Settings& settings, const RecordClock& clock,
-                                                double gravity) {
+std::optional<ExcitationInput> excitation_input(const Settings& settings,
+                                                const records::RecordClock& clock, double gravity) {
   const std::string type =
       settings.text("excitation").value_or(settings.has("record") ? "record" : "");
   if (type.empty() && !settings.has("excitation")) {
@@ -108,9 +105,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, const 
       throw InputError("excitation", type,
                        "must be harmonic, half-sine, full-sine, rectangle or record");
     }
-    input.emplace();
-    input->excitation = excitation;
-    input->type = type;
+    input = ExcitationInput{excitation, {}};
   }
   require_valid(input->excitation);
   return input;

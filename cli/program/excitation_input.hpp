@@ -5,28 +5,23 @@
 #include "settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/report/record_origin.hpp>
 
 #include <optional>
-#include <string>
 
 namespace stillpoint::cli {
 
-/// What shakes the base, and how a report names it.
+/// What shakes the base, and where a record comes from.
 struct ExcitationInput {
   Excitation excitation;
-  std::string type;                         ///< as in --excitation
-  std::optional<std::string> record;        ///< the file
-  std::string description;                  ///< what the file says of itself
-  std::optional<std::string> record_units;  ///< these three as asked for
-  std::optional<double> record_step;
-  std::optional<double> record_scale;
+  std::optional<report::RecordOrigin> record;
 };
 
 /// Empty where nothing is asked for. A record's times become tau by its `clock`.
 /// Throws UsageError for options that do not go together or a file that is not in order, and
 /// InputError for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
-                                                              const RecordClock& clock,
+                                                              const records::RecordClock& clock,
                                                               double gravity);
 
 }  // namespace stillpoint::cli

@@ -63,6 +63,10 @@ bool Progress::goes_on(double done) {
 void Progress::announce_minutes(double done) {
   constexpr double known_after_s = 1;
   constexpr double long_s = 120;
+  if (done < last_done_) {  // another pass over the same motion
+    started_s_ = seconds_now();
+  }
+  last_done_ = done;
   const double seconds = seconds_now() - started_s_;
   if (shown_ || announced_ || seconds < known_after_s) {
     return;

@@ -42,6 +42,7 @@ class Progress {
   bool line_open_{false};
   double last_shown_s_{0};
   double started_s_;
+  double last_done_{0};
   void (*previous_)(int);
 };
 

@@ -13,8 +13,8 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <numbers>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::cli {
 
@@ -80,16 +80,6 @@ double initial_velocity(const Settings& settings, std::string_view name, bool ma
   return may_be_missing ? settings.number(name).value_or(0) : settings.required(name, hint);
 }
 
-/// H = velocity / omega. Where there is no velocity, the initial displacement; and without that
-/// g / omega^2, which makes p = 1.
-double reference_velocity(double velocity, double x0_m, const design::PhysicalIsolator& isolator) {
-  if (velocity != 0) {
-    return velocity;
-  }
-  const double omega = design::physical_scales(isolator, 1).omega_rad_per_s;
-  return x0_m != 0 ? std::abs(x0_m) * omega : isolator.gravity_m_per_s2 / omega;
-}
-
 MotionInput physical_motion(const Settings& settings, bool from_rest) {
   design::PhysicalIsolator isolator;
   isolator.period_s = settings.number("period");
@@ -100,16 +90,11 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   const double velocity = initial_velocity(settings, "velocity", x0_m != 0 || from_rest,
                                            "give the initial velocity in m/s");
   MotionInput motion;
-  PhysicalInput physical;
-  physical.scales =
-      design::physical_scales(isolator, reference_velocity(std::abs(velocity), x0_m, isolator));
-  physical.velocity_m_per_s = velocity;
-  physical.by_stiffness = isolator.stiffness_n_per_m.has_value();
-  physical.period_s = 2 * std::numbers::pi / physical.scales.omega_rad_per_s;
-  motion.v0 = velocity / physical.scales.velocity_m_per_s;
-  motion.p = physical.scales.p;
-  motion.x0 = x0_m / physical.scales.length_m;
-  motion.physical = physical;
+  motion.physical = design::physical_input(isolator, velocity, x0_m);
+  const design::Scales& scales = motion.physical->scales;
+  motion.v0 = velocity / scales.velocity_m_per_s;
+  motion.p = scales.p;
+  motion.x0 = x0_m / scales.length_m;
   return motion;
 }
 
@@ -129,7 +114,7 @@ MotionInput motion_input(const Settings& settings, bool from_rest) {
 /// A length of the damper that may be given in metres or dimensionless, then at least `least`.
 std::optional<double> point_friction(const Settings& settings, std::string_view plain,
                                      std::string_view metres,
-                                     const std::optional<PhysicalInput>& physical,
+                                     const std::optional<design::PhysicalInput>& physical,
                                      double least = 0) {
   if (const auto value = settings.number(metres)) {
     const double unit = physical->scales.length_m;
@@ -146,7 +131,7 @@ std::optional<double> point_friction(const Settings& settings, std::string_view 
 struct Task {
   design::Problem problem;
   design::Limits limits;
-  std::optional<PhysicalInput> physical;
+  std::optional<design::PhysicalInput> physical;
 };
 
 /// What design and region have in common; with a pulse, without a velocity.
@@ -219,17 +204,14 @@ std::optional<double> half_cycle_limit(const Settings& settings) {
 }
 
 DesignInput design_input(const Settings& settings) {
-  DesignInput input;
   require_one_of(settings, {"v0", "velocity", "pulse"});
-  input.pulse = pulse_input(settings);
-  const Task given = task(settings, input.pulse.has_value());
-  input.request.problem = given.problem;
-  input.request.limits = given.limits;
+  const std::optional<design::Pulse> pulse = pulse_input(settings);
+  const Task given = task(settings, pulse.has_value());
+  const std::optional<std::string> algorithm = settings.text("algorithm");
+  DesignInput input{{given.problem, given.limits, {}, pulse}, given.physical};
   input.request.search.objective = objective(settings);
-  input.algorithm = settings.text("algorithm");
-  input.request.search.algorithm = input.algorithm.value_or("");
-  input.physical = given.physical;
-  if (input.algorithm && input.algorithm->empty()) {
+  input.request.search.algorithm = algorithm.value_or("");
+  if (algorithm && algorithm->empty()) {
     throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
   }
   return input;
@@ -241,12 +223,13 @@ RegionInput region_input(const Settings& settings) {
         "v0", "region needs a velocity, not a pulse: give --v0, or --velocity in m/s");
   }
   const Task given = task(settings, false);
-  RegionInput input{given.problem, given.limits, settings.number("f"), {}, given.physical};
-  input.delta = point_friction(settings, "delta", "delta-m", given.physical);
-  if (input.f) {
-    require_valid(Oscillator{given.problem.p, *input.f, input.delta.value_or(0)});
+  RegionInput input{{given.problem, given.limits, settings.number("f")}, given.physical};
+  auto& [problem, limits, f, delta] = input.request;
+  delta = point_friction(settings, "delta", "delta-m", given.physical);
+  if (f) {
+    require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
   }
-  if (input.delta && !input.f) {
+  if (delta && !f) {
     throw InputError::missing("f", "delta alone is no point of the region, give --f as well");
   }
   return input;
@@ -255,45 +238,52 @@ RegionInput region_input(const Settings& settings) {
 SimulateInput simulate_input(const Settings& settings) {
   const MotionInput motion = motion_input(settings, starts_from_rest(settings));
   SimulateInput input;
+  SimulationRequest& request = input.request;
   input.physical = motion.physical;
-  input.start = {motion.x0, motion.v0};
-  input.oscillator.p = motion.p;
-  input.oscillator.f = settings.required("f", "give --f, the constant friction (0 for none)");
+  request.start = {motion.x0, motion.v0};
+  request.oscillator.p = motion.p;
+  request.oscillator.f = settings.required("f", "give --f, the constant friction (0 for none)");
   const auto delta = point_friction(settings, "delta", "delta-m", motion.physical);
   if (!delta) {
     throw InputError::missing("delta", "give --delta, the point friction (0 for none)");
   }
-  input.oscillator.delta = *delta;
-  input.half_cycle_limit = half_cycle_limit(settings);
-  input.max_half_cycles = count(settings, "max-half-cycles", input.max_half_cycles, 0, 100'000);
+  request.oscillator.delta = *delta;
+  request.half_cycle_limit = half_cycle_limit(settings);
+  request.max_half_cycles = count(settings, "max-half-cycles", request.max_half_cycles, 0, 100'000);
   input.trajectory = settings.text("trajectory");
-  input.samples = count(settings, "samples", input.samples, 2, 1'000'000);
-  input.t_end = settings.number("t-end");
-  if (settings.has("samples") && !input.trajectory) {
+  const std::int64_t samples = count(settings, "samples", 1000, 2, 1'000'000);
+  if (input.trajectory) {
+    request.samples = samples;
+  } else if (settings.has("samples")) {
     throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
   }
-  require_valid(input.oscillator, input.start);
-  const RecordClock clock = input.physical
-                                ? RecordClock{"s", input.physical->scales.time_s, motion.p}
-                                : RecordClock{"tau", 1, motion.p};
-  input.excitation = excitation_input(
-      settings, clock, settings.number("gravity").value_or(design::Scales().gravity_m_per_s2));
-  if (input.t_end && !input.trajectory && !input.excitation) {
+  request.t_end = settings.number("t-end");
+  require_valid(request.oscillator, request.start);
+  const records::RecordClock clock =
+      input.physical ? records::RecordClock{"s", input.physical->scales.time_s, motion.p}
+                     : records::RecordClock{"tau", 1, motion.p};
+  if (auto excitation = excitation_input(
+          settings, clock,
+          settings.number("gravity").value_or(design::Scales().gravity_m_per_s2))) {
+    request.excitation = std::move(excitation->excitation);
+    input.record = std::move(excitation->record);
+  }
+  const bool forced = is_forced(request);
+  if (request.t_end && !input.trajectory && !forced) {
     throw UsageError(
         "t-end is for a trajectory or an excitation: give --trajectory FILE or --excitation as "
         "well");
   }
-  if (input.t_end) {
-    const bool forced = input.excitation.has_value();
-    require_within("t-end", *input.t_end,
+  if (request.t_end) {
+    require_within("t-end", *request.t_end,
                    forced ? smallest_speed : std::numeric_limits<double>::min(),
                    forced ? largest_speed : unlimited);
   }
-  if (input.excitation) {
-    if (!input.t_end && !duration(input.excitation->excitation)) {
+  if (forced) {
+    if (!request.t_end && !duration(request.excitation)) {
       throw InputError::missing("t-end", "give --t-end, the excitation never ends");
     }
-    require_valid(input.oscillator, input.start, input.excitation->excitation, input.t_end);
+    require_valid(request.oscillator, request.start, request.excitation, request.t_end);
   }
   return input;
 }

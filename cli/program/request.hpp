@@ -4,59 +4,41 @@
 #include "excitation_input.hpp"
 #include "settings.hpp"
 
-#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
-#include <stillpoint/design/physical.hpp>
-#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/physical_input.hpp>
+#include <stillpoint/design/region_answer.hpp>
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
 namespace stillpoint::cli {
-
-/// The scales, and what was given in metres and seconds, for a report in both.
-struct PhysicalInput {
-  design::Scales scales;
-  double velocity_m_per_s{0};
-  double period_s{0};
-  bool by_stiffness{false};  ///< not by the period
-  std::optional<double> max_displacement_m;
-};
 
 /// v0, p and x0 of a motion, however they were given.
 struct MotionInput {
   double v0{0};
   double p{1};
   double x0{0};
-  std::optional<PhysicalInput> physical;
+  std::optional<design::PhysicalInput> physical;
 };
 
+/// A request, and what a report or a file needs beside it. `physical` where it was given in metres
+/// and seconds.
 struct DesignInput {
-  design::DesignRequest request;         ///< without v0 where there is a pulse
-  std::optional<design::Pulse> pulse;    ///< in place of the initial velocity
-  std::optional<std::string> algorithm;  ///< as asked for
-  std::optional<PhysicalInput> physical;
+  design::DesignRequest request;
+  std::optional<design::PhysicalInput> physical;
 };
 
 struct RegionInput {
-  design::Problem problem;
-  design::Limits limits;
-  std::optional<double> f;
-  std::optional<double> delta;
-  std::optional<PhysicalInput> physical;
+  design::RegionRequest request;
+  std::optional<design::PhysicalInput> physical;
 };
 
 struct SimulateInput {
-  Oscillator oscillator;
-  Start start;
-  std::optional<double> half_cycle_limit;
-  std::int64_t max_half_cycles{1000};
-  std::optional<ExcitationInput> excitation;  ///< empty: free motion
-  std::optional<std::string> trajectory;
-  std::int64_t samples{1000};
-  std::optional<double> t_end;
-  std::optional<PhysicalInput> physical;
+  SimulationRequest request;
+  std::optional<report::RecordOrigin> record;
+  std::optional<std::string> trajectory;  ///< the file
+  std::optional<design::PhysicalInput> physical;
 };
 
 /// Empty where not given. Throws InputError outside of 1 to 1e15.

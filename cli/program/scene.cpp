@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene.hpp"
 
-#include "printable.hpp"
-
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,7 +48,7 @@ std::string read_all(std::FILE* file, const std::string& source) {
 
 [[noreturn]] void refuse_twice(const std::string& key) {
   throw UsageError(fmt::format("{} is set twice: a key may stand only once in a scene",
-                               shortened(key, longest_word)));
+                               records::shortened(key, records::longest_word)));
 }
 
 /// What the library passes over, watched for while it parses: of two equal keys it keeps the last,
@@ -103,12 +102,14 @@ json parse_json(std::string_view text, std::string_view source) {
       return watch(depth, event, parsed);
     });
   } catch (const json::out_of_range& error) {
-    throw UsageError(fmt::format("scene {}: {}: {}, must have a magnitude up to 1.8e308", source,
-                                 shortened(watch.last(), longest_word),
-                                 printable(without_prefix(error.what()), longest_message)));
+    throw UsageError(
+        fmt::format("scene {}: {}: {}, must have a magnitude up to 1.8e308", source,
+                    records::shortened(watch.last(), records::longest_word),
+                    records::printable(without_prefix(error.what()), longest_message)));
   } catch (const json::exception& error) {
-    throw UsageError(fmt::format("scene {}: is not valid JSON: {}", source,
-                                 printable(without_prefix(error.what()), longest_message)));
+    throw UsageError(
+        fmt::format("scene {}: is not valid JSON: {}", source,
+                    records::printable(without_prefix(error.what()), longest_message)));
   }
 }
 
@@ -173,7 +174,7 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
 void add_key(Settings& settings, const std::string& key, const json& value, const Option* option,
              Command command) {
   if (option == nullptr) {
-    throw InputError(shortened(key, longest_word), value.dump(),
+    throw InputError(records::shortened(key, records::longest_word), value.dump(),
                      fmt::format("is not a key of a scene{}", suggestion(key)));
   }
   if (settings.has(option->name)) {
@@ -227,7 +228,8 @@ Settings read_scene(const std::string& path, Command command) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) {
-    throw UsageError(fmt::format("scene {}: cannot be read: {}", shortened(path, longest_path),
+    throw UsageError(fmt::format("scene {}: cannot be read: {}",
+                                 records::shortened(path, records::longest_path),
                                  std::strerror(errno)));
   }
   return parse_scene(read_all(file.get(), path), path, command);

@@ -3,36 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 
-#include <fmt/format.h>
-
-#include <charconv>
-#include <cmath>
-#include <system_error>
-
 namespace stillpoint::cli {
-
-double parse_number(std::string_view field, std::string_view text) {
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::result_out_of_range) {
-    throw InputError(std::string(field), std::string(text),
-                     "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
-  }
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a finite number");
-  }
-  return value;
-}
-
-std::int64_t parse_integer(std::string_view field, std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a whole number");
-  }
-  return value;
-}
 
 template <class T>
 std::optional<T> Settings::get(std::string_view name) const {

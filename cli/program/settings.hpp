@@ -4,6 +4,8 @@
 #include "axis.hpp"
 #include "options.hpp"
 
+#include <stillpoint/records/number.hpp>
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -21,9 +23,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A number in full: decimal or exponent form, finite. Throws InputError that names the field.
-[[nodiscard]] double parse_number(std::string_view field, std::string_view text);
-[[nodiscard]] std::int64_t parse_integer(std::string_view field, std::string_view text);
+using records::parse_integer;
+using records::parse_number;
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {

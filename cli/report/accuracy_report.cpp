@@ -89,12 +89,12 @@ std::string accuracy_text(const SimulateInput& input, const AccuracyAnswer& answ
   Page page(style);
   add_title(page, "Accuracy", title);
   page.section("Scene");
-  page.row(
-      "dimensionless",
-      format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}   f = {:.6g}   delta = {:.6g}", input.start.v0,
-             input.oscillator.p, input.start.x0, input.oscillator.f, input.oscillator.delta));
-  if (input.excitation) {
-    add_excitation(page, *input.excitation, input.physical);
+  page.row("dimensionless",
+           format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}   f = {:.6g}   delta = {:.6g}",
+                  input.request.start.v0, input.request.oscillator.p, input.request.start.x0,
+                  input.request.oscillator.f, input.request.oscillator.delta));
+  if (is_forced(input.request)) {
+    add_excitation(page, input);
   }
   page.section("In 50 digits");
   page.row("peak", format("{:.17g}", truth.peak));

@@ -21,7 +21,7 @@ struct FigureUnits {
   std::string velocity_label{"velocity x′"};
   std::string energy_label{"energy"};
 
-  explicit FigureUnits(const std::optional<PhysicalInput>& physical) {
+  explicit FigureUnits(const std::optional<design::PhysicalInput>& physical) {
     if (!physical) {
       return;
     }

@@ -14,6 +14,16 @@
 
 namespace stillpoint::cli {
 
+using figures::axis_around;
+using figures::Dash;
+using figures::Figure;
+using figures::FigureAxis;
+using figures::FigureCurve;
+using figures::FigurePoint;
+using figures::Fill;
+using figures::Ink;
+using figures::Shape;
+
 namespace {
 
 using fmt::format;

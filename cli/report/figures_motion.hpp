@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure.hpp"
 #include "figure_units.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
+#include <stillpoint/figures/figure.hpp>
 
 #include <optional>
 #include <utility>
@@ -41,12 +41,13 @@ inline constexpr double most_drawn_periods = 100;
 [[nodiscard]] DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start,
                                               const Excitation& excitation, double horizon);
 
-[[nodiscard]] Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units);
-[[nodiscard]] Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units);
+[[nodiscard]] figures::Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units);
+[[nodiscard]] figures::Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units);
 /// Of a free motion: what is left of the energy, and what each friction took.
-[[nodiscard]] Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units);
+[[nodiscard]] figures::Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units);
 /// W over the same time as the motion.
-[[nodiscard]] Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion,
-                                       const FigureUnits& units);
+[[nodiscard]] figures::Figure excitation_figure(const Excitation& excitation,
+                                                const DrawnMotion& motion,
+                                                const FigureUnits& units);
 
 }  // namespace stillpoint::cli

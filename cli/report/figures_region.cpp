@@ -10,6 +10,16 @@
 
 namespace stillpoint::cli {
 
+using figures::Anchor;
+using figures::Dash;
+using figures::Figure;
+using figures::FigureAxis;
+using figures::FigureCurve;
+using figures::FigureNote;
+using figures::FigurePoint;
+using figures::Ink;
+using figures::Shape;
+
 namespace {
 
 using design::Problem;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure.hpp"
 #include "figure_units.hpp"
 
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/figures/figure.hpp>
 
 #include <functional>
 #include <optional>
@@ -34,9 +34,10 @@ struct DrawnRegion {
 };
 
 /// The admissible region in the (f, Delta) plane, its edges by name, and a point in it.
-[[nodiscard]] Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
+[[nodiscard]] figures::Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
 
 /// The analytic boundaries alone, within the axes of the figure.
-void add_boundaries(Figure& figure, const design::Problem& problem, const FigureUnits& units);
+void add_boundaries(figures::Figure& figure, const design::Problem& problem,
+                    const FigureUnits& units);
 
 }  // namespace stillpoint::cli

@@ -15,6 +15,10 @@
 
 namespace stillpoint::cli {
 
+using figures::Figure;
+using figures::FigureAxis;
+using figures::Scale;
+
 namespace {
 
 using fmt::format;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure.hpp"
 #include "sweep_map.hpp"
+
+#include <stillpoint/figures/figure.hpp>
 
 namespace stillpoint::cli {
 
 /// The plane of f and Delta, coloured by how the motions end and after how many half-cycles; of
 /// free motions from x = 0 with the analytic boundaries on top.
-[[nodiscard]] Figure sweep_figure(const SweepTask& task, const SweepMap& map);
+[[nodiscard]] figures::Figure sweep_figure(const SweepTask& task, const SweepMap& map);
 
 }  // namespace stillpoint::cli

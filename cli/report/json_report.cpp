@@ -71,11 +71,11 @@ ordered_json pulse_check_json(const design::PulseCheck& check) {
 }  // namespace
 
 ordered_json design_json(const DesignInput& input, const design::DesignResult& result) {
-  const auto& [problem, limits, search] = result.request;
+  const auto& [problem, limits, search, pulse] = result.request;
   ordered_json task = task_json(problem, limits);
-  add_pulse(task, input.pulse);
+  add_pulse(task, pulse);
   task["objective"] = name(search.objective);
-  task["algorithm"] = input.algorithm ? ordered_json(*input.algorithm) : ordered_json(nullptr);
+  task["algorithm"] = text(search.algorithm);
   ordered_json report{
       {"schema", "stillpoint/design-report/1"},
       {"program", program_json()},
@@ -102,10 +102,10 @@ ordered_json design_json(const DesignInput& input, const design::DesignResult& r
   return report;
 }
 
-ordered_json region_json(const RegionInput& input, const RegionAnswer& answer) {
-  ordered_json task = task_json(input.problem, input.limits);
-  task["f"] = number(input.f);
-  task["delta"] = number(input.delta);
+ordered_json region_json(const RegionInput& input, const design::RegionAnswer& answer) {
+  ordered_json task = task_json(input.request.problem, input.request.limits);
+  task["f"] = number(input.request.f);
+  task["delta"] = number(input.request.delta);
   return {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},

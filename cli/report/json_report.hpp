@@ -3,11 +3,6 @@
 
 #include "request.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/half_cycle_walk.hpp>
-#include <stillpoint/design/design.hpp>
-
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -15,27 +10,6 @@
 #include <vector>
 
 namespace stillpoint::cli {
-
-/// What `region` answers.
-struct RegionAnswer {
-  design::Region region;
-  std::string reason;
-  std::vector<design::Mend> mends;
-  std::optional<design::JointMend> joint_mend;
-  std::optional<double> delta1_published;
-  std::optional<double> delta1_exact;
-  std::optional<bool> admissible;
-  std::optional<double> tolerance;  ///< the largest that the point withstands
-  std::vector<design::Constraint> constraints;
-};
-
-/// What `simulate` answers.
-struct SimulateAnswer {
-  Response response;
-  std::optional<ForcedResponse> forced;  ///< where there is an excitation; response is its part
-  std::vector<HalfCycle> half_cycles;
-  std::optional<std::string> trajectory;  ///< the file's text, where one was asked for
-};
 
 /// Parts of more than one report.
 [[nodiscard]] nlohmann::ordered_json program_json();
@@ -46,8 +20,8 @@ struct SimulateAnswer {
 [[nodiscard]] nlohmann::ordered_json design_json(const DesignInput& input,
                                                  const design::DesignResult& result);
 [[nodiscard]] nlohmann::ordered_json region_json(const RegionInput& input,
-                                                 const RegionAnswer& answer);
+                                                 const design::RegionAnswer& answer);
 [[nodiscard]] nlohmann::ordered_json simulate_json(const SimulateInput& input,
-                                                   const SimulateAnswer& answer);
+                                                   const Simulation& answer);
 
 }  // namespace stillpoint::cli

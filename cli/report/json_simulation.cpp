@@ -13,22 +13,24 @@ using nlohmann::ordered_json;
 namespace {
 
 /// Its numbers as given; what a type does not have is null.
-ordered_json excitation_json(const std::optional<ExcitationInput>& input) {
-  if (!input) {
+ordered_json excitation_json(const SimulateInput& input) {
+  if (!is_forced(input.request)) {
     return nullptr;
   }
-  ordered_json json{{"type", input->type},
+  const Excitation& excitation = input.request.excitation;
+  const report::RecordOrigin origin = input.record.value_or(report::RecordOrigin());
+  ordered_json json{{"type", name(excitation)},
                     {"k", nullptr},
                     {"lambda", nullptr},
                     {"phase", nullptr},
                     {"duration", nullptr},
-                    {"record", text(input->record.value_or(""))},
+                    {"record", text(origin.file)},
                     {"samples", nullptr},
-                    {"record_units", text(input->record_units.value_or(""))},
-                    {"record_step", number(input->record_step)},
-                    {"record_scale", number(input->record_scale)}};
-  json["duration"] = number(duration(input->excitation));
-  if (const auto* harmonic = std::get_if<Harmonic>(&input->excitation)) {
+                    {"record_units", text(origin.units.value_or(""))},
+                    {"record_step", number(origin.step)},
+                    {"record_scale", number(origin.scale)}};
+  json["duration"] = number(duration(excitation));
+  if (const auto* harmonic = std::get_if<Harmonic>(&excitation)) {
     json["phase"] = number(harmonic->phase);
   }
   std::visit(
@@ -40,7 +42,7 @@ ordered_json excitation_json(const std::optional<ExcitationInput>& input) {
           json["samples"] = kind.values.size();
         }
       },
-      input->excitation);
+      excitation);
   return json;
 }
 
@@ -63,16 +65,14 @@ ordered_json half_cycles_json(const std::vector<HalfCycle>& half_cycles) {
 }  // namespace
 
 ordered_json simulate_input_json(const SimulateInput& input) {
-  return {{"v0", number(input.start.v0)},
-          {"p", number(input.oscillator.p)},
-          {"f", number(input.oscillator.f)},
-          {"delta", number(input.oscillator.delta)},
-          {"x0", number(input.start.x0)},
-          {"t_end", number(input.t_end)},
-          {"excitation", excitation_json(input.excitation)}};
+  return {
+      {"v0", number(input.request.start.v0)},    {"p", number(input.request.oscillator.p)},
+      {"f", number(input.request.oscillator.f)}, {"delta", number(input.request.oscillator.delta)},
+      {"x0", number(input.request.start.x0)},    {"t_end", number(input.request.t_end)},
+      {"excitation", excitation_json(input)}};
 }
 
-ordered_json simulate_json(const SimulateInput& input, const SimulateAnswer& answer) {
+ordered_json simulate_json(const SimulateInput& input, const Simulation& answer) {
   return {
       {"schema", "stillpoint/simulation-report/1"},
       {"program", program_json()},

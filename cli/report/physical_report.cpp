@@ -20,7 +20,7 @@ std::optional<double> times(const std::optional<double>& value, double unit) {
   return value ? std::optional(*value * unit) : std::nullopt;
 }
 
-Quantities scale_quantities(const PhysicalInput& physical) {
+Quantities scale_quantities(const design::PhysicalInput& physical) {
   const design::Scales& scales = physical.scales;
   return {{"length_unit_m", scales.length_m},
           {"time_unit_s", scales.time_s},
@@ -33,18 +33,20 @@ Quantities scale_quantities(const PhysicalInput& physical) {
           {"velocity_m_per_s", physical.velocity_m_per_s}};
 }
 
-void add_region(Quantities& list, const PhysicalInput& physical, const design::Region& region) {
+void add_region(Quantities& list, const design::PhysicalInput& physical,
+                const design::Region& region) {
   list.push_back({"max_displacement_m", physical.max_displacement_m});
   list.push_back({"max_displacement_min_m", region.beta_min * physical.scales.length_m});
   list.push_back({"delta2_m", physical.scales.delta_m(region.delta2)});
 }
 
 /// Mended inputs; null where that input alone cannot mend it.
-void add_mends(Quantities& list, PhysicalInput physical, const std::vector<design::Mend>& mends) {
+void add_mends(Quantities& list, design::PhysicalInput physical,
+               const std::vector<design::Mend>& mends) {
   const auto mended = [&](std::string_view field) -> std::optional<double> {
     for (const design::Mend& mend : mends) {
       if (mend.field == field) {
-        return physical_mend(physical, mend).value;
+        return physical_mend(physical, mend)->value;
       }
     }
     return std::nullopt;
@@ -100,40 +102,14 @@ void add_excitation(Quantities& list, const design::Scales& scales, const Excita
 
 }  // namespace
 
-PhysicalMend physical_mend(const PhysicalInput& physical, const design::Mend& mend) {
-  const design::Scales& scales = physical.scales;
-  // The conversion rounds a few times; so much to the safe side keeps the mended input feasible.
-  constexpr double safety = 1e-14;
-  const auto outward = [&](double value, bool upwards) {
-    return value * (upwards ? 1 + safety : 1 - safety);
-  };
-  const bool up = mend.upwards;
-  if (mend.field == "v0") {
-    return {"velocity", "m/s", outward(mend.value * scales.velocity_m_per_s, up), up};
-  }
-  if (mend.field == "p" && physical.by_stiffness && scales.mass_kg) {
-    const double omega = mend.value / scales.time_s;
-    return {"stiffness", "N/m", outward(*scales.mass_kg * omega * omega, up), up};
-  }
-  if (mend.field == "p") {
-    const double period = 2 * std::numbers::pi * scales.time_s / mend.value;
-    return {"period", "s", outward(period, !up), !up};
-  }
-  if (mend.field == "beta") {
-    return {"max_displacement", "m", outward(mend.value * scales.length_m, up), up};
-  }
-  if (mend.field == "delta_max") {
-    return {"delta_max", "m", outward(scales.delta_m(mend.value), up), up};
-  }
-  return {mend.field, "", mend.value, up};
-}
-
 Quantities design_quantities(const DesignInput& input, const design::DesignResult& result) {
   if (!input.physical) {
     return {};
   }
-  const design::Scales& scales = input.physical->scales;
-  Quantities list = scale_quantities(*input.physical);
+  design::PhysicalInput physical = *input.physical;
+  const design::Scales& scales = physical.scales;
+  physical.velocity_m_per_s = result.request.problem.v0 * scales.velocity_m_per_s;
+  Quantities list = scale_quantities(physical);
   add_region(list, *input.physical, result.region);
   add_mends(list, *input.physical, result.mends);
   if (result.finding) {
@@ -143,11 +119,12 @@ Quantities design_quantities(const DesignInput& input, const design::DesignResul
     add_damper(list, scales, {}, {});
     add_response(list, scales, {});
   }
-  add_excitation(list, scales, input.pulse ? design::excitation(*input.pulse) : NoExcitation{});
+  add_excitation(list, scales,
+                 result.request.pulse ? design::excitation(*result.request.pulse) : NoExcitation{});
   return list;
 }
 
-Quantities region_quantities(const RegionInput& input, const RegionAnswer& answer) {
+Quantities region_quantities(const RegionInput& input, const design::RegionAnswer& answer) {
   if (!input.physical) {
     return {};
   }
@@ -155,21 +132,21 @@ Quantities region_quantities(const RegionInput& input, const RegionAnswer& answe
   Quantities list = scale_quantities(*input.physical);
   add_region(list, *input.physical, answer.region);
   add_mends(list, *input.physical, answer.mends);
-  add_damper(list, scales, input.f, input.delta);
+  add_damper(list, scales, input.request.f, input.request.delta);
   list.push_back({"delta1_published_m", times(answer.delta1_published, scales.length_m)});
   list.push_back({"delta1_exact_m", times(answer.delta1_exact, scales.length_m)});
   return list;
 }
 
-Quantities simulate_quantities(const SimulateInput& input, const SimulateAnswer& answer) {
+Quantities simulate_quantities(const SimulateInput& input, const Simulation& answer) {
   if (!input.physical) {
     return {};
   }
   const design::Scales& scales = input.physical->scales;
   Quantities list = scale_quantities(*input.physical);
-  add_damper(list, scales, input.oscillator.f, input.oscillator.delta);
+  add_damper(list, scales, input.request.oscillator.f, input.request.oscillator.delta);
   add_response(list, scales, answer.response);
-  add_excitation(list, scales, input.excitation ? input.excitation->excitation : NoExcitation{});
+  add_excitation(list, scales, input.request.excitation);
   if (answer.forced) {
     const ForcedResponse& forced = *answer.forced;
     list.push_back({"end_time_s", times(forced.end_time, scales.time_s)});

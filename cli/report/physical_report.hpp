@@ -20,18 +20,8 @@ struct PhysicalValue {
 [[nodiscard]] std::vector<PhysicalValue> design_quantities(const DesignInput& input,
                                                            const design::DesignResult& result);
 [[nodiscard]] std::vector<PhysicalValue> region_quantities(const RegionInput& input,
-                                                           const RegionAnswer& answer);
+                                                           const design::RegionAnswer& answer);
 [[nodiscard]] std::vector<PhysicalValue> simulate_quantities(const SimulateInput& input,
-                                                             const SimulateAnswer& answer);
-
-/// The physical value of a mended input, by the name under which it was given, with its unit; H, a
-/// mere unit of length, stays.
-struct PhysicalMend {
-  std::string_view name;
-  std::string_view unit;
-  double value;
-  bool upwards;
-};
-[[nodiscard]] PhysicalMend physical_mend(const PhysicalInput& physical, const design::Mend& mend);
+                                                             const Simulation& answer);
 
 }  // namespace stillpoint::cli

@@ -5,13 +5,12 @@
 #include "figures_region.hpp"
 #include "figures_sweep.hpp"
 #include "page.hpp"
-#include "printable.hpp"
 #include "text_report.hpp"
 #include "text_sections.hpp"
-#include "trajectory_csv.hpp"
 #include "version.hpp"
 
 #include <stillpoint/core/forced_half_cycles.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,6 +24,12 @@
 #include <system_error>
 
 namespace stillpoint::cli {
+
+using figures::Figure;
+using figures::Frame;
+using figures::HtmlPage;
+using figures::HtmlTable;
+using figures::Ink;
 
 namespace {
 
@@ -91,23 +96,23 @@ std::optional<double> end_of_beginning(std::int64_t half_cycles,
 }
 
 std::vector<HalfCycle> drawable_half_cycles(const SimulateInput& input) {
-  return first_half_cycles(input.oscillator, input.start, most_drawn_half_cycles);
+  return first_half_cycles(input.request.oscillator, input.request.start, most_drawn_half_cycles);
 }
 
-DrawnMotion drawn(const SimulateInput& input, const SimulateAnswer& answer) {
-  if (!input.excitation) {
+DrawnMotion drawn(const SimulateInput& input, const Simulation& answer) {
+  if (!is_forced(input.request)) {
     const auto listed = drawable_half_cycles(input);
     const auto cut = end_of_beginning(static_cast<std::int64_t>(listed.size()), listed);
-    DrawnMotion motion = drawn_free_motion(input.oscillator, input.start, cut);
+    DrawnMotion motion = drawn_free_motion(input.request.oscillator, input.request.start, cut);
     motion.whole = !cut;
     return motion;
   }
-  const Excitation& excitation = input.excitation->excitation;
-  const double horizon = forced_horizon(input, *answer.forced);
-  const double rate = fastest_rate(input.oscillator.p, excitation);
+  const Excitation& excitation = input.request.excitation;
+  const double horizon = answer.horizon;
+  const double rate = fastest_rate(input.request.oscillator.p, excitation);
   double last = std::min(horizon, most_drawn_periods * 2 * std::numbers::pi / rate);
-  const auto listed = forced_half_cycles(input.oscillator, input.start, excitation, last,
-                                         most_drawn_half_cycles, {});
+  const auto listed = forced_half_cycles(input.request.oscillator, input.request.start, excitation,
+                                         last, most_drawn_half_cycles, {});
   last = std::min(
       last, end_of_beginning(static_cast<std::int64_t>(listed.size()), listed).value_or(last));
   // Where the mass rests for good there is little to see.
@@ -117,7 +122,8 @@ DrawnMotion drawn(const SimulateInput& input, const SimulateAnswer& answer) {
   if (rests) {
     last = std::min(last, seen_at_rest * *stop_time);
   }
-  DrawnMotion motion = drawn_forced_motion(input.oscillator, input.start, excitation, last);
+  DrawnMotion motion =
+      drawn_forced_motion(input.request.oscillator, input.request.start, excitation, last);
   if (rests && last >= *stop_time && !motion.rest) {  // known to be the final one only later
     motion.rest = State{*stop_time, *answer.forced->stop_position, 0};
   }
@@ -140,11 +146,11 @@ void make_directory(const std::string& path) {
   }
 }
 
-std::optional<design::PulseProblem> pulse_problem(const DesignInput& input,
+std::optional<design::PulseProblem> pulse_problem(const std::optional<design::Pulse>& pulse,
                                                   const design::Problem& problem) {
-  return input.pulse ? std::optional(design::PulseProblem{*input.pulse, problem.p, problem.beta,
-                                                          problem.criterion})
-                     : std::nullopt;
+  return pulse ? std::optional(
+                     design::PulseProblem{*pulse, problem.p, problem.beta, problem.criterion})
+               : std::nullopt;
 }
 
 /// The design as its pulse moves it, from rest.
@@ -212,7 +218,7 @@ void prepare_pictures(const Settings& settings) {
 }
 
 HtmlPage design_page(const DesignInput& input, const design::DesignResult& result) {
-  const auto& [problem, limits, search] = result.request;
+  const auto& [problem, limits, search, pulse] = result.request;
   const FigureUnits units(input.physical);
   HtmlPage page;
   page.title = "Damper design";
@@ -231,7 +237,7 @@ HtmlPage design_page(const DesignInput& input, const design::DesignResult& resul
   motion.beta = problem.beta;
   page.figures = {
       region_figure({problem, limits, result.region, DrawnDamper{"design", f, delta, tolerance},
-                     pulse_problem(input, problem)},
+                     pulse_problem(pulse, problem)},
                     units),
       motion_figure(motion, units), phase_figure(motion, units), energy_figure(motion, units)};
   if (found.pulse) {
@@ -243,13 +249,13 @@ HtmlPage design_page(const DesignInput& input, const design::DesignResult& resul
                           ? " The pulse is not short: the reduction to V0 is rough."
                           : " Friction is not small against the pulse.";
     }
-    page.figures.push_back(pulse_figure(*input.pulse, problem, found, units));
+    page.figures.push_back(pulse_figure(*pulse, problem, found, units));
   }
   page.tables = {constraint_table(found.constraints), check_table(found.cross_check)};
   return page;
 }
 
-HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer) {
+HtmlPage region_page(const RegionInput& input, const design::RegionAnswer& answer) {
   HtmlPage page;
   page.title = "Admissible region";
   page.report = region_text(input, answer, {}, Style(false));
@@ -257,17 +263,18 @@ HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer) {
                                                  *answer.region.f_lower, *answer.region.f_upper)
                                         : "No admissible design: " + answer.reason;
   std::optional<DrawnDamper> damper;
-  if (input.delta) {
-    damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *input.f,
-              *input.delta, answer.tolerance.value_or(0)};
+  if (input.request.delta) {
+    damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *input.request.f,
+              *input.request.delta, answer.tolerance.value_or(0)};
     page.tables = {constraint_table(answer.constraints)};
   }
-  page.figures = {region_figure({input.problem, input.limits, answer.region, damper, {}},
-                                FigureUnits(input.physical))};
+  page.figures = {
+      region_figure({input.request.problem, input.request.limits, answer.region, damper, {}},
+                    FigureUnits(input.physical))};
   return page;
 }
 
-HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer) {
+HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer) {
   const FigureUnits units(input.physical);
   HtmlPage page;
   page.title = "Simulation";
@@ -277,14 +284,15 @@ HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer)
     page.verdict = "Nothing moves, so there is nothing to draw.";
     return page;
   }
-  page.verdict = format("f = {:.6g}, Δ = {:.6g}{}.", input.oscillator.f, input.oscillator.delta,
-                        in_metres(input.physical, input.oscillator.delta));
+  page.verdict = format("f = {:.6g}, Δ = {:.6g}{}.", input.request.oscillator.f,
+                        input.request.oscillator.delta,
+                        in_metres(input.physical, input.request.oscillator.delta));
   if (!motion.whole) {
     page.verdict += " The figures show its beginning.";
   }
   page.figures = {motion_figure(motion, units), phase_figure(motion, units)};
-  page.figures.push_back(input.excitation
-                             ? excitation_figure(input.excitation->excitation, motion, units)
+  page.figures.push_back(is_forced(input.request)
+                             ? excitation_figure(input.request.excitation, motion, units)
                              : energy_figure(motion, units));
   return page;
 }
@@ -304,7 +312,7 @@ HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary, const Sw
 
 void write_pictures(const Settings& settings, Command command, HtmlPage page, Output& output) {
   if (const auto title = settings.text("title")) {
-    page.title += ": " + printable(*title, longest_title);
+    page.title += ": " + records::printable(*title, longest_title);
   }
   page.command = name(command);
   page.footer = version_line();

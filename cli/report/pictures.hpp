@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "html_page.hpp"
 #include "json_report.hpp"
 #include "output.hpp"
 #include "settings.hpp"
 #include "sweep_map.hpp"
 #include "sweep_report.hpp"
+
+#include <stillpoint/figures/html_page.hpp>
 
 #include <span>
 #include <string>
@@ -27,15 +28,18 @@ namespace stillpoint::cli {
 /// end in vain. Throws UsageError.
 void prepare_pictures(const Settings& settings);
 
-[[nodiscard]] HtmlPage design_page(const DesignInput& input, const design::DesignResult& result);
-[[nodiscard]] HtmlPage region_page(const RegionInput& input, const RegionAnswer& answer);
-[[nodiscard]] HtmlPage simulate_page(const SimulateInput& input, const SimulateAnswer& answer);
+[[nodiscard]] figures::HtmlPage design_page(const DesignInput& input,
+                                            const design::DesignResult& result);
+[[nodiscard]] figures::HtmlPage region_page(const RegionInput& input,
+                                            const design::RegionAnswer& answer);
+[[nodiscard]] figures::HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer);
 
-[[nodiscard]] HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary,
-                                  const SweepMap& map);
+[[nodiscard]] figures::HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary,
+                                           const SweepMap& map);
 
 /// Writes the page, with the title and the input that `settings` have, and each figure alone, where
 /// they are asked for. Throws UsageError.
-void write_pictures(const Settings& settings, Command command, HtmlPage page, Output& output);
+void write_pictures(const Settings& settings, Command command, figures::HtmlPage page,
+                    Output& output);
 
 }  // namespace stillpoint::cli

@@ -38,7 +38,7 @@ std::string sentence(design::PulseWarning warning, const design::PulseCheck& che
 }  // namespace
 
 void add_pulse(Page& page, const design::Pulse& pulse,
-               const std::optional<PhysicalInput>& physical) {
+               const std::optional<design::PhysicalInput>& physical) {
   const double lambda = design::angular_frequency(pulse);
   page.row("pulse", format("{}, k = {:.6g}, lambda = {:.6g}{}", design::name(pulse),
                            design::peak_load(pulse), lambda, in_rad_per_s(physical, lambda)));
@@ -47,7 +47,7 @@ void add_pulse(Page& page, const design::Pulse& pulse,
 }
 
 void add_pulse_check(Page& page, const design::PulseCheck& check,
-                     const std::optional<PhysicalInput>& physical) {
+                     const std::optional<design::PhysicalInput>& physical) {
   page.section("Under the pulse itself");
   page.row("reduced to", format("v0 = {:.6g} at tau = {:.6g}", check.start.speed, check.start.tau));
   page.row("p/lambda, f/k", format("{:.4g}, {:.4g}", check.shortness, check.friction_ratio));

@@ -40,7 +40,7 @@ std::string arrival(const HalfCycle& half_cycle, Outcome outcome) {
 }  // namespace
 
 void add_response(Page& page, const Response& response,
-                  const std::optional<PhysicalInput>& physical, std::string_view margin) {
+                  const std::optional<design::PhysicalInput>& physical, std::string_view margin) {
   page.row("outcome", outcome_sentence(response));
   page.row("peak", format("{:.6g}{}", response.peak_amplitude,
                           in_metres(physical, response.peak_amplitude)));
@@ -67,9 +67,10 @@ void add_response(Page& page, const Response& response,
   }
 }
 
-void add_excitation(Page& page, const ExcitationInput& input,
-                    const std::optional<PhysicalInput>& physical) {
-  std::string what = input.type;
+void add_excitation(Page& page, const SimulateInput& input) {
+  const Excitation& excitation = input.request.excitation;
+  const auto& physical = input.physical;
+  std::string what(name(excitation));
   std::visit(
       [&](const auto& kind) {
         if constexpr (requires { kind.lambda; }) {
@@ -81,24 +82,24 @@ void add_excitation(Page& page, const ExcitationInput& input,
                          most + 0.0);  // no -0
         }
       },
-      input.excitation);
-  if (const auto* harmonic = std::get_if<Harmonic>(&input.excitation); harmonic != nullptr) {
+      excitation);
+  if (const auto* harmonic = std::get_if<Harmonic>(&excitation); harmonic != nullptr) {
     what += format(", phase {:.6g}", harmonic->phase);
   }
   page.row("excitation", what);
   if (input.record) {
-    page.row("record", spelled_out(*input.record));
+    page.row("record", spelled_out(input.record->file));
+    if (!input.record->description.empty()) {
+      page.row("", spelled_out(input.record->description));
+    }
   }
-  if (!input.description.empty()) {
-    page.row("", spelled_out(input.description));
-  }
-  if (const auto lasts = duration(input.excitation)) {
+  if (const auto lasts = duration(excitation)) {
     page.row("lasts", format("{:.6g}{}", *lasts, in_seconds(physical, *lasts)));
   }
 }
 
 void add_forced_response(Page& page, const ForcedResponse& response,
-                         const std::optional<PhysicalInput>& physical) {
+                         const std::optional<design::PhysicalInput>& physical) {
   if (response.sticks > 0) {
     page.row("sticks", format("{} of {:.6g}{} in all", plural(response.sticks, "stick"),
                               response.stick_time, in_seconds(physical, response.stick_time)));
@@ -114,7 +115,7 @@ void add_forced_response(Page& page, const ForcedResponse& response,
   }
 }
 
-void add_half_cycles(Page& page, const SimulateAnswer& answer) {
+void add_half_cycles(Page& page, const Simulation& answer) {
   constexpr std::size_t most_listed = 12;
   if (answer.half_cycles.empty()) {
     return;

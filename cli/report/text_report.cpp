@@ -12,12 +12,16 @@ using fmt::format;
 
 std::string design_text(const DesignInput& input, const design::DesignResult& result,
                         const std::optional<std::string>& title, Style style) {
-  const auto& [problem, limits, search] = result.request;
+  const auto& [problem, limits, search, pulse] = result.request;
   Page page(style);
   add_title(page, "Damper design", title);
-  add_problem(page, problem, limits, input.physical);
-  if (input.pulse) {
-    add_pulse(page, *input.pulse, input.physical);
+  auto physical = input.physical;
+  if (physical) {
+    physical->velocity_m_per_s = problem.v0 * physical->scales.velocity_m_per_s;
+  }
+  add_problem(page, problem, limits, physical);
+  if (pulse) {
+    add_pulse(page, *pulse, input.physical);
   }
   page.row("objective", name(search.objective));
   add_region(page, result.region, input.physical);
@@ -52,33 +56,34 @@ std::string design_text(const DesignInput& input, const design::DesignResult& re
   return page.text();
 }
 
-std::string region_text(const RegionInput& input, const RegionAnswer& answer,
+std::string region_text(const RegionInput& input, const design::RegionAnswer& answer,
                         const std::optional<std::string>& title, Style style) {
   Page page(style);
   add_title(page, "Admissible region", title);
-  add_problem(page, input.problem, input.limits, input.physical);
+  add_problem(page, input.request.problem, input.request.limits, input.physical);
   add_region(page, answer.region, input.physical);
   if (!answer.region.feasible) {
     add_emptiness(page, answer.reason, answer.mends, answer.joint_mend, input.physical);
   }
-  if (input.f) {
-    page.section(format("At f = {:.6g}", *input.f));
+  if (input.request.f) {
+    page.section(format("At f = {:.6g}", *input.request.f));
     page.row("Delta1 published", figure(answer.delta1_published));
     page.row("Delta1 exact", answer.delta1_exact ? figure(*answer.delta1_exact)
                                                  : "none: f > f3, the motion does not return");
     if (input.physical) {
-      add_damper_physics(page, *input.physical, *input.f, input.delta.value_or(0));
+      add_damper_physics(page, *input.physical, *input.request.f, input.request.delta.value_or(0));
     }
   }
   if (answer.admissible) {
-    page.row("delta", figure(*input.delta) + in_metres(input.physical, *input.delta));
+    page.row("delta",
+             figure(*input.request.delta) + in_metres(input.physical, *input.request.delta));
     page.row("the point is", *answer.admissible ? "admissible" : "not admissible",
              *answer.admissible ? Tone::good : Tone::bad);
     if (answer.tolerance) {
       page.row("withstands", format("+-{:.4g} % of f and delta at once{}", 100 * *answer.tolerance,
-                                    input.limits.tolerance > *answer.tolerance
+                                    input.request.limits.tolerance > *answer.tolerance
                                         ? format(", less than the {:.4g} % asked for",
-                                                 100 * input.limits.tolerance)
+                                                 100 * input.request.limits.tolerance)
                                         : ""));
     }
     add_constraints(page, answer.constraints);
@@ -86,24 +91,25 @@ std::string region_text(const RegionInput& input, const RegionAnswer& answer,
   return page.text();
 }
 
-std::string simulate_text(const SimulateInput& input, const SimulateAnswer& answer,
+std::string simulate_text(const SimulateInput& input, const Simulation& answer,
                           const std::optional<std::string>& title, Style style) {
   Page page(style);
-  add_title(page, input.excitation ? "Forced motion" : "Free motion", title);
+  add_title(page, is_forced(input.request) ? "Forced motion" : "Free motion", title);
   page.section("Scene");
   if (input.physical) {
     add_physical_input(page, *input.physical);
   }
-  page.row("dimensionless", format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", input.start.v0,
-                                   input.oscillator.p, input.start.x0));
-  page.row("damper",
-           format("f = {:.6g}   delta = {:.6g}{}", input.oscillator.f, input.oscillator.delta,
-                  in_metres(input.physical, input.oscillator.delta)));
+  page.row("dimensionless", format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", input.request.start.v0,
+                                   input.request.oscillator.p, input.request.start.x0));
+  page.row("damper", format("f = {:.6g}   delta = {:.6g}{}", input.request.oscillator.f,
+                            input.request.oscillator.delta,
+                            in_metres(input.physical, input.request.oscillator.delta)));
   if (input.physical) {
-    add_damper_physics(page, *input.physical, input.oscillator.f, input.oscillator.delta);
+    add_damper_physics(page, *input.physical, input.request.oscillator.f,
+                       input.request.oscillator.delta);
   }
-  if (input.excitation) {
-    add_excitation(page, *input.excitation, input.physical);
+  if (is_forced(input.request)) {
+    add_excitation(page, input);
   }
   page.section("Motion");
   add_response(page, answer.response, input.physical, answer.forced ? forced_margin : free_margin);

@@ -11,17 +11,17 @@ namespace stillpoint::cli {
 
 using fmt::format;
 
-std::string in_metres(const std::optional<PhysicalInput>& physical, double length) {
+std::string in_metres(const std::optional<design::PhysicalInput>& physical, double length) {
   return physical && length != 0
              ? format(" = {}", with_unit(length * physical->scales.length_m, "m"))
              : "";
 }
 
-std::string in_seconds(const std::optional<PhysicalInput>& physical, double tau) {
+std::string in_seconds(const std::optional<design::PhysicalInput>& physical, double tau) {
   return physical ? format(" = {}", with_unit(tau * physical->scales.time_s, "s")) : "";
 }
 
-std::string in_rad_per_s(const std::optional<PhysicalInput>& physical, double lambda) {
+std::string in_rad_per_s(const std::optional<design::PhysicalInput>& physical, double lambda) {
   return physical ? format(" = {:.5g} rad/s", lambda / physical->scales.time_s) : "";
 }
 
@@ -29,7 +29,7 @@ void add_title(Page& page, std::string_view what, const std::optional<std::strin
   page.title(title ? format("{}: {}", what, spelled_out(*title)) : std::string(what));
 }
 
-void add_physical_input(Page& page, const PhysicalInput& physical) {
+void add_physical_input(Page& page, const design::PhysicalInput& physical) {
   const design::Scales& scales = physical.scales;
   std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
   if (scales.mass_kg) {
@@ -47,7 +47,7 @@ void add_physical_input(Page& page, const PhysicalInput& physical) {
 }
 
 void add_problem(Page& page, const design::Problem& problem, const design::Limits& limits,
-                 const std::optional<PhysicalInput>& physical) {
+                 const std::optional<design::PhysicalInput>& physical) {
   page.section("Task");
   if (physical) {
     add_physical_input(page, *physical);
@@ -72,7 +72,7 @@ void add_problem(Page& page, const design::Problem& problem, const design::Limit
 }
 
 void add_region(Page& page, const design::Region& region,
-                const std::optional<PhysicalInput>& physical) {
+                const std::optional<design::PhysicalInput>& physical) {
   page.section("Admissible region");
   page.row("amplitude",
            format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
@@ -89,13 +89,13 @@ void add_region(Page& page, const design::Region& region,
 namespace {
 
 /// "at most 0.34", of a physical input in its unit as well.
-void add_mend(Page& page, const design::Mend& mend, const std::optional<PhysicalInput>& physical) {
+void add_mend(Page& page, const design::Mend& mend,
+              const std::optional<design::PhysicalInput>& physical) {
   std::string physical_value;
   if (physical) {
-    const PhysicalMend now = physical_mend(*physical, mend);
-    if (!now.unit.empty()) {
-      physical_value = format("   ({} at {} {} {})", now.name, now.upwards ? "least" : "most",
-                              limit_figure(now.value, now.upwards), now.unit);
+    if (const auto now = physical_mend(*physical, mend)) {
+      physical_value = format("   ({} at {} {} {})", now->name, now->upwards ? "least" : "most",
+                              limit_figure(now->value, now->upwards), now->unit);
     }
   }
   page.row(mend.field, format("at {} {}{}", mend.upwards ? "least" : "most",
@@ -106,7 +106,7 @@ void add_mend(Page& page, const design::Mend& mend, const std::optional<Physical
 
 void add_emptiness(Page& page, const std::string& reason, const std::vector<design::Mend>& mends,
                    const std::optional<design::JointMend>& joint,
-                   const std::optional<PhysicalInput>& physical) {
+                   const std::optional<design::PhysicalInput>& physical) {
   page.section("No admissible design");
   page.line(reason, Tone::bad);
   if (joint) {
@@ -138,7 +138,7 @@ void add_constraints(Page& page, std::span<const design::Constraint> constraints
   page.table(rows, tones);
 }
 
-void add_damper_physics(Page& page, const PhysicalInput& physical, double f, double delta) {
+void add_damper_physics(Page& page, const design::PhysicalInput& physical, double f, double delta) {
   if (const auto force = physical.scales.friction_force_n(f)) {
     page.row("friction force", with_unit(*force, "N"));
   }

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index block = 4096;  // entries that a thread takes at a time
+constexpr Index block = 4096;  // entries that a thread takes at once
 
 void resize(BatchResult& result, Index size, bool times) {
   result.peak_amplitude.resize(size);

@@ -14,7 +14,7 @@ namespace stillpoint {
 BatchEntries entries_of(const double& v0, const double& p, const BatchValues& f,
                         const BatchValues& delta);
 
-/// Throws InputError where the arrays are of different lengths.
+/// Throws InputError if the arrays have different lengths.
 BatchEntries entries_of(const BatchValues& v0, const BatchValues& p, const BatchValues& f,
                         const BatchValues& delta);
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -50,9 +51,9 @@ void check(const Rectangle& pulse) {
   require_wave(pulse.k, pulse.lambda);
 }
 
-/// The first value of a larger magnitude, or that is no number; limit >= 0. First whether there is
-/// any, since a record is checked before each run: magnitudes are ordered as their bits are, those
-/// of no number last, and differences of integers compile to vector instructions.
+/// The first value that is larger in magnitude or not a number; limit >= 0. It first tests whether
+/// there is any, since a record is checked before each run: magnitudes are ordered like their bits,
+/// with NaN last, and differences of integers compile to vector instructions.
 std::optional<std::size_t> first_beyond(const std::vector<double>& values, double limit) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   const auto limit_bits = std::bit_cast<std::uint64_t>(limit);
@@ -98,7 +99,7 @@ void check(const Record& record) {
   }
 }
 
-/// What is loaded with respect to p: force and, for a wave, frequency.
+/// The load relative to p: force and, for a wave, frequency.
 void require_scaled_wave(double k, double lambda, double p) {
   const double load = std::abs(k) / p;
   if (k != 0 && !(load >= smallest_speed && load <= largest_speed)) {
@@ -128,7 +129,7 @@ void check_scaled(const Wave& wave, double p, double t_end) {
 
 void check_scaled(const Record& record, double p, double /*t_end*/) {
   const auto i = p < 1 ? first_beyond(record.values, largest_speed * p) : std::nullopt;
-  if (i) {  // else the values themselves are small enough
+  if (i) {  // otherwise the values themselves are small enough
     throw InputError(fmt::format("record value {}", *i + 1), record.values[*i],
                      fmt::format("value / p must be at most {} (p = {})", largest_speed, p));
   }
@@ -146,6 +147,12 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
 }
 
 }  // namespace
+
+std::string_view name(const Excitation& excitation) noexcept {
+  constexpr std::array<std::string_view, std::variant_size_v<Excitation>> names{
+      "none", "harmonic", "half-sine", "full-sine", "rectangle", "record"};
+  return names.at(excitation.index());
+}
 
 std::optional<double> duration(const Excitation& excitation) {
   const double lasts =

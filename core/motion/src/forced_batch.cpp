@@ -11,8 +11,8 @@ namespace stillpoint {
 
 namespace {
 
-/// Checks scene after scene. What is checked of an excitation depends on the scene by its p alone,
-/// and a record is long: one p after another of the same value is checked once.
+/// Checks scene after scene. The check of an excitation depends only on p, and a record is long, so
+/// consecutive equal values of p are checked once.
 class SceneCheck {
  public:
   SceneCheck(const Excitation& excitation, const std::optional<double>& t_end)

@@ -13,7 +13,7 @@ namespace stillpoint {
 
 namespace {
 
-/// Makes half-cycles of the events it sees.
+/// Builds half-cycles from the events it sees.
 class HalfCycleCollector {
  public:
   static constexpr bool watches = true;
@@ -96,17 +96,9 @@ std::vector<HalfCycle> forced_half_cycles(const Oscillator& oscillator, const St
                                           const std::function<bool(double)>& go_on) {
   require_valid(oscillator, start, excitation, t_end);
   HalfCycleCollector collector(oscillator.p, most);
-  const int ask_every = ForcedOptions().ask_every;
-  int left = ask_every;
+  Patience asked(go_on, ForcedOptions().ask_every);
   const auto goes_on = [&](double tau) {
-    if (collector.full()) {
-      return false;
-    }
-    if (go_on && --left <= 0) {
-      left = ask_every;
-      return go_on(tau);
-    }
-    return true;
+    return !collector.full() && asked.lasts([tau] { return tau; });
   };
   ForcedRun<double, HalfCycleCollector> run(oscillator, start, collector, Patience{goes_on, 1});
   std::visit([&](const auto& kind) { run_until(run, kind, t_end); }, excitation);

@@ -19,7 +19,7 @@ namespace {
 
 using Run = ForcedRun<double, NoWatcher>;
 
-/// All but what depends on how the run ended.
+/// Everything that does not depend on how the run ended.
 ForcedResponse so_far(const Run& run) {
   const ForcedState<double>& state = run.state();
   const double p = run.map().p;
@@ -48,7 +48,7 @@ void end_at_rest(ForcedResponse& response, Outcome outcome, double stop_time, do
   response.final_velocity = 0;
 }
 
-/// The run ended while the motion went on, or while friction held the mass for a time unknown.
+/// The run ended while the mass moved, or while friction held it for an unknown time.
 void end_running(ForcedResponse& response, const Run& run) {
   const ForcedState<double>& state = run.state();
   const double p = run.map().p;
@@ -63,7 +63,7 @@ void end_running(ForcedResponse& response, const Run& run) {
   }
 }
 
-/// The free motion from the turn that the run has reached: its end by the half-cycle map.
+/// The free motion from the turn that the run has reached, to its end by the half-cycle map.
 void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscillator,
               double half_cycle_limit) {
   const double p = oscillator.p;

@@ -70,7 +70,7 @@ class ForcedTrajectory::Pieces {
   std::vector<Piece> pieces_;
 };
 
-/// Keeps what the run shows.
+/// Records what the run shows.
 class ForcedTrajectory::Watcher {
  public:
   static constexpr bool watches = true;
@@ -80,7 +80,7 @@ class ForcedTrajectory::Watcher {
   void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
     const ForcedEvent event{
         kind, {std::min(now.value() / pieces_.p(), path_.horizon_), u / pieces_.p(), v}};
-    // That a rest is the final one may be known only after the end of the excitation.
+    // Only the end of the excitation may show that a rest is final.
     const auto later = std::upper_bound(
         path_.events_.begin(), path_.events_.end(), event,
         [](const ForcedEvent& a, const ForcedEvent& b) { return a.state.tau < b.state.tau; });
@@ -134,7 +134,7 @@ State ForcedTrajectory::at(double tau) const {
       [](double instant, const ForcedEvent& later) { return instant < later.state.tau; });
   assert(event != events_.begin());
   const ForcedEvent& before = *std::prev(event);
-  if (before.state.tau == tau || before.kind == ForcedEventKind::rest) {
+  if (before.state.tau == tau) {
     return {tau, before.state.x, before.state.v};
   }
   return pieces_->at(tau);

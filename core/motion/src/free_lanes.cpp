@@ -8,9 +8,9 @@
 // |-----------|--------------------------------------------------------------------------------|
 // | lane      | one double of a vector                                                         |
 // | waiting   | entries prepared for a lane                                                    |
-// | retired   | entries that have ended and whose results are still to be worked out           |
+// | retired   | entries that have ended and whose results are not computed yet                |
 // | ordinary  | an entry for the lanes; all others are run alone, by the scalar kernel         |
-// | idle      | an entry that is none, in the lanes when no other is left                      |
+// | idle      | a dummy entry, in the lanes when no other is left                              |
 //
 // Highway compiles this file once for each instruction set and picks one at run time.
 
@@ -34,14 +34,14 @@ namespace stillpoint::HWY_NAMESPACE {
 
 namespace {
 
-/// So many vectors hide the latency of a square root, and more where what a lane holds does not
-/// stay in registers: measured, docs/batch.md.
+/// This many vectors hide the latency of a square root, and more where a lane does not stay in
+/// registers: measured, docs/batch.md.
 constexpr Index vectors = width >= 8 ? 8 : 12;
 constexpr Index lanes = vectors * width;
 constexpr int steps_between_refills = 4;  // a lane that has ended waits for half of them
 constexpr double no_entry = -1;
 
-/// Beyond these powers of two an entry is left to the scalar kernel: within them no step underflows
+/// Beyond these powers of two the scalar kernel runs an entry: within them no step underflows
 /// or overflows, scaled or not.
 constexpr double least_speed = 0x1p-64;
 constexpr double most_speed = 0x1p64;
@@ -112,7 +112,7 @@ class FreeLanes {
  private:
   // --- waiting entries ----------------------------------------------------------------------
 
-  /// Sees to it that a whole vector waits: of idle entries where no others are left.
+  /// Makes a whole vector wait, with idle entries if no others are left.
   HWY_INLINE void supply() {
     while (waiting_count_ < width) {
       if (range_.end - range_.begin >= width) {
@@ -221,9 +221,9 @@ class FreeLanes {
     return !hn::AllFalse(D(), any);
   }
 
-  /// (4) to (8) for the vector from lane i on; true where the motion goes on. Since r >= phi, also
-  /// when rounded, a departure > 0 says that the motion returns. A lane that has ended keeps its
-  /// energy and so finds the same radius again.
+  /// (4) to (8) for the vector from lane i on; true where the motion continues. Since r >= phi,
+  /// even when rounded, a departure > 0 implies that the motion returns. A lane that has ended
+  /// keeps its energy and so finds the same radius again.
   HWY_INLINE M half_cycle(Index i) {
     const V radius = at(runs_.radius, i);
     const V arrival =
@@ -254,8 +254,8 @@ class FreeLanes {
     put(deficit.quarters, runs_.quarters, i);
   }
 
-  /// Retires the lanes that have ended and gives them waiting entries: they move to the front of
-  /// the vector, and from there out.
+  /// Retires the lanes that have ended and gives them waiting entries: the ended lanes move to the
+  /// front of the vector, and out from there.
   HWY_INLINE void refill(Index i, M ended) {
     supply();
     const auto count = hn::CountTrue(D(), ended);
@@ -303,7 +303,7 @@ class FreeLanes {
     finish(0);
   }
 
-  /// Works out the results of the retired from i on, and takes them to their places.
+  /// Computes the results of the retired from i on and stores them in their places.
   HWY_INLINE void finish(Index i) {
     work_out(i);
     for (Index lane = 0; lane < width; ++lane) {
@@ -401,10 +401,10 @@ class FreeLanes {
   double half_cycle_limit_;
   const FreeLanesOutput& output_;
   FreeLanesSource& source_;
-  bool unit_p_;  // the same for all, and no division by it is needed
+  bool unit_p_;  // p = 1 for all: no division by it is needed
   EntryRange range_{0, 0};
 
-  Waiting<2 * width> waiting_{};  // the last to come is the first to go
+  Waiting<2 * width> waiting_{};  // last in, first out
   Index waiting_count_{0};
   bool drained_{false};  // no entries are left but those that wait here
 
@@ -413,8 +413,8 @@ class FreeLanes {
   Column<lanes> three_phi_{};
   Column<lanes> phi_square_{};
 
-  /// A vector is refilled when so few of its lanes go on: a few idle steps cost less than a refill
-  /// for each lane, and with times a step costs more.
+  /// A vector is refilled when this few of its lanes go on: a few idle steps cost less than a
+  /// refill for each lane, and with times a step costs more.
   std::size_t most_going_on_{times ? width * 3 / 4 : width * 5 / 8};
   Column<vectors, std::size_t> going_on_;  // in each vector, some steps ago
 

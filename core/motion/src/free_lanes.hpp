@@ -17,7 +17,7 @@ struct FreeLanesOutput {
   double* half_cycles;
   Outcome* outcome;
   double* stop_position;
-  double* stop_time;  ///< null: not asked for
+  double* stop_time;  ///< null: not requested
 };
 
 /// Where the lanes get their work.
@@ -33,7 +33,7 @@ class FreeLanesSource {
   /// The next entries to run; an empty range where there are no more.
   virtual EntryRange next() = 0;
 
-  /// Runs one entry by the scalar kernel: those that take no loop, and all that are not ordinary.
+  /// Runs one entry by the scalar kernel: closed forms, and all entries that are not ordinary.
   virtual void run_alone(std::ptrdiff_t entry) = 0;
 };
 

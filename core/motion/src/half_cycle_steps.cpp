@@ -64,7 +64,7 @@ void HalfCycleSteps::from_crest(HalfCycle& now) {
   small_ +=
       now.index == 1 ? first_leg_phase(map_, leg_) : PhaseClock<double>::up(map_, crest_.energy);
   now.peak_time = time();
-  // With phi alone the peak decides, because the closed form counts by it.
+  // With only phi the peak decides, because the closed form counts by it.
   const bool by_peak = map_.notch == 0;
   const bool returns = by_peak ? crest_.peak >= 2 * map_.phi : map_.returns(crest_.radius);
   if (returns) {
@@ -103,9 +103,9 @@ void HalfCycleSteps::end_at_zero(HalfCycle& now, double arrival) {
   side_ = -side_;
 }
 
-/// v^2 after the passage. With the notch alone it is the first one less `passages_` notches,
-/// rounded once: the sign is that of the exact remainder in ending.hpp. The first one of an inward
-/// start is what it arrives with, and that is its only passage so far.
+/// v^2 after the passage. With only the notch it is the first v^2 minus `passages_` notches,
+/// rounded once: the sign is that of the exact remainder in ending.hpp. For an inward start the
+/// first v^2 is that of the arrival, its only passage so far.
 double HalfCycleSteps::left_of(double arrival) const {
   return map_.phi == 0 ? std::fma(-passages_, map_.notch, first_.energy) : map_.departure(arrival);
 }

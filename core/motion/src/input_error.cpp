@@ -10,7 +10,7 @@ namespace stillpoint {
 
 namespace {
 
-/// As much of a wrong value as a message quotes, without a UTF-8 sequence cut in two.
+/// The part of a wrong value that a message quotes, without cutting a UTF-8 sequence in two.
 std::string shortened(const std::string& value) {
   constexpr std::size_t longest = 80;
   if (value.size() <= longest) {

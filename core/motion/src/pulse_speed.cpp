@@ -10,8 +10,8 @@ namespace stillpoint {
 
 namespace {
 
-/// A half-sine in units of k / lambda and k / lambda^2, t = lambda tau: the motion under load and
-/// friction alone, from where the load exceeds friction, sin t = ratio.
+/// A half-sine in units of k / lambda and k / lambda^2, t = lambda tau: the motion under only load
+/// and friction, from where the load exceeds friction, sin t = ratio.
 struct Push {
   double ratio{0};
   double begin{std::asin(ratio)};

@@ -11,8 +11,8 @@
 namespace stillpoint {
 
 /// `samples` >= 2 evenly spaced instants of [0, path.horizon()] and every event of the path, in
-/// order of time; the events alone where the horizon is 0. An event that falls on an instant stands
-/// for it.
+/// order of time; only the events if the horizon is 0. An event that falls on an instant replaces
+/// it.
 template <class Path>
 std::vector<State> sampled_states(const Path& path, std::int64_t samples) {
   require_within("samples", static_cast<double>(samples), 2, 1e9);
@@ -28,7 +28,7 @@ std::vector<State> sampled_states(const Path& path, std::int64_t samples) {
   auto event = path.events().begin();
   for (std::int64_t i = 0; i < samples; ++i) {
     const double fraction = static_cast<double>(i) / static_cast<double>(samples - 1);
-    const double tau = i + 1 == samples ? horizon : horizon * fraction;
+    const double tau = horizon * fraction;
     bool on_event = false;
     for (; event != path.events().end() && event->state.tau <= tau; ++event) {
       on_event = event->state.tau == tau;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "at2_count_line.hpp"
 
-#include "at2_words.hpp"
-#include "record_number.hpp"
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
@@ -30,7 +30,7 @@ bool begins_number(char c) {
 /// ".0200SEC" as ".0200" and "SEC".
 std::size_t number_length(std::string_view word) {
   const std::size_t end = std::min(word.find_first_not_of("0123456789.+-EeDd"), word.size());
-  return scan_number(word.substr(0, end)).fault == NumberFault::none ? end : 0;
+  return scan_fortran_number(word.substr(0, end)).fault == NumberFault::none ? end : 0;
 }
 
 std::vector<HeaderWord> header_words(std::string_view line) {
@@ -39,7 +39,7 @@ std::vector<HeaderWord> header_words(std::string_view line) {
     const std::size_t length = begins_number(word.front()) ? number_length(word) : 0;
     if (length > 0) {
       const std::string_view digits = word.substr(0, length);
-      words.push_back({std::string(digits), scan_number(digits).value});
+      words.push_back({std::string(digits), scan_fortran_number(digits).value});
       word.remove_prefix(length);
     }
     while (word.ends_with('.')) {
@@ -143,4 +143,4 @@ At2Counts read_at2_counts(const RecordLines& lines) {
   return {line.count(), line.step()};
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

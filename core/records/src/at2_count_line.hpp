@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 struct At2Counts {
   std::size_t count{0};  ///< NPTS
@@ -23,4 +23,4 @@ struct At2Counts {
 /// in either case, with or without SEC. Refuses what is missing or out of bounds.
 [[nodiscard]] At2Counts read_at2_counts(const RecordLines& lines);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -2,11 +2,12 @@
 #include "at2_header.hpp"
 
 #include "at2_count_line.hpp"
-#include "printable.hpp"
+
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
@@ -65,4 +66,4 @@ At2Header read_at2_header(RecordLines& lines) {
       "no NPTS and DT up to here: a PEER record has a line such as NPTS= 2000, DT= .02 SEC");
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 /// The head of a PEER .AT2 file: titles, a line that names the quantity and its units, and last the
 /// line that holds NPTS and DT. That line is the fourth or the seventh of most files.
@@ -30,4 +30,4 @@ constexpr std::size_t longest_at2_header = 32;
 /// Reads it, and leaves `lines` at its last line.
 [[nodiscard]] At2Header read_at2_header(RecordLines& lines);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -2,18 +2,20 @@
 #include "at2_values.hpp"
 
 #include "at2_count_line.hpp"
-#include "record_number.hpp"
+
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
 bool is_number(std::string_view word) {
-  return scan_number(word).fault != NumberFault::no_number;
+  return scan_fortran_number(word).fault != NumberFault::no_number;
 }
 
 bool is_values(std::string_view line) {
@@ -90,4 +92,4 @@ std::vector<double> read_at2_values(RecordLines& lines, const At2Header& header,
   return values;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -7,11 +7,11 @@
 
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 /// The values behind an AT2 header, any number of them in a line. There must be as many as the
 /// header says. Blank lines and text may follow.
 [[nodiscard]] std::vector<double> read_at2_values(RecordLines& lines, const At2Header& header,
                                                   const RecordScale& scale);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 /// What the times of a record count, and which of them a motion can follow, excitation.hpp. It is
 /// asked while the file is read, where its lines are known.
@@ -27,4 +27,4 @@ struct RecordClock {
   }
 };
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

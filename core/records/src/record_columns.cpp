@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record_columns.hpp"
 
-#include "printable.hpp"
-#include "record_number.hpp"
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
@@ -60,7 +60,7 @@ std::string_view without_comment(std::string_view line, std::string& description
 
 /// A heading is the likeliest text in front of the values.
 void check_heading(const Row& row, const RecordLines& lines) {
-  if (scan_number(row.columns[0]).fault == NumberFault::no_number) {
+  if (scan_fortran_number(row.columns[0]).fault == NumberFault::no_number) {
     lines.refuse(fmt::format("{} {}; a heading above columns begins with #, a PEER record has NPTS",
                              quoted(row.columns[0]), explanation(NumberFault::no_number)));
   }
@@ -142,4 +142,4 @@ double uniform_step(const std::vector<double>& times) {
   return step;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 /// Time and value, or value alone.
 struct RecordColumns {
@@ -34,4 +34,4 @@ struct RecordColumns {
 /// they are.
 [[nodiscard]] double uniform_step(const std::vector<double>& times);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -3,21 +3,20 @@
 
 #include "at2_header.hpp"
 #include "at2_values.hpp"
-#include "at2_words.hpp"
 #include "record_columns.hpp"
 #include "record_lines.hpp"
 #include "record_scale.hpp"
-#include "settings.hpp"
-#include "text_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
@@ -118,4 +117,4 @@ RecordFile read_record(const std::string& path, const RecordOptions& options) {
   return is_at2 ? read_at2(lines, options) : read_plain(lines, options);
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

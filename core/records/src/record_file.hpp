@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 /// An acceleration over time, from a file. docs/records.md describes the formats.
 struct RecordFile {
@@ -34,8 +34,8 @@ constexpr std::size_t largest_record_bytes = std::size_t{64} << 20U;
 /// Reads a PEER .AT2 record, or columns: time and value, or value alone. A file is taken for PEER
 /// where its name ends in .at2 or one of its first 32 lines has the word NPTS.
 ///
-/// Throws UsageError, with the number of the line, where the file is not in order or contradicts
+/// Throws FileError, with the number of the line, where the file is not in order or contradicts
 /// the options, and InputError for a wrong or missing option.
 [[nodiscard]] RecordFile read_record(const std::string& path, const RecordOptions& options = {});
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "record_lines.hpp"
 
-#include "printable.hpp"
-#include "record_number.hpp"
-#include "settings.hpp"
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr char end_of_dos_file = '\x1A';
-constexpr std::string_view blanks = " \t";
 
 /// Bytes that no text has. A form feed and DOS's end of file may stand in a trailer.
 bool is_binary(char c) {
@@ -34,7 +33,7 @@ RecordLines::RecordLines(const std::string& path, const std::string& text)
     rest_.remove_suffix(1);
   }
   if (rest_.empty()) {
-    throw UsageError(fmt::format("record {}: is empty", path));
+    throw FileError({"record", path}, "is empty");
   }
   const auto* const found = std::ranges::find_if(rest_, is_binary);
   if (found != rest_.end()) {
@@ -59,36 +58,15 @@ bool RecordLines::next() {
 }
 
 void RecordLines::refuse(std::size_t number, std::string_view message) const {
-  throw UsageError(fmt::format("record {}, line {}: {}", *path_, number, message));
+  throw FileError({"record", *path_, number}, message);
 }
 
 double RecordLines::parse_number(std::string_view text) const {
-  const ScannedNumber scanned = scan_number(text);
+  const ScannedNumber scanned = scan_fortran_number(text);
   if (scanned.fault != NumberFault::none) {
     refuse(fmt::format("{} {}", quoted(text), explanation(scanned.fault)));
   }
   return scanned.value;
 }
 
-std::string_view take_word(std::string_view& text) {
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  text.remove_prefix(begin);
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  text.remove_prefix(word.size());
-  return word;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-std::string quoted(std::string_view text) {
-  constexpr std::size_t longest = 60;
-  return fmt::format("\"{}\"", printable(text, longest));
-}
-
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

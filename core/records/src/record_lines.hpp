@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/records/text.hpp>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 /// The lines of a record file, one after the other, and where its faults are reported. Lines end
 /// with LF or CR LF; a byte order mark at the beginning is left out. A copy reads ahead.
 class RecordLines {
  public:
-  /// Both must outlive this. Throws UsageError where the text is empty or binary.
+  /// Both must outlive this. Throws FileError where the text is empty or binary.
   RecordLines(const std::string& path, const std::string& text);
 
   /// Goes to the next line; false, and stays, where there is none.
@@ -24,7 +26,7 @@ class RecordLines {
   /// Bytes from here to the end.
   [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
 
-  /// Throws UsageError "record PATH, line NUMBER: MESSAGE".
+  /// Throws FileError "record PATH, line NUMBER: MESSAGE".
   [[noreturn]] void refuse(std::string_view message) const { refuse(number_, message); }
   [[noreturn]] void refuse(std::size_t number, std::string_view message) const;
 
@@ -38,13 +40,4 @@ class RecordLines {
   std::size_t number_{0};
 };
 
-/// Takes the first word off `text`, which has words between blanks and tabs; "" where none is left.
-std::string_view take_word(std::string_view& text);
-
-/// `text` without blanks and tabs around it.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-
-/// A part of a file as messages quote it.
-[[nodiscard]] std::string quoted(std::string_view text);
-
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

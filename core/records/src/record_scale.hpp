@@ -2,16 +2,17 @@
 #pragma once
 
 #include "record_lines.hpp"
-#include "record_number.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string_view>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 /// From what stands in the file to units of g. In g with the factor 1 no bit changes.
 struct RecordScale {
@@ -21,7 +22,7 @@ struct RecordScale {
 
   /// The acceleration that `text`, a part of this line, stands for; refuses where it is none.
   [[nodiscard]] double read(std::string_view text, const RecordLines& lines) const {
-    const ScannedNumber scanned = scan_number(text);
+    const ScannedNumber scanned = scan_fortran_number(text);
     const double given =
         scanned.fault == NumberFault::out_of_range ? HUGE_VAL : lines.parse_number(text);
     const double value = given * factor / units_per_g;
@@ -35,4 +36,4 @@ struct RecordScale {
   }
 };
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

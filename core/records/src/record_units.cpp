@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record_units.hpp"
 
-#include "at2_words.hpp"
+#include <stillpoint/records/text.hpp>
 
 #include <stillpoint/core/input_error.hpp>
 
@@ -11,7 +11,7 @@
 #include <array>
 #include <utility>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
@@ -114,7 +114,7 @@ RecordUnits parse_record_units(const std::string& wanted_name) {
       return units;
     }
   }
-  throw InputError("record-units", cli::quoted(wanted_name), "must be g, m/s2 or cm/s2");
+  throw InputError("record-units", records::quoted(wanted_name), "must be g, m/s2 or cm/s2");
 }
 
 bool names_quantity(string_view line) {
@@ -147,4 +147,4 @@ std::optional<RecordUnits> header_units(const RecordLines& lines) {
   lines.refuse(fmt::format("the units {} {}: {}", quoted(*word), fault, wanted));
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 enum class RecordUnits { g, m_per_s2, cm_per_s2 };
 
@@ -25,4 +25,4 @@ enum class RecordUnits { g, m_per_s2, cm_per_s2 };
 /// displacement and units that are none of an acceleration.
 [[nodiscard]] std::optional<RecordUnits> header_units(const RecordLines& lines);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -3,6 +3,7 @@
 
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/pulse_design.hpp>
 
 namespace stillpoint::design {
 
@@ -18,7 +19,11 @@ Finding finding_of(const Problem& problem, const Limits& limits, const SearchRes
 }
 
 DesignResult design(const DesignRequest& request) {
-  const auto& [problem, limits, options] = request;
+  const auto& [problem, limits, options, pulse] = request;
+  if (pulse) {
+    return design(
+        PulseRequest{{*pulse, problem.p, problem.beta, problem.criterion}, limits, options});
+  }
   require_valid(options);
   DesignResult result{request, admissible_region(problem, limits), {}, {}, {}};
   const std::optional<SearchResult> found = search(problem, limits, options);

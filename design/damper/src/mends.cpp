@@ -94,12 +94,8 @@ std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits
   if (feasible(base) || !mends(problem, limits).empty()) {
     return std::nullopt;
   }
-  std::vector<Input<Case>> inputs{beta_of(problem), v0_of(problem)};
-  if (!limits.f_max) {  // which a larger p would bring nearer
-    inputs.push_back(
-        {"p", problem.p, most_p(problem), [](Case& now, double value) { now.problem.p = value; }});
-  }
-  return joint_mend_of(base, feasible, inputs);
+  // More p does no better than more beta: p beta / v0 is the same, and f_max comes nearer.
+  return joint_mend_of(base, feasible, {beta_of(problem), v0_of(problem)});
 }
 
 }  // namespace stillpoint::design

@@ -157,7 +157,7 @@ Conflict as_asked(Conflict conflict, const FreeTask& task, const Limits& limits)
 DesignResult without_design(const PulseTask& task, const SearchOptions& options) {
   const Limits& limits = task.limits;
   const FreeTask free = task_of_box(task, highest_f(task), limits.tolerance, 0);
-  DesignResult result{{free.problem, limits, options}, {}, {}, {}, {}};
+  DesignResult result{{free.problem, limits, options, task.problem.pulse}, {}, {}, {}, {}};
   result.region = admissible_region(free.problem, free.limits);
   result.region.conflict = result.region.feasible ? Conflict::narrower_than_rounding
                                                   : as_asked(result.region.conflict, free, limits);
@@ -192,7 +192,8 @@ DesignResult design(const PulseRequest& request) {
   }
   const SearchResult found = search({task, options});
   const Problem reduced = problem_at(problem, found.point.f);
-  DesignResult result{{reduced, limits, options}, region_at(task, reduced), {}, {}, {}};
+  DesignResult result{
+      {reduced, limits, options, problem.pulse}, region_at(task, reduced), {}, {}, {}};
   result.finding = finding_of(reduced, limits, found);
   result.finding->pulse = check_under_pulse(problem, *result.finding);
   return result;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "checkpoint.hpp"
 
-#include "printable.hpp"
 #include "settings.hpp"
-#include "text_file.hpp"
 #include "writing.hpp"
+
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -68,7 +69,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
   if (!std::filesystem::exists(path, unknown)) {
     return std::nullopt;
   }
-  const std::string content = read_text_file("resume", path, largest);
+  const std::string content = records::read_text_file("resume", path, largest);
   try {
     return from_json(ordered_json::parse(content, is_flat));
   } catch (const std::exception&) {
@@ -98,8 +99,9 @@ std::string difference(const std::string& old_task, const std::string& new_task)
   for (const ordered_json* const task : {&was, &is}) {
     for (const auto& [key, value] : task->items()) {
       if (text(was, key) != text(is, key)) {
-        return fmt::format("{} was {}, is {}", key, shortened(text(was, key), longest_word),
-                           shortened(text(is, key), longest_word));
+        return fmt::format("{} was {}, is {}", key,
+                           records::shortened(text(was, key), records::longest_word),
+                           records::shortened(text(is, key), records::longest_word));
       }
     }
   }

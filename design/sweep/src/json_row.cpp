@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json_row.hpp"
 
-#include "printable.hpp"
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -53,11 +53,12 @@ class RowHandler {
     const std::size_t prefix = message.find("] ");
     return refuse(fmt::format(
         "is not valid JSON: {}",
-        printable(prefix == std::string_view::npos ? message : message.substr(prefix + 2), 200)));
+        records::printable(prefix == std::string_view::npos ? message : message.substr(prefix + 2),
+                           200)));
   }
 
  private:
-  static std::string shown(const std::string& key) { return printable(key, 60); }
+  static std::string shown(const std::string& key) { return records::printable(key, 60); }
 
   bool refuse(std::string error) {
     row_.error = std::move(error);

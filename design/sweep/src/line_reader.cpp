@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "line_reader.hpp"
 
-#include "printable.hpp"
 #include "progress.hpp"
 #include "settings.hpp"
+
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -42,7 +43,8 @@ LineReader::LineReader(const std::string& path)
       descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
       buffer_(buffer_size) {
   if (descriptor_ < 0) {
-    throw UsageError(fmt::format("list {}: cannot be read: {}", shortened(source_, longest_path),
+    throw UsageError(fmt::format("list {}: cannot be read: {}",
+                                 records::shortened(source_, records::longest_path),
                                  std::strerror(errno)));
   }
 }

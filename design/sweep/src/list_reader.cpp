@@ -2,10 +2,10 @@
 #include "list_reader.hpp"
 
 #include "json_row.hpp"
-#include "printable.hpp"
 #include "settings.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -93,7 +93,7 @@ void ListReader::read_header(std::string_view line) {
     const auto quantity = find_quantity(field);
     if (!quantity || !is_input(*quantity)) {
       refuse(fmt::format("\"{}\" is no column of a list: it may have {}",
-                         printable(field, longest_quoted), column_names));
+                         records::printable(field, longest_quoted), column_names));
     }
     if (std::ranges::find(columns_, *quantity) != columns_.end()) {
       refuse(fmt::format("the column {} stands twice", name(*quantity)));
@@ -111,7 +111,7 @@ void ListReader::read_row(std::string_view line, std::vector<double>& values) {
       try {
         values.push_back(parse_number(name(columns_[count]), field));
       } catch (const InputError& error) {
-        refuse(printable(error.what(), 4 * longest_quoted));
+        refuse(records::printable(error.what(), 4 * longest_quoted));
       }
     }
   }
@@ -132,7 +132,7 @@ void ListReader::read_object(std::string_view line, std::vector<double>& values)
     const auto quantity = find_quantity(key);
     if (!quantity || !is_input(*quantity)) {
       refuse(fmt::format("\"{}\" is no key of a list: it may have {}",
-                         printable(key, longest_quoted), column_names));
+                         records::printable(key, longest_quoted), column_names));
     }
     const auto place = std::ranges::find(columns_, *quantity);
     if (is_first && place == columns_.end()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_columns.hpp"
 
-#include "printable.hpp"
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ std::vector<Quantity> asked_columns(std::string_view names, SweepKind kind) {
         }
       }
       throw UsageError(fmt::format("columns: \"{}\" is none of this sweep, which has {}",
-                                   shortened(wanted, longest_word), all));
+                                   records::shortened(wanted, records::longest_word), all));
     }
     if (contains(columns, *quantity)) {
       throw UsageError(fmt::format("columns: {} stands twice", wanted));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "writing.hpp"
 
-#include "printable.hpp"
 #include "settings.hpp"
+
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -16,7 +17,8 @@
 namespace stillpoint::cli {
 
 void refuse_writing(std::string_view field, const std::string& path, int error) {
-  throw UsageError(fmt::format("{} {}: cannot be written: {}", field, shortened(path, longest_path),
+  throw UsageError(fmt::format("{} {}: cannot be written: {}", field,
+                               records::shortened(path, records::longest_path),
                                std::strerror(error)));
 }
 

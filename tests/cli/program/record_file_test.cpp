@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "record_file.hpp"
 #include "run_program.hpp"
-#include "settings.hpp"
 #include "testing/printing.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -26,13 +26,13 @@ BOOST_AUTO_TEST_SUITE(record_file_test)
 
 namespace {
 
-namespace cli = stillpoint::cli;
+namespace records = stillpoint::records;
 using stillpoint::InputError;
-using stillpoint::cli::RecordFile;
-using stillpoint::cli::RecordOptions;
-using stillpoint::cli::RecordUnits;
 using stillpoint::cli_test::in_full;
 using stillpoint::cli_test::Sandbox;
+using stillpoint::records::RecordFile;
+using stillpoint::records::RecordOptions;
+using stillpoint::records::RecordUnits;
 namespace data = boost::unit_test::data;
 namespace fs = std::filesystem;
 
@@ -118,7 +118,7 @@ const Numbers plain{0.5, -1, 0.25};
 RecordFile record_of(const Sandbox& sandbox, const char* name, const std::string& text,
                      const RecordOptions& options) {
   sandbox.write(name, text);
-  return cli::read_record(sandbox.path(name).string(), options);
+  return records::read_record(sandbox.path(name).string(), options);
 }
 
 void check_read(const Sandbox& sandbox, const char* name, const Good& good) {
@@ -132,7 +132,7 @@ void check_read(const Sandbox& sandbox, const char* name, const Good& good) {
 template <class Error>
 std::string refusal_of(const std::string& path, const RecordOptions& options) {
   try {
-    static_cast<void>(cli::read_record(path, options));
+    static_cast<void>(records::read_record(path, options));
   } catch (const Error& error) {
     return error.what();
   }
@@ -150,7 +150,7 @@ void check_says(const std::string& message, const Texts& parts) {
 void check_refused(const Sandbox& sandbox, const char* name, const Bad& bad) {
   sandbox.write(name, bad.text);
   const std::string path = sandbox.path(name).string();
-  const std::string message = refusal_of<cli::UsageError>(path, bad.options);
+  const std::string message = refusal_of<records::FileError>(path, bad.options);
   check_says(message, bad.says);
   BOOST_TEST(message.starts_with("record " + path), message);
 }
@@ -692,7 +692,7 @@ BOOST_FIXTURE_TEST_CASE(what_is_written_is_read_to_the_last_bit, Sandbox) {
 
 BOOST_FIXTURE_TEST_CASE(file_that_cannot_be_read, Sandbox) {
   const auto refusal = [this](const std::string& name) {
-    return refusal_of<cli::UsageError>(path(name).string(), {});
+    return refusal_of<records::FileError>(path(name).string(), {});
   };
   check_says(refusal("none.AT2"), {"record ", "none.AT2: cannot be read: No such file"});
   fs::create_directory(path("folder"));
@@ -709,7 +709,7 @@ BOOST_FIXTURE_TEST_CASE(file_that_cannot_be_read, Sandbox) {
 BOOST_FIXTURE_TEST_CASE(file_that_is_too_large, Sandbox) {
   std::ofstream(path("large.AT2")).close();
   fs::resize_file(path("large.AT2"), cli::largest_record_bytes + 1);
-  check_says(refusal_of<cli::UsageError>(path("large.AT2").string(), {}),
+  check_says(refusal_of<records::FileError>(path("large.AT2").string(), {}),
              {"large.AT2: is too large", "67108864 bytes"});
 }
 
@@ -738,10 +738,10 @@ BOOST_FIXTURE_TEST_CASE(options_out_of_bounds, Sandbox) {
 
 BOOST_AUTO_TEST_CASE(units_have_names) {
   for (const RecordUnits unit : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
-    BOOST_TEST(cli::parse_record_units(std::string(cli::name(unit))) == unit);
+    BOOST_TEST(records::parse_record_units(std::string(records::name(unit))) == unit);
   }
   for (const char* wrong : {"", "G", "cm/s", "gal"}) {
-    BOOST_CHECK_EXCEPTION(static_cast<void>(cli::parse_record_units(wrong)), InputError,
+    BOOST_CHECK_EXCEPTION(static_cast<void>(records::parse_record_units(wrong)), InputError,
                           [](const InputError& error) {
                             check_says(error.what(), {"record-units = ", "g, m/s2 or cm/s2"});
                             return true;
@@ -760,7 +760,7 @@ std::string kept(const char* name) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(near_fault_pulse_is_the_derivative_of_its_velocity) {
-  const RecordFile record = cli::read_record(kept("near_fault_pulse.txt"));
+  const RecordFile record = records::read_record(kept("near_fault_pulse.txt"));
   BOOST_TEST_REQUIRE(record.values.size() == 1201U);
   BOOST_TEST(record.step == 0.01);
   // v = A/2 (1 + cos(pi s / 2)) cos(pi s + pi/2) with A = 0.9 m/s, s = t - 4 and |s| <= 2. The
@@ -779,7 +779,7 @@ BOOST_AUTO_TEST_CASE(near_fault_pulse_is_the_derivative_of_its_velocity) {
 }
 
 BOOST_AUTO_TEST_CASE(strong_motion_is_as_its_script_says) {
-  const RecordFile record = cli::read_record(kept("strong_motion.AT2"));
+  const RecordFile record = records::read_record(kept("strong_motion.AT2"));
   BOOST_TEST(record.values.size() == 2000U);
   BOOST_TEST(record.step == 0.01);
   double peak = 0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "testing/checks.hpp"
+#include "testing/random_scene.hpp"
 
 #include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <boost/test/unit_test.hpp>
@@ -13,6 +15,20 @@
 namespace stillpoint::test {
 
 BOOST_AUTO_TEST_SUITE(batch_test)
+
+namespace {
+
+template <class Action>
+bool too_many_half_cycles(const Action& action) {
+  try {
+    action();
+  } catch (const TooManyHalfCycles&) {
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 BOOST_AUTO_TEST_CASE(outcomes_can_be_counted_and_absent_values_are_as_documented) {
   // v0 = p = 1. f = delta = 0 never stops; delta = 1 catches it; f = 0, delta = 0.4 stops at x = 0
@@ -83,6 +99,30 @@ BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_entry) {
   static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 25}));
   BOOST_CHECK_THROW(static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 24.9})),
                     TooManyHalfCycles);
+}
+
+BOOST_AUTO_TEST_CASE(the_limit_of_half_cycles_is_that_of_one_entry_to_the_last_bit) {
+  // v0^2 / (2 delta) and the limit differ by rounding at most; f allows far more.
+  Dice dice(1);
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double limit = dice.uniform(8, 16);
+    const double v0 = dice.uniform(1, 2);
+    const double delta = v0 * v0 / limit / 2;
+    const auto alone = [&] {
+      static_cast<void>(free_response({1, 1e-6, delta}, {0, v0}, {.half_cycle_limit = limit}));
+    };
+    const Eigen::ArrayXd all_f = Eigen::ArrayXd::Constant(64, 1e-6);
+    const Eigen::ArrayXd all_delta = Eigen::ArrayXd::Constant(64, delta);
+    const auto in_lanes = [&] {
+      static_cast<void>(free_batch(v0, 1, all_f, all_delta, {.half_cycle_limit = limit}));
+    };
+    const bool refuses = too_many_half_cycles(alone);
+    refused += refuses ? 1 : 0;
+    BOOST_TEST(too_many_half_cycles(in_lanes) == refuses, "v0 = " << v0 << ", limit " << limit);
+  }
+  BOOST_TEST(refused > 100);
+  BOOST_TEST(refused < 1900);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_asked_for_is_checked) {

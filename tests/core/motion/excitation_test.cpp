@@ -62,6 +62,8 @@ BOOST_AUTO_TEST_CASE(waves_out_of_range_are_refused) {
 
 BOOST_AUTO_TEST_CASE(what_is_out_of_range_with_respect_to_p_is_refused) {
   BOOST_TEST(refused(Harmonic{1, 1}, 10, 1e13) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, 1e-3}, 10, 1.1e9) == "lambda");
+  BOOST_TEST(refused(Harmonic{1, 1}, 10, 0.9e-12) == "lambda");
   BOOST_TEST(refused(Harmonic{1e100, 1e-100}, 10, 1e-100) == "k");
   BOOST_TEST(refused(Record{{0, 1e100}, 1, {}}, 10, 1e-100) == "record value 2");
   BOOST_TEST(refused(Record{{0, 1e-9}, 1e-100, {}}, 10, 1e-60) == "record step");
@@ -84,6 +86,10 @@ BOOST_AUTO_TEST_CASE(the_end_is_needed_and_bounded) {
   BOOST_TEST(refused(Harmonic{1, 1}, -1) == "t_end");
   BOOST_TEST(refused(Harmonic{1, 1}, not_a_number) == "t_end");
   BOOST_TEST(refused(Harmonic{1, 1}, 1e16) == "t_end");
+  BOOST_TEST(refused(NoExcitation{}, 1.1e15) == "t_end");   // p t_end
+  BOOST_TEST(refused(Harmonic{1, 1e6}, 1.1e9) == "t_end");  // lambda t_end
+  BOOST_TEST(refused(HalfSine{1, 1e6}, 1.1e9).empty());     // lambda up to its end alone
+  BOOST_TEST(refused(Record{{1, 1}, 1.1e15, {}}, std::nullopt) == "duration");
 }
 
 BOOST_AUTO_TEST_CASE(the_duration_is_when_w_becomes_zero) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -154,6 +155,45 @@ BOOST_AUTO_TEST_CASE(lie_on_the_trajectory) {
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(peak_as_soon_as_the_peak_is_reached_not_when_a_stick_there_ends) {
+  int stuck = 0;
+  for (const Case& run : runs()) {
+    BOOST_TEST_CONTEXT(run.name) {
+      const ForcedTrajectory path(run.oscillator, run.start, run.excitation, {run.t_end});
+      for (const HalfCycle& now : list_of(run)) {
+        const auto first = std::ranges::find_if(path.events(), [&](const ForcedEvent& event) {
+          return event.state.tau >= now.start_time && std::abs(event.state.x) == now.peak;
+        });
+        BOOST_TEST_REQUIRE((first != path.events().end()));
+        BOOST_TEST(now.peak_time == first->state.tau);
+        stuck += std::next(first)->kind == ForcedEventKind::stick ? 1 : 0;
+      }
+    }
+  }
+  BOOST_TEST(stuck > 10);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_motion_left_at_a_passage_end_with_one_of_no_length) {
+  int left_there = 0;
+  for (int i = 1; i <= 20; ++i) {
+    const Start start{0, 0.2 + 0.1 * i};
+    for (const double delta : {0.0, 0.01}) {
+      const Case run{"", {1, 0.05, delta}, start, Harmonic{0.2, 1}, 20};
+      const HalfCycle first = list_of(run, 1).front();
+      const auto list =
+          forced_half_cycles(run.oscillator, start, run.excitation, first.end_time, all);
+      if (list.size() == 2 && list[1].peak == 0) {  // or else rounding leaves it just before
+        ++left_there;
+        BOOST_TEST(list[1].side == -first.side);
+        BOOST_TEST(list[1].peak_time == first.end_time);
+        BOOST_TEST(list[1].end_time == first.end_time);
+        BOOST_TEST(list[1].last);
+      }
+    }
+  }
+  BOOST_TEST(left_there > 5);
 }
 
 BOOST_AUTO_TEST_CASE(of_a_free_motion_are_those_of_the_walk) {

@@ -164,6 +164,31 @@ BOOST_AUTO_TEST_CASE(turn_well_before_a_jump_after_which_nothing_else_happens_is
   BOOST_TEST(margin_of(state) > 0.05);
 }
 
+BOOST_AUTO_TEST_CASE(release_just_before_a_jump_that_releases_is_far_from_tipping) {
+  // p = 1, f = 0.5, x0 = 1.2: W = -1.2 cos tau holds it until x + W comes within `gap` of f, and is
+  // cut off there: x alone sets it off in the same direction, to where it rests at x = -0.2.
+  constexpr double gap = 1e-9;
+  const double cut = std::acos((0.7 + gap) / 1.2);
+  const auto state =
+      run_forced(ForcedScene<>{{1.2, 0, 1, 0.5, 0}, Harmonic{1.2, 1, -half_circle / 2, cut}, 20})
+          .state;
+  BOOST_TEST(state.turning_points == 1);
+  BOOST_TEST(margin_of(state) > 0.05);
+}
+
+BOOST_AUTO_TEST_CASE(turn_just_before_a_jump_that_changes_nothing_is_far_from_tipping) {
+  // p = 1, f = 0.5, v0 = 0.3, W = 0.01: turns at atan(0.3 / 0.51) and is held there, with W or
+  // without. The rectangle ends 1e-9 later, or earlier.
+  for (const double by : {1 + 1e-9, 1 - 1e-9}) {
+    const double end = std::atan2(0.3, 0.51) * by;
+    const auto state =
+        run_forced(ForcedScene<>{{0, 0.3, 1, 0.5, 0}, Rectangle{0.01, half_circle / end}, 20})
+            .state;
+    BOOST_TEST(state.turning_points == 1);
+    BOOST_TEST(margin_of(state) > 0.05);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(load_that_comes_near_friction_while_it_holds_is_in_it) {
   // Largest load 1 - gap at a sample, of f = 1: a peak and a plateau, at rest at x = 0.
   constexpr double gap = 1e-6;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
 #include "testing/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -167,6 +168,21 @@ BOOST_AUTO_TEST_CASE(without_excitation_the_run_is_the_free_motion) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_swing_that_ends_at_zero_neither_turns_nor_passes_there) {
+  // From x0 = 2 f, p = 1: about f to 0, exactly. Constant forces of equal sum do the same.
+  for (const double x0 : {1.0, -1.0, 0.5}) {
+    const double f = std::abs(x0) / 2;
+    for (const double w : {0.0, x0 / 8}) {
+      const double with_w = f + std::abs(w);  // W drives towards 0
+      const auto response = run({1, with_w, 0}, {x0, 0}, constant(w), 50);
+      BOOST_TEST(*response.turning_points == 0);
+      BOOST_TEST(*response.zero_passages == 0);
+      BOOST_TEST(*response.half_cycles == 1);
+      BOOST_TEST(*response.final_position == 0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_run_can_be_watched_and_ended) {
   ForcedOptions options;
   options.t_end = 1e6;
@@ -182,6 +198,26 @@ BOOST_AUTO_TEST_CASE(a_run_can_be_watched_and_ended) {
   BOOST_TEST(response.outcome == Outcome::running);
   BOOST_TEST(*response.end_time == reached);
   BOOST_TEST(reached < 150);
+}
+
+BOOST_AUTO_TEST_CASE(what_follows_an_excitation_is_the_free_motion_with_its_margin_and_its_limit) {
+  // Held at x = 4 by f = 1, Delta = 0.5: x = 4 swings to 0 with v^2 = 8, goes on with 7 and so on.
+  const Oscillator oscillator{1, 1, 0.5};
+  const Response free = free_response(oscillator, {4, 0});
+  const ForcedResponse forced = run(oscillator, {4, 0}, NoExcitation{}, std::nullopt);
+  BOOST_TEST(forced.arrival_speed.value() == free.arrival_speed.value());
+  BOOST_TEST(*forced.half_cycles == *free.half_cycles);
+  BOOST_TEST(forced.decision_margin.value() == free.decision_margin.value());
+  // v0^2 = 2 Delta (1 + 1e-6): that start is the nearest decision, |v0^2 - 2 Delta|/(v0^2 + 2
+  // Delta).
+  const ForcedResponse started =
+      run({1, 1e-2, 0.5}, {0, std::sqrt(1 + 1e-6)}, NoExcitation{}, std::nullopt);
+  BOOST_TEST(std::abs(started.decision_margin.value() - 0.5e-6) <= 1e-11);
+
+  ForcedOptions options;
+  options.half_cycle_limit = 10;  // f and Delta allow 100
+  BOOST_CHECK_THROW((void)forced_response({1, 5e-3, 5e-3}, {1, 0}, NoExcitation{}, options),
+                    TooManyHalfCycles);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 // The state at any instant: it obeys the equation between events, and agrees with the metrics.
 
@@ -88,12 +89,65 @@ BOOST_AUTO_TEST_CASE(the_largest_x_and_the_last_state_are_those_of_the_metrics) 
 }
 
 BOOST_AUTO_TEST_CASE(at_a_passage_the_state_is_that_after_the_notch) {
-  const ForcedTrajectory path({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, {20});
-  for (const ForcedEvent& event : path.events()) {
-    if (event.kind == ForcedEventKind::passage) {
-      BOOST_TEST(path.at(event.state.tau).v == event.state.v);
+  for (const double p : {1.0, 1.1, 1.7, 3.1}) {  // p tau rounds, now up, now down
+    const ForcedTrajectory path({p, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, p}, {20});
+    for (const ForcedEvent& event : path.events()) {
+      if (event.kind == ForcedEventKind::passage) {
+        BOOST_TEST(path.at(event.state.tau).v == event.state.v);
+      }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(after_the_final_rest_nothing_moves) {
+  for (const double p : {1.0, 1.1, 1.7, 3.1}) {
+    const ForcedTrajectory path({p, 0.05, 0.05}, {0, 0.5}, HalfSine{0.2, p}, {40});
+    const ForcedEvent& rest = path.events().back();
+    BOOST_TEST_REQUIRE((rest.kind == ForcedEventKind::rest));
+    for (const double tau : {rest.state.tau, std::nextafter(rest.state.tau, 40.0), 39.0}) {
+      BOOST_TEST(path.at(tau).x == rest.state.x);
+      BOOST_TEST(path.at(tau).v == 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(before_its_release_the_mass_is_where_it_started) {
+  // W = 0.2 sin tau, held at x = 0.05 by f = 0.1 until sin tau = 0.25.
+  const ForcedTrajectory path({1, 0.1, 0}, {0.05, 0}, Harmonic{0.2, 1}, {10});
+  for (const double tau : {0.0, 0.1, 0.25}) {
+    BOOST_TEST(path.at(tau).x == 0.05);
+    BOOST_TEST(path.at(tau).v == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(late_states_keep_their_digits) {
+  // W = -(tau - T) from T = 10^8 on sets it off: x = (h - sin(p h) / p) / p^2, h = tau - T. An ulp
+  // of p tau, 1.5e-8, is far more than the tolerance.
+  constexpr double late = 1e8;
+  for (const double p : {1.0, 1.1, 1.7}) {
+    const Record ramp{{0, 0, -1, 0}, 1, {0, late, late + 1, late + 2}};
+    const ForcedTrajectory path({p, 0, 0}, {0, 0}, ramp, {late + 1});
+    for (const double h : {0.25, 0.5, 0.75}) {
+      const State now = path.at(late + h);
+      BOOST_TEST(now.x == (h - std::sin(p * h) / p) / (p * p), boost::test_tools::tolerance(1e-13));
+      BOOST_TEST(now.v == (1 - std::cos(p * h)) / (p * p), boost::test_tools::tolerance(1e-13));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_event_is_beyond_the_horizon) {
+  int at_the_end = 0;
+  for (int i = 0; i < 200; ++i) {  // p tau / p may be an ulp more than tau
+    const double p = 0.3 + 0.037 * i;
+    const HalfSine pulse{0.2, 0.7 + 0.01 * i};
+    const double end = duration(pulse);
+    const ForcedTrajectory path({p, 0.05, 0.01}, {0, 0.5}, pulse, {end});
+    for (const ForcedEvent& event : path.events()) {
+      BOOST_TEST(event.state.tau <= end);
+      at_the_end += event.kind == ForcedEventKind::excitation_end ? 1 : 0;
+    }
+  }
+  BOOST_TEST(at_the_end == 200);
 }
 
 BOOST_AUTO_TEST_CASE(it_ends_where_it_is_told_to) {
@@ -114,6 +168,25 @@ BOOST_AUTO_TEST_CASE(outside_the_horizon_and_beyond_the_limit_it_refuses) {
   BOOST_CHECK_THROW((void)path.sampled(1), InputError);
   BOOST_CHECK_THROW(ForcedTrajectory({1, 0.05, 0}, {0, 0.5}, Harmonic{0.2, 1}, {1e6, 100}),
                     InputError);
+}
+
+BOOST_AUTO_TEST_CASE(as_many_pieces_as_allowed_are_not_too_many) {
+  // Held for ever: start, stick and rest are a piece each.
+  const auto of_pieces = [](std::int64_t most) {
+    return ForcedTrajectory({1, 0.3, 0}, {0, 0}, Harmonic{0.2, 1}, {50, most});
+  };
+  BOOST_TEST(of_pieces(3).events().size() == 3U);
+  BOOST_CHECK_THROW(of_pieces(2), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(what_never_moves_keeps_its_horizon) {
+  for (const Oscillator& oscillator : {Oscillator{1, 0.3, 0}, Oscillator{1, 0.3, 0.6}}) {
+    const Start start{0, oscillator.delta > 0 ? 1.0 : 0.0};  // held by friction, by the notch
+    const ForcedTrajectory path(oscillator, start, Harmonic{0.2, 1},
+                                {.horizon = 50, .to_rest = true});
+    BOOST_TEST(path.horizon() == 50);
+    BOOST_TEST(path.at(50).v == 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_final_rest_under_a_load_is_an_event_of_its_own_instant) {

@@ -260,6 +260,8 @@ BOOST_AUTO_TEST_CASE(samples_hold_every_event_and_both_ends_in_order) {
       return state.tau == event.state.tau && state.x == event.state.x && state.v == event.state.v;
     }));
   }
+  // An event at an instant stands for it: the start for the first.
+  BOOST_TEST(states.size() == path.events().size() + 49);
   for (int i = 0; i < 50; ++i) {  // and every evenly spaced instant
     BOOST_TEST(std::ranges::any_of(
         states, [&](const State& state) { return std::abs(state.tau - i * 20.0 / 49) <= 1e-14; }));

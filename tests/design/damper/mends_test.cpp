@@ -193,6 +193,43 @@ BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
   BOOST_TEST(seen > 50);
 }
 
+BOOST_AUTO_TEST_CASE(of_inputs_that_mend_by_the_same_factor_beta_is_named) {
+  // Without a limit of f or Delta p beta / v0 alone decides, and v0 and beta differ by rounding.
+  RandomSource random(1110);
+  int seen = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Case now{random_problem(random, 0.1, 0.7),
+                   {std::nullopt, std::nullopt, random.uniform(0.4, 0.9)}};
+    if (const auto joint = joint_mend(now.problem, now.limits)) {
+      ++seen;
+      BOOST_TEST(joint->mends[1].field == "beta");
+    }
+  }
+  BOOST_TEST(seen > 100);
+}
+
+BOOST_AUTO_TEST_CASE(what_two_inputs_mend_does_not_depend_on_the_unit_of_time) {
+  // Powers of two are exact: v0 and p scale by s, Delta by s^2; p beta / v0 and the tolerance stay.
+  // Near the ends of the range an input cannot go as far as elsewhere.
+  for (const std::optional<double> delta_max : {std::optional<double>(), std::optional(0.01)}) {
+    const Case plain{{1, 1, 0.5}, {std::nullopt, delta_max, 0.6}};
+    const JointMend expected = joint_mend(plain.problem, plain.limits).value();
+    const std::string_view other = delta_max ? "v0" : "beta";
+    BOOST_TEST(expected.mends[1].field == other);
+    for (const double s : {0x1p-480, 0x1p-100, 0x1p100, 0x1p480}) {
+      Case scaled{{s, s, 0.5}, {std::nullopt, std::nullopt, 0.6}};
+      if (delta_max) {
+        scaled.limits.delta_max = *delta_max * s * s;
+      }
+      const auto joint = joint_mend(scaled.problem, scaled.limits);
+      BOOST_TEST_REQUIRE(joint.has_value());
+      BOOST_TEST(joint->mends[0].value == expected.mends[0].value);
+      BOOST_TEST(joint->mends[1].field == other);
+      BOOST_TEST(joint->mends[1].value == expected.mends[1].value * (delta_max ? s : 1));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_region_that_is_not_empty_needs_no_mend) {
   BOOST_TEST(mends({1, 1, 0.8}, {}).empty());
   BOOST_TEST(mends({1, 1, 0.8}, {0.3, 0.4, 0.1}).empty());

@@ -125,6 +125,27 @@ BOOST_AUTO_TEST_CASE(what_is_thrown_need_not_be_an_exception_of_the_standard_lib
   BOOST_CHECK_THROW((void)minimise(problem, "LD_SLSQP", plenty), int);
 }
 
+BOOST_AUTO_TEST_CASE(no_function_is_asked_for_what_is_not_finite) {
+  // Nothing is free to move: the subproblem of SLSQP divides by 0.
+  for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
+    if (algorithm.constraints == ConstraintSupport::yes) {
+      NloptProblem problem = cut_bowl();
+      problem.start = problem.lower = problem.upper = Eigen::Vector2d(0.5, 0.5);
+      bool finite = true;
+      const auto watched = [&finite](Function& function) {
+        function = [&finite, inner = function](const VectorXd& at, VectorXd& gradient) {
+          finite = finite && at.allFinite();
+          return inner(at, gradient);
+        };
+      };
+      watched(problem.objective);
+      watched(problem.constraints.front());
+      const NloptOutcome outcome = minimise(problem, algorithm.name, {100, 10});
+      BOOST_TEST(finite, algorithm.name << ": " << outcome.status);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_start_an_ulp_outside_of_the_bounds_is_moved_in) {
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
     NloptProblem problem = bowl();

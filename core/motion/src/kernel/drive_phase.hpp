@@ -27,10 +27,10 @@ class DrivePhase {
 
   [[nodiscard]] const Real& ratio() const { return ratio_; }
 
-  /// Of what moves under this excitation: 1 / max(1, ratio).
+  /// The time scale of motion under this excitation: 1 / max(1, ratio).
   [[nodiscard]] const Real& time_scale() const { return time_scale_; }
 
-  /// In [-pi, pi], but for rounding.
+  /// In [-pi, pi], except for rounding.
   [[nodiscard]] Real psi() const { return psi_.value(); }
 
   void advance(const Real& h) {
@@ -43,7 +43,7 @@ class DrivePhase {
     psi_.add(ratio_ * h.low());
   }
 
-  /// What psi lacks to pi/2 - `before`; with all its digits where it is small.
+  /// pi/2 - `before` - psi, with all its digits where it is small.
   [[nodiscard]] Real short_of_crest(const Real& before) const {
     ExactSum<Real> angle(pi<Real>() / 2);
     angle.add(-psi_.high(), two_pi_rest() / 4 - psi_.low());
@@ -81,14 +81,14 @@ class DrivePhase {
     psi_.add_product(-turns, 2 * pi<Real>(), -turns * two_pi_rest());
   }
 
-  /// 2 pi less the double nearest to it.
+  /// 2 pi minus its nearest double.
   static Real two_pi_rest() {
     return std::is_floating_point_v<Real> ? Real(2.4492935982947064e-16) : Real(0);
   }
 
   Real ratio_;
   Real time_scale_;
-  Real ratio_rest_{0};  ///< lambda / p less its rounding
+  Real ratio_rest_{0};  ///< the rounding error of lambda / p
   ExactSum<Real> psi_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The excitations as the forced run meets them: what loads the mass now, the sliding piece ahead,
+// The excitations as the forced run uses them: the load on the mass now, the sliding piece ahead,
 // and the release from rest. In units where p = 1: w = W / p, h = p times a time.
 
 #include "kernel/drive_phase.hpp"
@@ -27,12 +27,12 @@ struct Sliding {
   int direction;
 };
 
-/// W goes straight from one load to another, or stays.
+/// W is linear from one load to another, or constant.
 template <class Real>
 class LinearDrive {
  public:
   LinearDrive() : LinearDrive(Real(0), Real(0)) {}
-  /// It stays: W / p and W.
+  /// Constant: W / p and W.
   LinearDrive(const Real& w, const Real& full) : LinearDrive(w, full, w, full, Real(1)) {}
   /// From one to the other.
   LinearDrive(Real w, Real full, Real end_w, Real end_full, const Real& length)
@@ -68,7 +68,7 @@ class LinearDrive {
     return {{from.y, from.v, from.a}, Real(from.direction) * rate_};
   }
 
-  /// When the load first exceeds what is held, from where it does not; none where it never does.
+  /// When a load that is held first exceeds friction; none if it never does.
   [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) const {
     using std::abs;
     using std::max;
@@ -83,10 +83,10 @@ class LinearDrive {
   /// Between its ends this load has no crest.
   void crests(const Hold<Real>& /*hold*/, const Real& /*wait*/, bool /*released*/) const {}
 
-  /// Which way the mass goes after the release.
+  /// The direction of the mass after the release.
   [[nodiscard]] int release_direction() const { return rate_ > 0 ? -1 : 1; }
 
-  /// The largest |w + u| ahead, where the drive lasts for ever, and what of it is not held.
+  /// The largest |w + u| ahead, if the drive lasts for ever, and its excess over friction.
   [[nodiscard]] Real largest_load(const Real& u) const {
     using std::abs;
     return abs(Real(u + w_));
@@ -119,7 +119,7 @@ class HarmonicDrive {
         margin_(margin),
         now_(phase.sin_cos()) {}
 
-  /// What an error of the phase is multiplied by.
+  /// The factor on an error of the phase.
   [[nodiscard]] const Real& amplitude() const { return k_; }
 
   [[nodiscard]] Real w() const { return k_ * now_.sine; }
@@ -150,7 +150,7 @@ class HarmonicDrive {
     const Real k = Real(from.direction) * k_;
     HarmonicPoint<Real> start{from.y, from.v, from.a, k * now_.sine, k * now_.cosine};
     if (start.v == 0 && start.a == 0 && start.q > 0) {
-      start.q = Real(0);  // released at a crest: by rounding the load seems to recede yet
+      start.q = Real(0);  // released at a crest: by rounding the load seems to recede
     }
     return {phase_, start, k, k_, guesses_, margin_};
   }
@@ -160,8 +160,8 @@ class HarmonicDrive {
     now_ = phase_.sin_cos();
   }
 
-  /// When the load first exceeds what is held, from where it does not: (F18). As a sum of two, so
-  /// that the phase there is as near to the crest as (F18) says, to all its digits.
+  /// When a load that is held first exceeds friction: (F18). A sum of two numbers, so that the
+  /// phase there has all digits of its distance to the crest.
   [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) {
     room_up_ = room(hold, 1);
     room_down_ = room(hold, -1);
@@ -187,8 +187,8 @@ class HarmonicDrive {
 
   [[nodiscard]] int release_direction() const { return direction_; }
 
-  /// How near the crests of the load come to what is held during a wait after release(), and the
-  /// one that ends it.
+  /// How near the crests of the load come to friction during a wait after release(), the last crest
+  /// included.
   void crests(const Hold<Real>& hold, const Real& wait, bool released) const {
     const Real angle = wait * phase_.ratio();
     const auto decide = [&](int sign, const Real& room, const Real& ahead) {
@@ -214,15 +214,15 @@ class HarmonicDrive {
     Real to_crest;  ///< from there, in psi
   };
 
-  /// By how much the crest of the load in the direction `sign` exceeds what is held.
+  /// By how much the crest of the load in the direction `sign` exceeds friction.
   [[nodiscard]] Real room(const Hold<Real>& hold, int sign) const {
     const Real spare = k_ - hold.phi();  // first, or u would be rounded away
     return hold.sharpened(Real(spare + Real(sign) * hold.u()),
                           {k_, ExactSum<Real>(Real(sign) * full_k_)}, sign);
   }
 
-  /// When the load first exceeds, on its way up, what its crest exceeds by `room`. `grows`: it is
-  /// on its way up now.
+  /// When the rising load first passes the level that its crest exceeds by `room`. `grows`: it is
+  /// rising now.
   [[nodiscard]] std::optional<Ahead> first_above(const Real& room, const Real& psi,
                                                  bool grows) const {
     using std::asin;
@@ -241,7 +241,7 @@ class HarmonicDrive {
     if (!(ahead < turn)) {
       ahead -= turn;
     }
-    // The crossing lies behind, but the crest ahead: |w + u| = phi to the last bit, and growing.
+    // The crossing is past, the crest ahead: |w + u| = phi to the last bit, and growing.
     if (grows && turn - ahead < to_crest) {
       return Ahead{Real(0), to_crest};
     }
@@ -265,14 +265,14 @@ class HarmonicDrive {
 template <class Drive, class Real>
 using PieceOf = decltype(std::declval<Drive&>().piece(std::declval<const Sliding<Real>&>()));
 
-/// A piece on which x = 0 was passed without a notch: where, is found when somebody wants it.
+/// A piece on which x = 0 was passed without a notch; the place is found only on demand.
 template <class Drive, class Real>
 struct Crossing {
   using Piece = PieceOf<Drive, Real>;
   Piece piece;
   typename Piece::End end;
 
-  // By reference, or a piece would be copied twice on the way in.
+  // By reference; otherwise a piece would be copied twice on the way in.
   // NOLINTNEXTLINE(modernize-pass-by-value)
   Crossing(const Piece& on, const typename Piece::End& until) : piece(on), end(until) {}
 };

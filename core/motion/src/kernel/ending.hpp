@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From a peak to the end of a free motion: by a remainder where only one friction acts, else by the
-// map. docs/theory.md sections 3 and 5; the words are those of half_cycle_map.hpp.
+// From a peak to the end of a free motion: by a remainder where only one friction acts, otherwise
+// by the map. docs/theory.md sections 3 and 5; names as in half_cycle_map.hpp.
 
 #include "kernel/half_cycle_map.hpp"
 
@@ -34,7 +34,7 @@ struct Ending {
   Real rest{0};                 ///< p |x| at rest
 };
 
-/// (17): f alone. The peaks fall by 2 phi each, so the last one is an exact remainder.
+/// (17): only f. The peaks fall by 2 phi each, so the last one is an exact remainder.
 template <class Real, class... Watchers>
 Ending<Real> with_constant_friction(const HalfCycleMap<Real>& map, const Crest<Real>& crest,
                                     Watchers&... watchers) {
@@ -61,7 +61,7 @@ Ending<Real> with_constant_friction(const HalfCycleMap<Real>& map, const Crest<R
   return ending;
 }
 
-/// (18): Delta alone. v^2 falls by the notch at each passage: an exact remainder again.
+/// (18): only Delta. v^2 falls by the notch at each passage: an exact remainder again.
 template <class Real, class... Watchers>
 Ending<Real> with_point_friction(const HalfCycleMap<Real>& map, const Crest<Real>& crest,
                                  Watchers&... watchers) {
@@ -79,7 +79,7 @@ Ending<Real> with_point_friction(const HalfCycleMap<Real>& map, const Crest<Real
   return ending;
 }
 
-/// Both frictions: the map, one square root a half-cycle.
+/// Both frictions: the map, one square root per half-cycle.
 template <class Real, class... Watchers>
 Ending<Real> by_map(const HalfCycleMap<Real>& map, const Crest<Real>& crest,
                     Watchers&... watchers) {

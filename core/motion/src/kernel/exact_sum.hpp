@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A running sum that keeps what each addition rounds away: the times and phases of a forced run.
-// For double it is the unevaluated sum of two numbers, good to about 1e-32 of the largest term; a
-// multiprecision scalar is its own exact sum.
+// A running sum that keeps the rounding error of each addition: the times and phases of a forced
+// run. For double it is the unevaluated sum of two numbers, good to about 1e-32 of the largest
+// term; a multiprecision scalar is its own exact sum.
 
 #include <cmath>
 #include <type_traits>
@@ -29,7 +29,7 @@ class ExactSum {
 
   void add(const Real& term) { add(term, Real(0)); }
 
-  /// `rest` is small beside the term.
+  /// `rest` is small compared with the term.
   void add(const Real& term, const Real& rest) {
     if constexpr (std::is_floating_point_v<Real>) {
       const Real sum = high_ + term;
@@ -37,7 +37,7 @@ class ExactSum {
       const Real lost = (high_ - (sum - taken)) + (term - taken);
       const Real low = low_ + (lost + rest);
       high_ = sum + low;
-      low_ = (sum - high_) + low;  // low is an ulp or two of the terms, beside which this is exact
+      low_ = (sum - high_) + low;  // low is an ulp or two of the terms: this rounding is negligible
     } else {
       high_ += term + rest;
     }
@@ -45,7 +45,7 @@ class ExactSum {
 
   void add_product(const Real& a, const Real& b) { add_product(a, b, Real(0)); }
 
-  /// As well a small `rest`.
+  /// Also a small `rest`.
   void add_product(const Real& a, const Real& b, const Real& rest) {
     const Real rounded = a * b;
     if constexpr (std::is_floating_point_v<Real>) {
@@ -55,7 +55,7 @@ class ExactSum {
     }
   }
 
-  /// This less `other`, rounded once.
+  /// This minus `other`, rounded once.
   [[nodiscard]] Real minus(const ExactSum& other) const {
     ExactSum difference = *this;
     difference.add(-other.high_);

@@ -28,6 +28,7 @@
 #include <stillpoint/core/outcome.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -62,15 +63,14 @@ class ForcedRun {
     arrived(last);
   }
 
-  /// The same, but the last crossing of x = 0 without a notch is left to the caller: one that goes
-  /// through many drives finds the speed of the last of them all alone.
+  /// The same, but the last crossing of x = 0 without a notch is left to the caller: a caller that
+  /// goes through many drives needs the speed of the very last crossing only.
   template <class Drive>
   void through(Drive& drive, const ExactSum<Real>& length, bool for_ever,
                std::optional<Crossing<Drive, Real>>& last) {
     ExactSum<Real> left = length;
-    if (s_.mode == ForcedMode::sliding && s_.v == 0) {
-      s_.mode = ForcedMode::resting;  // a kink just when the mass set off: the new load decides
-    }
+    // A released mass slides under the same drive: the wait was shorter than the rest of the drive.
+    assert(s_.mode != ForcedMode::sliding || s_.v != 0);
     while (!over() && left.value() > 0 && tick()) {
       if (s_.mode == ForcedMode::resting) {
         rest(drive, left, for_ever);
@@ -91,7 +91,7 @@ class ForcedRun {
   /// Follows the motion under a drive that lasts until v = 0, and leaves the decision there open.
   template <class Drive>
   void slide_to_turn(Drive& drive) {
-    while (s_.mode == ForcedMode::sliding && s_.v != 0 && tick()) {
+    while (s_.mode == ForcedMode::sliding && tick()) {
       std::optional<Crossing<Drive, Real>> last;
       ExactSum<Real> left(Real(8));  // more than 2 pi, where every piece ends
       slide(drive, left, last);
@@ -112,7 +112,7 @@ class ForcedRun {
     if (s_.mode == ForcedMode::resting) {
       decide_hold(to);
       if (driven != -hold.sign(from)) {
-        decide_hold(from);  // or else a release just before
+        decide_hold(from);  // against a release just before
       }
     }
     if (driven != hold.drives(from)) {
@@ -144,7 +144,7 @@ class ForcedRun {
     }
   }
 
-  /// Once a piece; false where the run is to end.
+  /// Once per piece; false if the run should end.
   bool tick() {
     if (patience_.lasts([this] { return static_cast<double>(Real(s_.now.value() / map_.p)); })) {
       return true;
@@ -170,7 +170,7 @@ class ForcedRun {
 
   Watcher& watcher() { return watcher_; }
 
-  /// What friction holds at a place.
+  /// Which loads friction holds at a place.
   [[nodiscard]] Hold<Real> hold_at(const Real& u) const { return {map_.p, f_, map_.phi, u}; }
 
   /// Rule 1, with a notch; the mass has come to x = 0 with s_.v.
@@ -181,7 +181,7 @@ class ForcedRun {
     s_.arrival_speed = magnitude(s_.v);
     event(ForcedEventKind::arrival);
     s_.margin.decide(magnitude(left), energy + map_.notch);
-    s_.margin.decide(energy, energy + s_.farthest * s_.farthest);  // or else a turn before x = 0
+    s_.margin.decide(energy, energy + s_.farthest * s_.farthest);  // against a turn before x = 0
     if (!(left > 0)) {
       s_.v = Real(0);
       s_.rest_begin = s_.now;
@@ -194,7 +194,7 @@ class ForcedRun {
     event(ForcedEventKind::passage);
   }
 
-  /// v = 0 has been reached; what follows is for the load to decide, this one or that after a kink.
+  /// v = 0 has been reached; the load decides what follows, this one or the one after a kink.
   void turn() {
     s_.v = Real(0);
     s_.mode = ForcedMode::resting;
@@ -357,7 +357,8 @@ class ForcedRun {
     if constexpr (Watcher::watches) {
       watcher_.piece(s_.now, from.direction, piece);
     }
-    if (map_.notch == 0 && inward && (end.at.y > 0 || (end.at.y == 0 && end.at.v > 0))) {
+    if (map_.notch == 0 && inward &&
+        (end.at.y > 0 || (end.at.y == 0 && end.event == PieceEvent::none))) {
       pass();
       last.emplace(piece, end);
       watch_crossing(*last);

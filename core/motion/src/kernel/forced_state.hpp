@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a forced run carries along and counts. Units and symbols as in forced_run.hpp.
+// The state and the counts of a forced run. Units and symbols as in forced_run.hpp.
 
 #include "kernel/exact_sum.hpp"
 #include "kernel/piece_end.hpp"
@@ -15,7 +15,7 @@
 
 namespace stillpoint {
 
-/// Sees nothing: the run for metrics alone.
+/// Sees nothing: for a run that needs only metrics.
 struct NoWatcher {
   static constexpr bool watches = false;
 };
@@ -58,7 +58,7 @@ class Patience {
   Patience(std::function<bool(double)> go_on, int every)
       : go_on_(std::move(go_on)), every_(every), left_(every) {}
 
-  /// Once a piece. `tau` gives the time reached, if it is to be asked.
+  /// Once per piece. `tau` returns the time reached, and is called only if needed.
   template <class Time>
   bool lasts(Time tau) {
     if (!go_on_ || --left_ > 0) {

@@ -2,8 +2,8 @@
 #pragma once
 
 // A free motion from its start to its end, docs/theory.md sections 2 to 6, written once for double
-// and for a multiprecision scalar. Watchers see what happens and add what is asked for beyond the
-// counts (times: phase_clock.hpp; margin: margin_keeper.hpp); without them nothing of it is
+// and for a multiprecision scalar. Watchers see what happens and add what is requested beyond the
+// counts (times: phase_clock.hpp; margin: margin_keeper.hpp); without a watcher none of it is
 // computed.
 
 #include "kernel/ending.hpp"
@@ -39,7 +39,7 @@ int side_after(int side, const Real& passages) {
   return fmod(passages, Real(2)) == 0 ? side : -side;
 }
 
-/// Completes `run` with what follows its crest.
+/// Completes `run` after its crest.
 template <class Real, class... Watchers>
 void finish(FreeRun<Real>& run, int side, const HalfCycleMap<Real>& map, const Crest<Real>& crest,
             double half_cycle_limit, Watchers&... watchers) {

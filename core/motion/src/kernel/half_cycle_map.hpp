@@ -44,12 +44,12 @@ struct HalfCycleMap {
   /// (6): where a swing back from a peak between one and two dead zones rests, on the same side.
   [[nodiscard]] Real swing_back_rest(const Real& radius) const { return 3 * phi - radius; }
 
-  /// (7): a difference of squares in factors; it vanishes where `returns` tips.
+  /// (7): a factored difference of squares; it vanishes where `returns` changes.
   [[nodiscard]] Real arrival(const Real& radius) const {
     return (radius - 3 * phi) * (radius - phi);
   }
 
-  /// (8): what is left of an arrival; the motion goes on only where this is > 0.
+  /// (8): the energy after an arrival; the motion continues only if this is > 0.
   [[nodiscard]] Real departure(const Real& arrival_energy) const { return arrival_energy - notch; }
 
   /// (2): the next radius.

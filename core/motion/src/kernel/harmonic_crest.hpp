@@ -50,14 +50,14 @@ class HarmonicCrest {
     return twice_differentiated(point, flow_.r());
   }
 
-  /// (F24): |x''| is nowhere up to h as large as at this point, whence it falls.
+  /// (F24): |x''| falls from this point and stays below it up to h.
   [[nodiscard]] bool falls_from(const Point& point, const Real& h) const {
     const bool falls = point.y < 0 ? point.v >= 0 : point.v <= 0;
     return falls && h <= 2 && magnitude(point.y) >= 2 * magnitude(point.v) + 3 * push_;
   }
 
   /// The largest |x''| up to h after a point so near to its crest that a polynomial reaches there;
-  /// 0 where it does not, or where (F24) leaves a doubt.
+  /// 0 where it does not, or where (F24) does not decide.
   [[nodiscard]] Real near_crest(const Point& point, const Real& h) const {
     const HarmonicTaylor<Real> taylor(point, flow_.r());
     const Real longest = std::min(h, Real(eighth_root_of_epsilon<Real>() * flow_.time_scale()));
@@ -124,7 +124,7 @@ class HarmonicCrest {
         falls_from(at, Real(to - cut))) {
       return max(so_far, magnitude(at.y));
     }
-    // The higher side first: it may spare the other.
+    // The higher side first: it may make the other unnecessary.
     if (height(left) > height(right)) {
       so_far = between(left, from, at, cut, so_far);
       return between(at, cut, right, to, so_far);
@@ -133,13 +133,13 @@ class HarmonicCrest {
     return between(left, from, at, cut, so_far);
   }
 
-  /// |x''|, without the ripple where that is split off.
+  /// |x''|, without the ripple where that is separated.
   [[nodiscard]] Real height(const Point& point) const {
     const Real r = flow_.r();
     return flow_.fast() ? magnitude(point.y - point.w / (r * r - 1)) : magnitude(point.y);
   }
 
-  /// (F20), and the same with the ripple split off: what |x''| cannot exceed between two points.
+  /// (F20), with or without the ripple: a bound of |x''| between two points.
   [[nodiscard]] Real bound(const Point& left, const Point& right, const Real& ends,
                            const Real& length) const {
     using std::max;
@@ -157,7 +157,7 @@ class HarmonicCrest {
     return min(whole, Real(max(height(left), height(right)) / cosine + c * push_));
   }
 
-  /// Nothing on an interval whose bound this is matters: |x''| <= (1 + 4 epsilon) so_far there.
+  /// An interval with this bound cannot matter: |x''| <= (1 + 4 epsilon) so_far there.
   static bool adds_nothing(const Real& bound, const Real& so_far) {
     return bound <= so_far + 4 * std::numeric_limits<Real>::epsilon() * so_far;
   }

@@ -15,18 +15,18 @@ namespace stillpoint {
 template <class Real>
 class HarmonicFlow {
  public:
-  /// `mirror` = +1 or -1 turns the excitation round with the motion.
+  /// `mirror` = +1 or -1 mirrors the excitation with the motion.
   HarmonicFlow(const DrivePhase<Real>& phase, HarmonicPoint<Real> start, Real mirrored_k)
       : phase_(phase), start_(std::move(start)), mirrored_k_(std::move(mirrored_k)) {}
 
   [[nodiscard]] const HarmonicPoint<Real>& start() const { return start_; }
   [[nodiscard]] const Real& r() const { return phase_.ratio(); }
 
-  /// The shortest time on which the motion changes its shape.
+  /// The shortest time scale of the motion.
   [[nodiscard]] const Real& time_scale() const { return phase_.time_scale(); }
 
-  /// Fast forcing: the ripple w / (r^2 - 1) is split off. Here r^2 - 1 > 3, so that it loses
-  /// nothing.
+  /// Fast forcing: the ripple w / (r^2 - 1) is separated. Here r^2 - 1 > 3, so no digits are
+  /// lost.
   [[nodiscard]] bool fast() const { return r() > 2; }
 
   /// The state a time h >= 0 after the start.

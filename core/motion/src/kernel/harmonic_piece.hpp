@@ -3,8 +3,8 @@
 
 // The first event of a sliding piece under W = k sin(lambda tau + phase): docs/forced.md section 4.
 // A candidate is found fast and without proof; then v > 0 up to it is proved from the states at
-// both ends, by halving where that is not enough. Whatever is halved below the resolution of time
-// is a graze and no event. Symbols as in harmonic_point.hpp.
+// both ends, by halving where that is not enough. An interval halved below the resolution of time
+// is a graze, not an event. Symbols as in harmonic_point.hpp.
 
 #include "kernel/harmonic_crest.hpp"
 #include "kernel/harmonic_flow.hpp"
@@ -20,8 +20,8 @@
 
 namespace stillpoint {
 
-/// Where the last events of each kind lay after the start of their pieces: in a settled motion the
-/// next one lies there too. Only ever a first guess; 0 where there is none yet.
+/// The times of the last event of each kind after the start of its piece: in a settled motion the
+/// next one comes after the same time. Only a first guess; 0 if there is none yet.
 template <class Real>
 struct EventGuesses {
   Real arrival{0};
@@ -37,7 +37,7 @@ class HarmonicPiece {
   using End = PieceEnd<Real, Point>;
   using Located = typename HarmonicZeros<Real>::Located;
 
-  /// As the flow of the same; `k` is the amplitude.
+  /// Arguments as of the flow; `k` is the amplitude.
   HarmonicPiece(const DrivePhase<Real>& phase, const Point& start, const Real& mirrored_k, Real k,
                 EventGuesses<Real>& guesses, TippingMargin<Real>& margin)
       : zeros_(phase, start, mirrored_k), k_(std::move(k)), guesses_(guesses), margin_(margin) {}
@@ -90,7 +90,7 @@ class HarmonicPiece {
     return abs(value);
   }
 
-  /// Two times nearer than this are one: a few ulp of the time scale or of h itself.
+  /// Times closer than this are the same: a few ulp of the time scale or of h itself.
   [[nodiscard]] Real resolution(const Real& h) const {
     return 2 * std::numeric_limits<Real>::epsilon() * std::max(h, Real(flow().time_scale() / 16));
   }
@@ -102,7 +102,7 @@ class HarmonicPiece {
                           : guesses_.turn_after_release;
   }
 
-  /// When the turn or, from rest, the arrival would come under a load that stays.
+  /// When the turn or, from rest, the arrival would come under a constant load.
   [[nodiscard]] Real under_constant_load(bool want_arrival) const {
     using std::asin;
     using std::atan2;
@@ -118,7 +118,7 @@ class HarmonicPiece {
   }
 
   /// The event found from a guess and proved to be the first goes to `end`, which is passed on
-  /// without a copy; false where that did not succeed.
+  /// without a copy; false if there is none.
   [[nodiscard]] bool guessed(const Real& horizon, bool want_arrival, End& end) {
     Real& guess = want_arrival ? guesses_.arrival : turn_guess();
     const Real begin = guess > 0 ? guess : under_constant_load(want_arrival);
@@ -238,7 +238,7 @@ class HarmonicPiece {
     return turn_between(at, middle, right, to);
   }
 
-  /// What v is small against: the speed that the forces at hand make within the time scale.
+  /// The scale of v: the speed that the forces produce within the time scale.
   [[nodiscard]] Real speed_scale(const Point& at) const {
     return at.v + (magnitude(at.a) + k_) * flow().time_scale();
   }

@@ -31,7 +31,7 @@ struct HarmonicPoint {
   Real w;
   Real q;
 
-  /// a' : what v'' is.
+  /// a', which is v''.
   [[nodiscard]] Real jerk(const Real& r) const { return -v - r * q; }
 };
 
@@ -70,7 +70,7 @@ HarmonicPoint<Real> shifted(const HarmonicPoint<Real>& point, const Real& r, con
   const Real z = max(Real(1), r) * abs(h);
   const Real hh = h * h;
   const Real rr = r * r * hh;
-  // The terms of v and of q, n = 0, 1; then each from the last but one.
+  // The terms of v and of q, n = 0, 1; then each from the one before the last.
   Real v0 = point.v;
   Real v1 = point.a * h;
   Real q0 = point.q;
@@ -98,7 +98,7 @@ HarmonicPoint<Real> shifted(const HarmonicPoint<Real>& point, const Real& r, con
   return {point.y + y, v, point.a - y - grown, point.w + grown, q};
 }
 
-/// (F11): steps so short that their eighth powers, divided by 8!, do not count.
+/// (F11): the length of steps whose eighth power, divided by 8!, is negligible.
 template <class Real>
 Real eighth_root_of_epsilon() {
   if constexpr (std::is_same_v<Real, double>) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Zeros of v and of y on a harmonic piece, found fast: docs/forced.md (F11). That a zero is the
-// first one is for the caller to prove. Symbols as in harmonic_point.hpp.
+// Zeros of v and of y on a harmonic piece, found fast: docs/forced.md (F11). The caller proves that
+// a zero is the first one. Symbols as in harmonic_point.hpp.
 
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/piece_end.hpp"
@@ -12,7 +12,7 @@
 
 namespace stillpoint {
 
-/// Which function of the time a zero is wanted of.
+/// The function whose zero is wanted.
 struct SeriesOfV {
   template <class Real>
   const std::array<Real, 8>& operator()(const HarmonicTaylor<Real>& taylor) const {

@@ -3,9 +3,8 @@
 
 // Whether friction holds the mass at rest: |W + p^2 x| <= f, docs/forced.md section 1, rule 2. In
 // the units of forced_run.hpp that is |w + u| <= phi, but w = W / p and phi = f / p are rounded
-// each for itself, and a load that equals f exactly, as a plateau of a record may, would be held or
-// not by the luck of rounding. Where they are too near each other to tell, W, p u and f themselves
-// decide.
+// separately, so for a load that equals f exactly, such as a plateau of a record, rounding would
+// decide whether it is held. Where they are too close to tell, W, p u and f themselves decide.
 
 #include "kernel/exact_sum.hpp"
 
@@ -35,7 +34,7 @@ class Hold {
   /// The direction of the load with the spring, +1 or -1.
   [[nodiscard]] int sign(const Load<Real>& load) const { return load.w + u_ > 0 ? 1 : -1; }
 
-  /// What a load compares: its error is some epsilon of this.
+  /// The scale of a load: its error is some epsilon of this.
   [[nodiscard]] Real size(const Real& w) const {
     using std::abs;
     return abs(u_) + abs(w) + phi_;
@@ -70,7 +69,7 @@ class Hold {
   }
 
  private:
-  /// Apart, since it is hardly ever called.
+  /// A separate function, since it is hardly ever called.
   [[gnu::noinline]] [[nodiscard]] Real exact_excess(const Load<Real>& load, int sign) const {
     ExactSum<Real> exact{Real(-f_)};
     exact.add(Real(Real(sign) * load.full.high()), Real(Real(sign) * load.full.low()));

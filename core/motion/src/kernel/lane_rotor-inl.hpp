@@ -39,7 +39,7 @@ HWY_INLINE void turn(VectorRotor& rotor, V c, V s) {
   rotor.sine = hn::Mul(sine, scale);
 }
 
-/// The angle of `a` less that of `b` is that of x + i y, but for their quarters.
+/// The angle of `a` minus that of `b` is that of x + i y, without their quarter turns.
 struct VectorDirection {
   V x;
   V y;

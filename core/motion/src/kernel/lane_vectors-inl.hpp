@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Vectors of doubles for free_lanes.cpp, in short words.
+// Vectors of doubles for free_lanes.cpp, with short names.
 
 // Read once for each instruction set, as Highway asks of its headers.
 #if defined(STILLPOINT_LANE_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -48,7 +48,7 @@ HWY_INLINE void put(V v, double* data) {
   hn::StoreU(v, D(), data);
 }
 
-/// So many numbers in a row.
+/// Numbers in a row.
 template <Index count, class Number = double>
 struct Column {
   HWY_ALIGN std::array<Number, static_cast<std::size_t>(count)> numbers{};

@@ -56,7 +56,7 @@ struct LinearTerms {
   }
 
  private:
-  /// Between the samples of a record h is small. What is left out is below 4e-18 of each for
+  /// Between the samples of a record h is small. The neglected terms are below 4e-18 of each for
   /// h < 1/8.
   void by_series(const Real& h) {
     const Real z = h * h;
@@ -141,13 +141,13 @@ class LinearPiece {
   }
 
  private:
-  /// Of the h in (0, 2 pi] with tan(h/2) = rise / run; run >= 0, and so h <= pi where rise > 0.
+  /// The h in (0, 2 pi] with tan(h/2) = rise / run; run >= 0, so h <= pi where rise > 0.
   struct HalfAngle {
     Real rise;
     Real run;
   };
 
-  /// (F17): the first h in (0, 2 pi] with v = 0; none where there is none.
+  /// (F17): the first h in (0, 2 pi] with v = 0, if there is one.
   [[nodiscard]] std::optional<HalfAngle> first_turn() const {
     using std::sqrt;
     const Point& s = start_;
@@ -167,7 +167,7 @@ class LinearPiece {
     return earlier(first, second) ? first : second;
   }
 
-  /// Surely later than `limit`, told without the arctangent: tan x < 1.1 x for 0 < x < 1/2.
+  /// Certainly later than `limit`, without the arctangent: tan x < 1.1 x for 0 < x < 1/2.
   static bool beyond(const HalfAngle& half, const Real& limit) {
     return limit < 1 && !(half.rise > 0 && half.rise <= Real(0.55) * limit * half.run);
   }
@@ -189,8 +189,8 @@ class LinearPiece {
     return h > 0 ? h : Real(h + 2 * pi<Real>());
   }
 
-  /// Takes back what the closed form lost; not where v only touches 0, which leaves nothing to
-  /// gain.
+  /// Restores the digits that the closed form lost, except where v only touches 0 and there is
+  /// nothing to gain.
   void polish_turn(End& end, const Real& limit) const {
     const Real d = -end.at.v / end.at.a;
     const Real h = end.h + d;

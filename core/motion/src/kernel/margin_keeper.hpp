@@ -2,8 +2,8 @@
 #pragma once
 
 // Watches a free run and keeps the decision margin, docs/theory.md section 6: the smallest relative
-// change which, made to all inputs (x0, v0, p, f, Delta) at once, each in its worst direction, tips
-// a decision of the run, to first order. A run whose margin is far above the rounding errors has
+// change of all inputs (x0, v0, p, f, Delta) at once, each in its worst direction, that changes a
+// decision of the run, to first order. A run whose margin is far above the rounding errors has
 // the counts and the outcome of the exact motion.
 //
 // Every decision is the sign of some g(inputs); its margin is |g| / sum |input dg/dinput|. As
@@ -23,7 +23,7 @@ namespace stillpoint {
 template <class Real>
 class MarginKeeper {
  public:
-  /// None where nothing was decided: a motion without friction, or none at all.
+  /// None if nothing was decided: a motion without friction, or no motion.
   [[nodiscard]] const std::optional<Real>& margin() const { return margin_; }
 
   void first_leg(const HalfCycleMap<Real>& map, const FirstLeg<Real>& leg) {

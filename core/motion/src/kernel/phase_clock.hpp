@@ -97,7 +97,7 @@ class PhaseClock {
   void crest(const HalfCycleMap<Real>& /*map*/, const Real& /*radius*/) {}
   void arrival(const HalfCycleMap<Real>& /*map*/, const Real& /*arrival*/) {}
 
-  /// (15): a half turn less the angle of (w v + phi^2)(w + v) + i phi d from one peak to the next.
+  /// (15): a half turn minus the angle of (w v + phi^2)(w + v) + i phi d from one peak to the next.
   void passage(const HalfCycleMap<Real>& map, const Real& arrival, const Real& energy,
                const Real& /*radius*/) {
     using std::sqrt;

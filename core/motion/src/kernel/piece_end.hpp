@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What both kinds of pieces (linear_piece.hpp, harmonic_piece.hpp) tell the forced run.
+// What both kinds of pieces (linear_piece.hpp, harmonic_piece.hpp) report to the forced run.
 
 namespace stillpoint {
 
@@ -11,7 +11,7 @@ enum class PieceEvent {
   turn,     ///< v = 0
 };
 
-/// The end of a piece: an event, or as far as was looked. `h` counts from the start of the piece.
+/// The end of a piece: an event, or the end of the search. `h` counts from the start of the piece.
 template <class Real, class Point>
 struct PieceEnd {
   PieceEvent event;
@@ -19,9 +19,9 @@ struct PieceEnd {
   Point at;
 };
 
-/// The smallest relative distance of a decision of the run from tipping: docs/forced.md section 7.
-/// `slack` >= 0 is how far an event function stayed from deciding otherwise, `scale` the size of
-/// what it compares.
+/// The smallest relative distance at which a decision of the run would change: docs/forced.md
+/// section 7. `slack` >= 0 is the distance of an event function from the other decision, `scale`
+/// the size of the values that it compares.
 template <class Real>
 class TippingMargin {
  public:

@@ -46,7 +46,7 @@ template <class Real>
 bool stays_positive(const HarmonicPoint<Real>& point, const Real& r, const Real& k, const Real& h) {
   const Real push = least_push(point, r, k, h);
   if (point.v == 0 && point.a == 0) {
-    // After a release: pushed ahead all the time.
+    // After a release: the push is always forward.
     return push >= 0 && (point.q < 0 || (point.q == 0 && point.w > 0));
   }
   const SineBounds<Real> bound(h);
@@ -58,7 +58,7 @@ bool stays_positive(const HarmonicPoint<Real>& point, const Real& r, const Real&
   return by_v + by_a - by_push > 8 * std::numeric_limits<Real>::epsilon() * size;
 }
 
-/// The point with time turned round: v(-h) of the one is v(h) of the other.
+/// The point with time reversed: v(-h) of the one is v(h) of the other.
 template <class Real>
 HarmonicPoint<Real> reversed(const HarmonicPoint<Real>& point) {
   return {-point.y, point.v, -point.a, -point.w, point.q};
@@ -76,7 +76,7 @@ bool positive_between(const HarmonicPoint<Real>& left, const HarmonicPoint<Real>
       return true;
     }
   }
-  // From the slower end alone, which mostly is enough: the sine of (F12) then grows almost all the
+  // From the slower end only, which is mostly enough: the sine of (F12) then grows almost all the
   // way. Next to a release the proof from the other end would fail by rounding.
   if (h < Real(5) / 2 && (left.v > right.v ? stays_positive(reversed(right), r, k, h)
                                            : stays_positive(left, r, k, h))) {

@@ -164,7 +164,7 @@ class RecordRun {
     }
   }
 
-  /// By how much the load goes on to exceed what is held, after a release from sample i on.
+  /// By how much the load eventually exceeds friction, after a release from sample i on.
   void decide_crest(std::size_t i, const Hold<Real>& hold) {
     const int drives = hold.drives(load(i));
     const int sign = drives != 0 ? -drives : sample(i + 1) > sample(i) ? 1 : -1;
@@ -175,7 +175,7 @@ class RecordRun {
     while (i + 1 < record_.values.size() && excess(i + 1) > excess(i)) {
       ++i;
       if (!margin.matters(excess(i), hold.size(sample(i)))) {
-        return;  // nor does what is larger
+        return;  // nor does a larger one
       }
     }
     decide_hold(i, hold, sign);
@@ -196,8 +196,8 @@ class RecordRun {
     run_.state().margin.decide(Run::magnitude(excess), hold.size(sample(i)));
   }
 
-  /// On from sample i while (F21) proves that no event comes; the sample from which it does not, or
-  /// a later one after a stretch that the hook should hear of.
+  /// From sample i on while (F21) proves that no event comes; returns the first sample without such
+  /// a proof, or a later one after a stretch that the hook should see.
   std::size_t slide_from(std::size_t i, std::size_t last) {
     return times_.even() ? slide_along<true>(i, last) : slide_along<false>(i, last);
   }
@@ -234,8 +234,8 @@ class RecordRun {
       if (!(std::min(v, next_v) > std::max(t.least_v, Real(t.fall * rise))) || next_y >= arrival) {
         break;
       }
-      // By (F16) a needs no y, so that v and a wait for each other alone; from y it is taken anew
-      // now and then, or the rounding errors of both would part them.
+      // By (F16) a does not need y, so v and a wait only for each other. Now and then a is computed
+      // from y again, so that rounding errors do not let the two drift apart.
       const Real next_a = i % afresh == 0
                               ? Real(-(next_y + phi + next_w))
                               : Real((a - a * t.versine) - (v * t.sine + rise * t.pull));

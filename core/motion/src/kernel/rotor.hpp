@@ -53,7 +53,7 @@ struct Rotor {
   }
 };
 
-/// The angle of `a` less that of `b`, but for their quarters: in [-pi/2, pi/2].
+/// The angle of `a` minus that of `b`, without their quarter turns: in [-pi/2, pi/2].
 template <class Real>
 Real angle_between(const Rotor<Real>& a, const Rotor<Real>& b) {
   using std::abs;

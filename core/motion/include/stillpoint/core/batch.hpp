@@ -7,12 +7,12 @@
 
 namespace stillpoint {
 
-/// One value an entry. Anything that is not contiguous is copied first.
+/// One value per entry. Anything that is not contiguous is copied first.
 using BatchValues = Eigen::Ref<const Eigen::ArrayXd>;
 
 struct BatchOptions {
   bool times{false};  ///< stop_time as well
-  /// As in FreeOptions: where one entry alone may take more half-cycles, the batch is refused.
+  /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
   double half_cycle_limit{1e8};
   int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
 };
@@ -33,10 +33,10 @@ struct BatchResult {
 };
 
 /// The free motions from x = 0 with v0 of the oscillators (p, f[i], delta[i]). `result` is resized
-/// where its size is another; a large sweep in blocks thus keeps to the same memory.
+/// if its size differs, so a large sweep in blocks reuses the same memory.
 ///
-/// Counts, outcomes and values are bit for bit those of free_response, whatever the instruction set
-/// and the number of threads: docs/batch.md.
+/// Counts, outcomes and values are bit for bit those of free_response, for every instruction set
+/// and number of threads: docs/batch.md.
 ///
 /// Throws InputError for input that free_response refuses, with the entry in the field ("f[17]"),
 /// for arrays of different lengths, and for threads < 0; TooManyHalfCycles, naming the entry, as

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What shakes the base: W(tau) in units of g, tau >= 0. Outside of what is said here W = 0.
+// The base acceleration W(tau) in units of g, tau >= 0. Outside the stated intervals W = 0.
 
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -43,8 +44,8 @@ struct BasicRectangle {
 };
 using Rectangle = BasicRectangle<double>;
 
-/// W goes straight from one sample to the next. It is 0 before the first and after the last, where
-/// it may jump; a single sample lasts no time at all.
+/// W is linear between samples. It is 0 before the first and after the last sample, where it may
+/// jump; a single sample has no duration.
 template <class Real>
 struct BasicRecord {
   std::vector<Real> values;
@@ -58,11 +59,14 @@ struct NoExcitation {};
 
 using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rectangle, Record>;
 
-/// p tau, lambda tau and the phase are at most this in a run under an excitation: further on sines
+/// "harmonic", "half-sine", "full-sine", "rectangle", "record"; "none".
+[[nodiscard]] std::string_view name(const Excitation& excitation) noexcept;
+
+/// p tau, lambda tau and the phase are at most this in a run under an excitation: beyond it sines
 /// lose their digits.
 inline constexpr double largest_phase = 1e15;
 
-/// The excitation is 0 from here on; empty where it never ends.
+/// The excitation is 0 from here on; empty if it never ends.
 [[nodiscard]] std::optional<double> duration(const Excitation& excitation);
 
 /// Throws InputError, naming the field ("lambda", "record value 17", ...), unless

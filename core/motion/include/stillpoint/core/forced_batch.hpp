@@ -16,9 +16,9 @@ struct ForcedBatchOptions {
 };
 
 /// The motions from x = 0 with v0 of the oscillators (p, f[i], delta[i]), all under one excitation:
-/// forced_response of each, whatever the number of threads.
+/// forced_response of each, for every number of threads.
 ///
-/// Throws what forced_response throws, with the first entry at fault in the field ("f[17]") or the
+/// Throws what forced_response throws, with the first wrong entry in the field ("f[17]") or the
 /// message, and InputError for arrays of different lengths and for threads < 0.
 [[nodiscard]] std::vector<ForcedResponse> forced_batch(double v0, double p, const BatchValues& f,
                                                        const BatchValues& delta,

@@ -17,7 +17,7 @@ enum class ForcedEventKind {
   stick,           ///< friction holds the mass for a while, or for ever
   release,         ///< the end of a stick
   rest,            ///< the final rest
-  end,             ///< the end of the run, where the motion goes on
+  end,             ///< the end of the run, if the motion goes on
 };
 
 /// The name in output: the enumerator's own.

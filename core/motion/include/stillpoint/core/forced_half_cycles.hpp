@@ -15,7 +15,7 @@ namespace stillpoint {
 /// the next arrival at x = 0, the final rest or t_end. `peak` is the largest |x| at a turn, stick
 /// or end of the half-cycle, `side` the sign of x there; peak_time is when. arrival_speed is empty
 /// where the half-cycle does not end at x = 0. The run ends with the last one that is listed.
-/// `go_on` as in ForcedOptions; where it says no, the list holds what is done so far. Throws
+/// `go_on` as in ForcedOptions; if it returns false, the list holds the half-cycles so far. Throws
 /// InputError as forced_response does.
 [[nodiscard]] std::vector<HalfCycle> forced_half_cycles(
     const Oscillator& oscillator, const Start& start, const Excitation& excitation, double t_end,

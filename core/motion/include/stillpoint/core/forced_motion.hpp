@@ -12,40 +12,40 @@
 namespace stillpoint {
 
 struct ForcedOptions {
-  /// The tau at which the run ends. Without it the free motion that follows the excitation is
-  /// followed to its own end; an excitation that lasts for ever needs it.
+  /// The tau at which the run ends. Without it the run continues to the end of the free motion
+  /// after the excitation; an excitation that lasts for ever needs it.
   std::optional<double> t_end{};
-  /// A motion of more half-cycles is refused. Without it only the free motion after the excitation,
-  /// where there is no t_end, has a limit: that of FreeOptions.
+  /// A motion with more half-cycles is refused. Without it, only a free motion after the excitation
+  /// has a limit, that of FreeOptions, and only without t_end.
   std::optional<double> half_cycle_limit{};
-  /// Asked now and then, with the tau reached: false ends the run there. Empty: never asked.
+  /// Called now and then with the tau reached; false ends the run there. Empty: never called.
   std::function<bool(double)> go_on{};
-  int ask_every{1024};  ///< so many pieces between two questions; >= 1
+  int ask_every{1024};  ///< pieces between two calls; >= 1
 };
 
-/// The metrics of a forced motion. Those of Response mean the same; where the outcome is `running`
+/// The metrics of a forced motion. Those of Response mean the same; if the outcome is `running`,
 /// the counts are those up to end_time.
 struct ForcedResponse : Response {
-  /// Up to when the motion was followed: t_end, or its stop_time. Empty where it never stops and
-  /// no t_end was given; so are the next two.
+  /// The tau where the run ended: t_end, or the stop_time. Empty if the motion never stops and no
+  /// t_end was given; so are the next two.
   std::optional<double> end_time;
   std::optional<double> final_position;
   std::optional<double> final_velocity;
-  /// Rests of positive length in which friction holds the mass for a while; one that the run's end
-  /// cuts short counts, a final rest does not.
+  /// Rests of positive length in which friction holds the mass for a while. One that the end of the
+  /// run cuts short counts; a final rest does not.
   double sticks{0};
   double stick_time{0};  ///< their total length in tau
-  /// Set off from rest at x = 0 although delta > 0: the notch acts from the first return on.
+  /// The mass left rest at x = 0 although delta > 0: the notch acts from the first return on.
   bool left_notch_from_rest{false};
   bool cancelled{false};  ///< go_on said no
 };
 // decision_margin here: the smallest relative distance of a compared quantity from what it was
-// compared with, at the instant of the decision. It is not carried back to the inputs as that of a
-// free motion is; docs/forced.md section 7 says which decisions count.
+// compared with, at the instant of the decision. Unlike that of a free motion it does not refer to
+// the inputs; docs/forced.md section 7 says which decisions count.
 
-/// The motion of `oscillator` from `start` under `excitation`, exact but for rounding: no step size
-/// and no tolerance. Throws InputError for wrong input, and TooManyHalfCycles as free_response does
-/// where the motion goes on free. docs/forced.md.
+/// The motion of `oscillator` from `start` under `excitation`, exact except for rounding: no step
+/// size and no tolerance. Throws InputError for wrong input, and TooManyHalfCycles as free_response
+/// does if the motion continues free. docs/forced.md.
 [[nodiscard]] ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
                                              const Excitation& excitation,
                                              const ForcedOptions& options = {});

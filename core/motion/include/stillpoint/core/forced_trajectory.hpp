@@ -19,9 +19,9 @@ struct ForcedEvent {
 };
 
 struct ForcedTrajectoryOptions {
-  double horizon{0};               ///< tau up to which; > 0
+  double horizon{0};               ///< the last tau; > 0
   std::int64_t pieces{2'000'000};  ///< at most; a motion with more throws InputError of t_end
-  /// As in ForcedOptions; where it says no, the trajectory ends there.
+  /// As in ForcedOptions; if it returns false, the trajectory ends there.
   std::function<bool(double)> go_on{};
   bool to_rest{false};  ///< ends at the final rest, if that is known by then and not at tau = 0
 };

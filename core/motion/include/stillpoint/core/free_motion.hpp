@@ -9,12 +9,12 @@
 
 namespace stillpoint {
 
-/// What is computed beyond the counts, the peaks and the place of rest.
+/// What to compute beyond the counts, the peaks and the place of rest.
 struct FreeOptions {
-  bool times{true};   ///< stop_time: two square roots more a half-cycle
-  bool margin{true};  ///< decision_margin: one division a half-cycle
-  /// With both frictions the number of half-cycles is bounded before the run; a larger bound than
-  /// this is refused with TooManyHalfCycles. Motions with one friction or none are closed forms and
+  bool times{true};   ///< stop_time: two more square roots per half-cycle
+  bool margin{true};  ///< decision_margin: one division per half-cycle
+  /// With both frictions the number of half-cycles is bounded before the run; a bound above this is
+  /// refused with TooManyHalfCycles. Motions with one friction or none are closed forms and
   /// need no limit. In [1, 1e15]; each 1e8 take a few seconds.
   double half_cycle_limit{1e8};
 };
@@ -37,10 +37,10 @@ struct Response {
 };
 // Counts are doubles that hold integers: exact below 2^53, and the closed forms go far beyond.
 
-/// The free motion (W = 0) of `oscillator` from `start`, exact but for rounding: each metric is
-/// that of inputs changed by a relative 2e-16 * (2 + half-cycles) at most, and a count or outcome
-/// may differ only where decision_margin is below that. Throws InputError (oscillator.hpp says
-/// when) and TooManyHalfCycles. docs/theory.md sections 2-6.
+/// The free motion (W = 0) of `oscillator` from `start`, exact except for rounding: each
+/// metric is that of inputs changed by a relative 2e-16 * (2 + half-cycles) at most, and a count or
+/// outcome may differ only where decision_margin is below that. Throws InputError (oscillator.hpp
+/// says when) and TooManyHalfCycles. docs/theory.md sections 2-6.
 [[nodiscard]] Response free_response(const Oscillator& oscillator, const Start& start,
                                      const FreeOptions& options = {});
 
@@ -48,7 +48,7 @@ struct Response {
 /// 0.98".
 [[nodiscard]] std::string summary(const Response& response);
 
-/// peak_amplitude alone, in constant time whatever the number of half-cycles. Throws InputError.
+/// Only peak_amplitude, in constant time for any number of half-cycles. Throws InputError.
 [[nodiscard]] double free_peak(const Oscillator& oscillator, const Start& start);
 
 }  // namespace stillpoint

@@ -17,7 +17,7 @@ struct HalfCycle {
   std::int64_t index{1};                ///< 1, 2, ...
   int side{1};                          ///< sign of x during it
   double start_time{0};                 ///< tau
-  double departure_speed{0};            ///< |x'| at its start, what the notch left
+  double departure_speed{0};            ///< |x'| at its start, after the notch
   double peak_time{0};                  ///< tau of the peak; start_time where it starts inwards
   double peak{0};                       ///< largest |x| of it
   double end_time{0};                   ///< tau of the arrival at x = 0, or of the rest
@@ -27,7 +27,7 @@ struct HalfCycle {
 };
 
 /// Walks through a free motion half-cycle by half-cycle, in constant memory, times included. With
-/// one friction alone each half-cycle comes from the closed form, rounded once, so that the walk
+/// only one friction each half-cycle comes from the closed form, rounded once, so that the walk
 /// ends where free_response says. Throws InputError like free_response.
 class HalfCycleWalk {
  public:

@@ -8,7 +8,7 @@
 namespace stillpoint {
 
 /// Wrong input, found where it enters. The message names the field, the value and the bound, e.g.
-/// "p = -1: must be a number from 1e-150 to 1e+150". Of a long value it quotes the beginning.
+/// "p = -1: must be a number from 1e-150 to 1e+150". It quotes only the beginning of a long value.
 class InputError : public std::invalid_argument {
  public:
   InputError(std::string field, const std::string& value, const std::string& bound);
@@ -31,8 +31,8 @@ class InputError : public std::invalid_argument {
   std::string field_;
 };
 
-/// The input is right, but there is so little friction that its motion has more half-cycles than
-/// may be stepped through.
+/// The input is valid, but the friction is so small that the motion has more half-cycles than
+/// allowed.
 class TooManyHalfCycles : public std::runtime_error {
  public:
   /// The motion has at most `bound` half-cycles; `limit` are allowed.

@@ -6,7 +6,7 @@ namespace stillpoint {
 /// The oscillator of the paper's (6), dimensionless:
 ///   x'' + (f + delta * dirac(x)) sgn x' + p^2 x = -W.
 ///
-/// `delta` acts at x = 0 alone: each passage costs the kinetic energy v^2/2 = delta. `f` and
+/// `delta` acts only at x = 0: each passage costs the kinetic energy v^2/2 = delta. `f` and
 /// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
 template <class Real>
 struct BasicOscillator {
@@ -30,7 +30,7 @@ inline constexpr double largest_speed = 1e150;
 inline constexpr double smallest_speed = 1e-150;
 /// f / p may be smaller, since it is added to larger speeds.
 inline constexpr double smallest_friction_speed = 1e-307;
-/// p times the smallest peak, v0^2 p / f where friction overwhelms: anything less would underflow.
+/// p times the smallest peak, v0^2 p / f where friction dominates: anything less would underflow.
 inline constexpr double smallest_peak_speed = 1e-300;
 /// The largest delta and |x0|; the first is compared with squares of speeds.
 inline constexpr double largest_square = 1e300;

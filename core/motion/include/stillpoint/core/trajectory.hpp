@@ -34,15 +34,16 @@ struct Event {
 
 /// How much of a motion a Trajectory holds.
 struct TrajectoryOptions {
-  /// tau up to which, > 0; empty: up to the end of the motion, which a motion without friction has
-  /// not.
+  /// The last tau, > 0; empty: the end of the motion. A motion without friction has no end, so it
+  /// needs one.
   std::optional<double> horizon;
   std::int64_t half_cycles{1'000'000};  ///< at most; a motion with more throws TooManyHalfCycles
 };
 
 /// The state of a free motion at any instant in [0, horizon], and its events in order of time.
-/// Between events each arc goes on from its own start, in a form that keeps the digits of a small x
-/// where its centre is far away; at an event the state is the event's own. After the rest it stays.
+/// Between events each arc continues from its own start, in a form that keeps the digits of a small
+/// x where its centre is far away; at an event the state is that of the event. After the rest it
+/// stays.
 class Trajectory {
  public:
   /// Throws InputError as free_response does, for limits out of range, for a missing horizon where
@@ -60,7 +61,7 @@ class Trajectory {
   [[nodiscard]] std::vector<State> sampled(std::int64_t samples) const;
 
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
-  /// As asked for, or the end of the motion; 0 where nothing moves.
+  /// The requested horizon, or the end of the motion; 0 if nothing moves.
   [[nodiscard]] double horizon() const { return horizon_; }
 
  private:

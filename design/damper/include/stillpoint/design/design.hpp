@@ -4,6 +4,7 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/pulse_check.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
@@ -18,6 +19,7 @@ struct DesignRequest {
   Problem problem;
   Limits limits{};
   SearchOptions search{};
+  std::optional<Pulse> pulse{};  ///< in place of problem.v0; see pulse_design.hpp
 };
 
 /// What was found for an admissible region.
@@ -30,8 +32,8 @@ struct Finding {
   std::optional<PulseCheck> pulse;  ///< where a pulse gave the initial velocity
 };
 
-/// The whole answer to a request. Without a finding the region is empty: `reason` says why and
-/// `mends`, or else `joint_mend`, what would help.
+/// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the
+/// region is empty: `reason` says why and `mends`, or else `joint_mend`, what would help.
 struct DesignResult {
   DesignRequest request;
   Region region;

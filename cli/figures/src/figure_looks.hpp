@@ -3,7 +3,7 @@
 
 // The classes and outlines that stand for inks, dashes, shapes and fills in the SVG.
 
-#include "figure.hpp"
+#include <stillpoint/figures/figure.hpp>
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 inline std::string_view word(Ink ink) {
   constexpr std::array<std::string_view, 7> words{"blue", "orange", "green", "purple",
@@ -51,4 +51,4 @@ inline std::string mark(const FigureMarks& marks, std::string_view place) {
                      marks.fill == Fill::crossed ? "M-5-5L5 5M5-5L-5 5" : "");
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

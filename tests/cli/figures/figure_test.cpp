@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "figure.hpp"
 #include "figure_map.hpp"
 #include "testing/printing.hpp"
+
+#include <stillpoint/figures/figure.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -14,7 +15,7 @@ BOOST_AUTO_TEST_SUITE(figure_test)
 
 namespace {
 
-using namespace stillpoint::cli;
+using namespace stillpoint::figures;
 
 /// One of everything, on axes that make a unit 43 pixels wide and 29 high.
 Figure one_of_everything() {

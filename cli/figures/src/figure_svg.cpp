@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 namespace {
 
@@ -256,4 +256,4 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

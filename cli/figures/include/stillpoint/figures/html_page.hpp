@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure.hpp"
+#include <stillpoint/figures/figure.hpp>
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 struct HtmlTable {
   std::string heading;
@@ -32,4 +32,4 @@ struct HtmlPage {
 /// What makes its figures answer the pointer.
 [[nodiscard]] std::string_view html_script() noexcept;
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "figure.hpp"
+#include <stillpoint/figures/figure.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 namespace {
 
@@ -69,4 +69,4 @@ FigureAxis axis_around(std::string label, double least, double most) {
   return {std::move(label), least - room, most + room};
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 struct FigurePoint {
   double x{0};
@@ -138,4 +138,4 @@ enum class Frame { alone, in_page };
 /// Text fit for XML.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

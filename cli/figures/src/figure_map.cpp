@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::string map_base64(const FigureMap& map) {
   return base64(png);
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

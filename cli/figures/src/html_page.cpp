@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "html_page.hpp"
+#include <stillpoint/figures/html_page.hpp>
 
 #include <fmt/format.h>
 
 #include <iterator>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::string html(const HtmlPage& page) {
   return text;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "figure.hpp"
+#include <stillpoint/figures/figure.hpp>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 std::string_view figure_style() noexcept {
   return R"(
@@ -40,4 +40,4 @@ std::string_view dark_figure_style() noexcept {
 )";
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure.hpp"
+#include <stillpoint/figures/figure.hpp>
 
 #include <string>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 /// The names in figures with a sample of each, in lines of a width. What has the same name shares
 /// its entry.
@@ -36,4 +36,4 @@ class FigureLegend {
   int last_line_{0};
 };
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

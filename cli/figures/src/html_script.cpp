@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "html_page.hpp"
+#include <stillpoint/figures/html_page.hpp>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::string_view html_script() noexcept {
   return script;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace stillpoint::cli {
+namespace stillpoint::figures {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::string FigureLegend::drawn(double x, double y) const {
   return text;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::figures

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/state.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace stillpoint {
+
+/// One motion, and how much of it is wanted.
+struct SimulationRequest {
+  Oscillator oscillator;
+  Start start;
+  Excitation excitation{};                 ///< none: a free motion
+  std::optional<double> t_end{};           ///< of a forced run, and of any trajectory
+  std::optional<double> half_cycle_limit;  ///< as in FreeOptions and ForcedOptions
+  std::int64_t max_half_cycles{1000};      ///< listed at most
+  std::optional<std::int64_t> samples{};   ///< of the trajectory, >= 2; empty: no trajectory
+};
+
+/// What came of it.
+struct Simulation {
+  Response response;
+  std::optional<ForcedResponse> forced;  ///< where there is an excitation; response is its part
+  std::vector<HalfCycle> half_cycles;
+  /// States at evenly spaced instants and at every event; a passage has two, before and after the
+  /// notch. Up to t_end, else to the end of the motion, and where that never ends ten periods (of a
+  /// forced motion ten more after the excitation).
+  std::vector<State> trajectory;
+  /// Up to when half-cycles and trajectory of a forced motion go; 0 for a free one.
+  double horizon{0};
+  bool cancelled{false};  ///< go_on said no: the rest is incomplete
+};
+
+[[nodiscard]] bool is_forced(const SimulationRequest& request);
+
+/// Metrics, half-cycles and trajectory of the motion. A forced run asks `go_on` now and then, in
+/// each of its up to three passes, with the tau reached; false ends it. Throws InputError as
+/// free_response and forced_response do, and of t_end where the motion rests too late to be listed
+/// up to then; TooManyHalfCycles.
+[[nodiscard]] Simulation simulate(const SimulationRequest& request,
+                                  const std::function<bool(double)>& go_on = {});
+
+}  // namespace stillpoint

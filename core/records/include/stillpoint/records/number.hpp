@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace stillpoint::records {
+
+enum class NumberFault { none, no_number, not_finite, out_of_range };
+
+struct ScannedNumber {
+  double value{0};
+  NumberFault fault{NumberFault::none};
+};
+
+/// A number in decimal or exponent form, as C writes it, with or without a sign. The whole of
+/// `text` must be the number.
+[[nodiscard]] ScannedNumber scan_number(std::string_view text);
+
+/// The same, or as Fortran and spreadsheets write it: -.123E-03, +5., 1.2D-3, 7d2. A subnormal
+/// number is out of range.
+///
+/// Fortran leaves out the E of an exponent with three digits: 0.1234567-100. That is read if it can
+/// mean nothing else: a decimal point, then a sign and exactly three digits at the end. Text with
+/// any other sign inside (0.12-0.34, 12-100) is not a number.
+[[nodiscard]] ScannedNumber scan_fortran_number(std::string_view text);
+
+/// What is wrong, to follow the text in a message: "is not a number". For `none`, "".
+[[nodiscard]] std::string_view explanation(NumberFault fault) noexcept;
+
+/// The number that the value of a field stands for. Throws InputError, which names the field.
+[[nodiscard]] double parse_number(std::string_view field, std::string_view text);
+[[nodiscard]] std::int64_t parse_integer(std::string_view field, std::string_view text);
+
+}  // namespace stillpoint::records

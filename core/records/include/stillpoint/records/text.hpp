@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::records {
+
+/// `text` without the blanks and tabs at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Takes the first word off `text`, where words stand between blanks and tabs; "" if none is left.
+std::string_view take_word(std::string_view& text);
+
+/// The parts of `text` between any of `separators`, none of them empty.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text,
+                                                     std::string_view separators);
+
+/// Only ASCII letters change, so the locale does not matter.
+[[nodiscard]] std::string upper_case(std::string_view text);
+
+/// How much of a wrong word a message quotes.
+inline constexpr std::size_t longest_word = 60;
+/// How much of the name of a file.
+inline constexpr std::size_t longest_path = 300;
+
+/// The first `longest` bytes of a text, followed by "..." if it is longer. A UTF-8 sequence is
+/// never cut in two.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t longest);
+
+/// Text from a file, made fit for a terminal and for JSON: shortened, with a '?' for each control
+/// byte and, if the text is not UTF-8, for each byte beyond ASCII.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t longest);
+
+/// A part of a file as messages quote it.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+}  // namespace stillpoint::records

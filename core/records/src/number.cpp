@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <system_error>
+
+namespace stillpoint::records {
+
+namespace {
+
+bool is_sign(char c) {
+  return c == '+' || c == '-';
+}
+
+/// Fortran's exponents in C's form; the text itself if there is nothing to change.
+std::string with_c_exponent(std::string_view text) {
+  std::string result(text);
+  const std::size_t d = result.find_first_of("dD");
+  if (d != std::string::npos) {
+    result[d] = 'e';
+    return result;
+  }
+  constexpr std::size_t exponent_length = 4;
+  if (text.size() > exponent_length) {
+    const std::size_t sign = text.size() - exponent_length;
+    const bool has_point = text.substr(0, sign).find('.') != std::string_view::npos;
+    if (is_sign(text[sign]) && has_point) {
+      result.insert(sign, 1, 'e');  // without a mantissa or digits around it still not a number
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+ScannedNumber scan_number(std::string_view text) {
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+  }
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc::invalid_argument || stop != end) {
+    return {0, NumberFault::no_number};
+  }
+  if (error == std::errc::result_out_of_range) {
+    return {0, NumberFault::out_of_range};
+  }
+  return {value, std::isfinite(value) ? NumberFault::none : NumberFault::not_finite};
+}
+
+ScannedNumber scan_fortran_number(std::string_view text) {
+  if (text.size() > 1 && is_sign(text[0]) && is_sign(text[1])) {
+    return {0, NumberFault::no_number};
+  }
+  ScannedNumber scanned = scan_number(text);
+  if (scanned.fault == NumberFault::no_number) {
+    scanned = scan_number(with_c_exponent(text));
+  }
+  return std::fpclassify(scanned.value) == FP_SUBNORMAL
+             ? ScannedNumber{0, NumberFault::out_of_range}
+             : scanned;
+}
+
+std::string_view explanation(NumberFault fault) noexcept {
+  switch (fault) {
+    case NumberFault::none:
+      break;
+    case NumberFault::no_number:
+      return "is not a number";
+    case NumberFault::not_finite:
+      return "is not a finite number";
+    case NumberFault::out_of_range:
+      return "is out of range, must be 0 or have a magnitude from 2.2e-308 to 1.8e308";
+  }
+  return "";
+}
+
+double parse_number(std::string_view field, std::string_view text) {
+  const ScannedNumber scanned = scan_number(text);
+  if (scanned.fault == NumberFault::out_of_range) {
+    throw InputError(std::string(field), std::string(text),
+                     "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+  }
+  if (scanned.fault != NumberFault::none) {
+    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a finite number");
+  }
+  return scanned.value;
+}
+
+std::int64_t parse_integer(std::string_view field, std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a whole number");
+  }
+  return value;
+}
+
+}  // namespace stillpoint::records
