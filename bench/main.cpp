@@ -34,7 +34,7 @@ int run(int count, char** arguments) {
   CLI::App app("Speed against error, on every scene, in one run");
   app.add_option("--reference", reference, "folder of the reference tables")->required();
   app.add_option("--out", folder, "folder for performance.json, .md, .svg and .html")->required();
-  app.add_option("--batches", options.batches, "batches a call")->check(CLI::Range(1, 1000));
+  app.add_option("--batches", options.batches, "batches per call")->check(CLI::Range(1, 1000));
   CLI11_PARSE(app, count, arguments);
 
   const Comparison comparison = compare(peers::reference_scenes(reference), options);

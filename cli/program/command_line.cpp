@@ -44,9 +44,9 @@ constexpr std::array command_helps{
                 "      --trajectory motion.csv --samples 500\n"
                 "Exit codes: 0 done, 2 wrong input, 130 interrupted."},
     CommandHelp{Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy",
-                "AXIS is a number, first:last:count, first:last:count:log, or numbers a,b,c; the "
-                "entries are\nall combinations. With --beta each entry is designed, else "
-                "simulated.\n"
+                "AXIS is a number, first:last:count, first:last:count:log, or numbers a,b,c. The "
+                "entries are\nall combinations. With --beta a damper is designed for each entry; "
+                "without it each\nmotion is simulated.\n"
                 "Examples:\n"
                 "  stillpoint sweep --v0 1 --p 1 --f 0.001:0.35:50 --delta 0:0.5:50\n"
                 "  stillpoint sweep --v0 1 --p 1 --f 1e-3:0.3:200:log --delta 0.01 --times "
@@ -55,7 +55,7 @@ constexpr std::array command_helps{
                 "  stillpoint sweep --p 1 --f 0.05:0.2:16 --delta 0 --excitation harmonic \\\n"
                 "      --k 0.2 --lambda 0.35 --t-end 200\n"
                 "  stillpoint sweep --v0 1 --p 1 --list dampers.csv --output s.csv --resume\n"
-                "Exit codes: 0 done, 2 wrong input, 130 interrupted; go on with --resume."},
+                "Exit codes: 0 done, 2 wrong input, 130 interrupted; continue with --resume."},
     CommandHelp{Command::accuracy, "time and error of each method on one motion, against 50 digits",
                 "Examples:\n"
                 "  stillpoint accuracy --v0 1 --p 1 --f 0.02 --delta 0.02\n"
@@ -65,17 +65,18 @@ constexpr std::array command_helps{
 };
 
 constexpr std::string_view about =
-    "Designs friction dampers: a linear oscillator with constant friction f and point friction "
+    "Designs friction dampers. A linear oscillator with constant friction f and point friction "
     "delta\n"
-    "at x = 0, set off with velocity v0, is to stop at x = 0 with a peak of at most beta.";
+    "at x = 0 starts with velocity v0; it must stop at x = 0 and never move further than beta.";
 
 constexpr std::string_view epilogue =
     "Examples:\n"
     "  stillpoint design --v0 1 --p 1 --beta 0.8\n"
     "  stillpoint design data/scenes/isolator.json\n"
     "  stillpoint simulate --v0 1 --p 1 --f 0.02 --delta 0.02\n\n"
-    "A scene is a JSON file whose keys are the options' names; a flag overrides it. \"-\" reads it "
-    "from\nstandard input. \"stillpoint COMMAND --help\" lists the options of a command.";
+    "A scene is a JSON file; its keys are the names of the options, and a flag overrides it. "
+    "\"-\" reads\nit from standard input. \"stillpoint COMMAND --help\" lists the options of a "
+    "command.";
 
 /// What CLI11 collects for one subcommand; texts, which are converted once the command is known.
 struct Collected {
@@ -125,14 +126,15 @@ void refuse_extras(const CLI::App& app) {
   bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
   bare = bare.substr(0, bare.find('='));
   const Option* known = find_option(bare);
-  throw UsageError(known != nullptr ? fmt::format("{}: is no option of {}", first, app.get_name())
-                                    : fmt::format("{}: unknown option{}", first, suggestion(bare)));
+  throw UsageError(known != nullptr
+                       ? fmt::format("{}: is not an option of {}", first, app.get_name())
+                       : fmt::format("{}: unknown option{}", first, suggestion(bare)));
 }
 
 Settings::Value typed(const Option& option, const std::string& text, Command command) {
   switch (option.kind_in(command)) {
     case OptionKind::axis:
-      return parse_axis(option.name, text);
+      return sweep::parse_axis(option.name, text);
     case OptionKind::number:
       return parse_number(option.name, text);
     case OptionKind::integer:
@@ -152,7 +154,7 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
       continue;
     }
     if (given->count() > 1) {
-      throw UsageError(fmt::format("--{} is given {} times: an option may stand only once",
+      throw UsageError(fmt::format("--{} is given {} times: an option can be given only once",
                                    option.name, given->count()));
     }
     settings.set(option, option.kind == OptionKind::flag
@@ -164,10 +166,15 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 
 [[noreturn]] void refuse_command(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
+  std::vector<std::string_view> names;
+  for (const CommandHelp& help : command_helps) {
+    names.push_back(name(help.command));
+  }
   throw UsageError(fmt::format(
-      "{}: must be design, region, simulate, sweep or accuracy (stillpoint --help)",
+      "{}: must be {} (stillpoint --help)",
       extras.empty() ? "no command"
-                     : "command " + records::shortened(extras.front(), records::longest_word)));
+                     : "command " + records::shortened(extras.front(), records::longest_word),
+      listed(names)));
 }
 
 }  // namespace

@@ -10,11 +10,15 @@
 #include "text_report.hpp"
 #include "trajectory_csv.hpp"
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/region_answer.hpp>
 
 #include <fmt/format.h>
+
+#include <cstdio>
+#include <utility>
 
 namespace stillpoint::cli {
 
@@ -33,10 +37,30 @@ void report(const Settings& settings, const Json& json, const Text& text, Output
   }
 }
 
-/// A free motion of so many half-cycles that it takes long is refused; a forced one is watched.
+/// Says so beforehand where the motion takes minutes, which needs a raised limit.
+Simulation free_simulation(SimulationRequest request) {
+  constexpr double half_cycles_per_minute = 4e9;
+  const auto limit = std::exchange(request.half_cycle_limit, {});
+  try {
+    if (limit.value_or(0) > FreeOptions().half_cycle_limit) {
+      return simulate(request);
+    }
+  } catch (const TooManyHalfCycles& excess) {
+    const double minutes = excess.bound().value_or(0) / half_cycles_per_minute;
+    if (minutes > 2 && excess.bound() <= limit) {
+      fmt::print(stderr,
+                 "stillpoint: up to {:.3g} half-cycles: this may take some {:.3g} minutes\n",
+                 *excess.bound(), minutes);
+    }
+  }
+  request.half_cycle_limit = limit;
+  return simulate(request);
+}
+
+/// A forced run is watched over; a free one has a limit.
 Simulation watched(const SimulationRequest& request) {
   if (!is_forced(request)) {
-    return simulate(request);
+    return free_simulation(request);
   }
   const double end = request.t_end.value_or(0);
   Progress progress(progress_in_tau(end), end);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "exit_code.hpp"
 #include "output.hpp"
-#include "program.hpp"
 #include "settings.hpp"
 
 #include <stillpoint/design/design.hpp>

@@ -1,64 +1,49 @@
 // SPDX-License-Identifier: MIT
 #include "excitation_input.hpp"
 
-#include "record_file.hpp"
+#include "choices.hpp"
+#include "excitation_kinds.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <initializer_list>
+#include <utility>
 
 namespace stillpoint::cli {
 
 namespace {
 
-constexpr std::array wave_options{"k", "lambda", "phase", "duration"};
-constexpr std::array record_options{"record", "record-units", "record-step", "record-scale"};
-
-/// UsageError where one of `names` is set, which `type` does not use.
-template <class Names>
-void refuse(const Settings& settings, const Names& names, std::string_view type) {
-  for (const std::string_view name : names) {
-    if (settings.has(name)) {
-      throw UsageError(type.empty()
-                           ? fmt::format("{} is for an excitation: give --excitation as well", name)
-                           : fmt::format("{} and excitation {} exclude each other", name, type));
+/// UsageError where an option of an excitation is set that `kind` does not take; null takes none.
+void refuse_others(const Settings& settings, const ExcitationKind* kind) {
+  for (const ExcitationKind& other : excitation_kinds()) {
+    for (const std::string_view option : other.takes) {
+      if (settings.has(option) && (kind == nullptr || !kind->has(option))) {
+        throw UsageError(
+            kind == nullptr
+                ? fmt::format("{} is for an excitation: give --excitation as well", option)
+                : fmt::format("{} and excitation {} exclude each other", option, kind->name));
+      }
     }
   }
 }
 
-struct Wave {
-  double k;
-  double lambda;
-};
-
-Wave wave(const Settings& settings) {
-  return {settings.required("k", "give --k, the peak of the excitation in g"),
-          settings.required("lambda", "give --lambda, its angular frequency")};
-}
-
-template <class Pulse>
-Excitation pulse(const Settings& settings, std::string_view type) {
-  refuse(settings, std::array{"phase", "duration"}, type);
-  const auto [k, lambda] = wave(settings);
-  return Pulse{k, lambda};
-}
-
-Excitation harmonic(const Settings& settings) {
-  const auto [k, lambda] = wave(settings);
-  return Harmonic{k, lambda, settings.number("phase").value_or(0), settings.number("duration")};
+Harmonic wave(const Settings& settings) {
+  Harmonic wave;
+  wave.k = settings.required("k", "give --k, the peak of the excitation in g");
+  wave.lambda = settings.required("lambda", "give --lambda, its angular frequency");
+  wave.phase = settings.number("phase").value_or(wave.phase);
+  wave.duration = settings.number("duration");
+  return wave;
 }
 
 ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
                        double gravity) {
-  refuse(settings, wave_options, "record");
   records::RecordOptions options;
   options.step = settings.number("record-step");
-  if (const auto units = settings.text("record-units")) {
-    options.units = records::parse_record_units(*units);
+  if (settings.has("record-units")) {
+    options.units = settings.chosen("record-units", record_units);
   }
   options.scale = settings.number("record-scale").value_or(1);
   options.gravity_m_per_s2 = gravity;
@@ -68,47 +53,61 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
     throw InputError::missing("record", "give --record FILE");
   }
   records::RecordFile file = records::read_record(*path, options);
-  for (double& time : file.times) {
-    time /= clock.per_tau;
-  }
-  return {Record{std::move(file.values), file.step / clock.per_tau, std::move(file.times)},
-          report::RecordOrigin{*path, file.description, settings.text("record-units"),
+  return {std::move(file.record),
+          report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
                                settings.number("record-step"), settings.number("record-scale")}};
 }
 
 }  // namespace
 
+std::optional<std::string> excitation_type(const Settings& settings) {
+  auto type = settings.known("excitation");
+  return !type && settings.has("record") ? std::optional<std::string>("record") : type;
+}
+
 std::optional<ExcitationInput> excitation_input(const Settings& settings,
                                                 const records::RecordClock& clock, double gravity) {
-  const std::string type =
-      settings.text("excitation").value_or(settings.has("record") ? "record" : "");
-  if (type.empty() && !settings.has("excitation")) {
-    refuse(settings, wave_options, "");
-    refuse(settings, record_options, "");
+  const auto type = excitation_type(settings);
+  const ExcitationKind* const kind = type ? find_excitation_kind(*type) : nullptr;
+  refuse_others(settings, kind);
+  if (kind == nullptr) {
     return std::nullopt;
   }
-  std::optional<ExcitationInput> input;
-  if (type == "record") {
-    input = record(settings, clock, gravity);
+  ExcitationInput input;
+  if (kind->wave != nullptr) {
+    input.excitation = kind->wave(wave(settings));
   } else {
-    refuse(settings, record_options, type);
-    Excitation excitation;
-    if (type == "harmonic") {
-      excitation = harmonic(settings);
-    } else if (type == "half-sine") {
-      excitation = pulse<HalfSine>(settings, type);
-    } else if (type == "full-sine") {
-      excitation = pulse<FullSine>(settings, type);
-    } else if (type == "rectangle") {
-      excitation = pulse<Rectangle>(settings, type);
-    } else {
-      throw InputError("excitation", type,
-                       "must be harmonic, half-sine, full-sine, rectangle or record");
-    }
-    input = ExcitationInput{excitation, {}};
+    input = record(settings, clock, gravity);
   }
-  require_valid(input->excitation);
+  require_valid(input.excitation);
   return input;
+}
+
+std::optional<double> forced_end(const Settings& settings, const Excitation& excitation) {
+  const auto t_end = settings.number("t-end");
+  if (t_end) {
+    require_within("t-end", *t_end, smallest_speed, largest_speed);
+  } else if (!duration(excitation)) {
+    throw InputError::missing("t-end", "give --t-end, the excitation never ends");
+  }
+  return t_end;
+}
+
+std::optional<design::Pulse> pulse_input(const Settings& settings) {
+  const auto type = settings.known("pulse");
+  if (type) {
+    Harmonic given;
+    given.k = settings.required("k", "give --k, the peak of the pulse in g");
+    given.lambda = settings.required("lambda", "give --lambda, its angular frequency");
+    return find_excitation_kind(*type)->pulse(given);
+  }
+  // A scene's excitation is for simulate, and these are its options.
+  for (const char* const name : {"k", "lambda"}) {
+    if (settings.has(name) && !settings.has("excitation")) {
+      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", name));
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace stillpoint::cli

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "record_clock.hpp"
 #include "settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/record_origin.hpp>
 
 #include <optional>
+#include <string>
 
 namespace stillpoint::cli {
 
@@ -17,11 +19,23 @@ struct ExcitationInput {
   std::optional<report::RecordOrigin> record;
 };
 
-/// Empty where nothing is asked for. A record's times become tau by its `clock`.
-/// Throws UsageError for options that do not go together or a file that is not in order, and
-/// InputError for a wrong value.
+/// What --excitation names; with --record alone "record". Empty: free motion. Throws
+/// InputError for another name.
+[[nodiscard]] std::optional<std::string> excitation_type(const Settings& settings);
+
+/// Empty for a free motion. A record's times become tau by its `clock`.
+/// Throws UsageError for options that exclude each other, FileError for a wrong file and InputError
+/// for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
                                                               const records::RecordClock& clock,
                                                               double gravity);
+
+/// --t-end of a run under the excitation; empty: up to the end of the motion. Throws InputError.
+[[nodiscard]] std::optional<double> forced_end(const Settings& settings,
+                                               const Excitation& excitation);
+
+/// The pulse that gives the initial velocity of a design; empty where none is asked for. Throws
+/// UsageError for its options without it, and InputError for a wrong value.
+[[nodiscard]] std::optional<design::Pulse> pulse_input(const Settings& settings);
 
 }  // namespace stillpoint::cli

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 
+#include "choices.hpp"
+#include "excitation_kinds.hpp"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -18,7 +22,7 @@ using enum OptionKind;
 
 constexpr std::string_view motion = "Motion (dimensionless)";
 constexpr std::string_view physical =
-    "Motion in metres and seconds (in place of the dimensionless)";
+    "Motion in metres and seconds (instead of the dimensionless options)";
 constexpr std::string_view damper = "Damper";
 constexpr std::string_view shaking = "Excitation (W in units of g, time in tau)";
 constexpr std::string_view searching = "Search";
@@ -28,104 +32,160 @@ constexpr std::string_view output = "Output";
 constexpr CommandSet every = design | region | simulate | sweep | accuracy;
 /// One motion.
 constexpr CommandSet motions = simulate | accuracy;
-/// For a number that sweep takes an axis of.
-constexpr bool swept = true;
+/// What takes metres and seconds.
+constexpr CommandSet in_metres = design | region | motions;
+constexpr CommandSet of_designs = design | region | sweep;
+constexpr CommandSet of_excitations = motions | sweep;
+constexpr CommandSet drawn = design | region | simulate | sweep;
 
-constexpr std::array table{
-    // name, kind, placeholder, group, help, commands, swept
-    Option{"v0", number, "V", motion, "initial velocity", every, swept},
-    Option{"p", number, "P", motion, "square root of the stiffness", every, swept},
-    Option{"beta", number, "B", motion, "largest admissible displacement", design | region | sweep,
-           swept},
-    Option{"pulse", text, "TYPE", motion,
-           "half-sine or rectangle, with --k and --lambda: in place of the initial velocity",
-           design},
-    Option{"x0", number, "X", motion, "initial displacement (default 0)", motions | sweep, swept},
+constexpr auto dimensionless = Units::dimensionless;
+constexpr auto si = Units::physical;
 
-    Option{"velocity", number, "M/S", physical, "initial velocity in m/s",
-           design | region | motions},
-    Option{"max-displacement", number, "M", physical, "largest admissible displacement in m",
-           design | region},
-    Option{"period", number, "S", physical, "natural period without friction in s",
-           design | region | motions},
-    Option{"stiffness", number, "N/M", physical, "in place of the period, with --mass",
-           design | region | motions},
-    Option{"mass", number, "KG", physical, "for forces and energies in the report",
-           design | region | motions},
-    Option{"gravity", number, "M/S2", physical, "default 9.80665", design | region | motions},
-    Option{"x0-m", number, "M", physical, "initial displacement in m", motions},
+Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
+           std::string_view group, std::string help, CommandSet commands,
+           OptionTraits traits = {}) {
+  return {name, kind, placeholder, group, std::move(help), commands, std::move(traits)};
+}
 
-    Option{"f", number, "F", damper, "constant friction coefficient", region | motions | sweep,
-           swept},
-    Option{"delta", number, "D", damper, "point friction", region | motions | sweep, swept},
-    Option{"delta-m", number, "M", damper, "point friction in m, with physical input",
-           region | motions},
-    Option{"criterion", text, "NAME", damper, "lower bound of delta: published (default) or exact",
-           design | region | sweep},
-    Option{"tolerance", number, "R", damper,
-           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0",
-           design | region | sweep},
-    Option{"f-max", number, "F", damper, "largest f that can be manufactured",
-           design | region | sweep},
-    Option{"delta-max", number, "D", damper, "largest delta that can be manufactured",
-           design | region | sweep},
-    Option{"delta-max-m", number, "M", damper, "the same in m, with physical input",
-           design | region},
+/// In `help`, {} stands for the values.
+std::vector<Option> rows() {
+  const auto algorithms = design::algorithm_names();
+  return {
+      // name, kind, placeholder, group, help, commands, traits
+      row("v0", number, "V", motion, "initial velocity", every,
+          {.sweeps = true, .rivals = Rivals::hit, .units = dimensionless}),
+      row("p", number, "P", motion, "square root of the stiffness", every,
+          {.sweeps = true, .rivals = Rivals::stiffness, .units = dimensionless}),
+      row("beta", number, "B", motion, "largest admissible displacement", of_designs,
+          {.sweeps = true, .rivals = Rivals::stroke, .units = dimensionless}),
+      row("pulse", text, "TYPE", motion,
+          "{}, with --k and --lambda: the hit instead of an initial velocity", design,
+          {.rivals = Rivals::hit, .values = pulse_names()}),
+      row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
+          {.sweeps = true, .rivals = Rivals::start, .units = dimensionless}),
 
-    Option{"objective", text, "NAME", searching,
-           "robust (default), amplitude, time or acceleration", design | sweep},
-    Option{"algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design},
+      row("velocity", number, "M/S", physical, "initial velocity in m/s", in_metres,
+          {.rivals = Rivals::hit, .units = si}),
+      row("max-displacement", number, "M", physical, "largest admissible displacement in m",
+          design | region, {.rivals = Rivals::stroke, .units = si}),
+      row("period", number, "S", physical, "natural period without friction in s", in_metres,
+          {.rivals = Rivals::stiffness, .units = si}),
+      row("stiffness", number, "N/M", physical, "instead of the period; give --mass as well",
+          in_metres, {.rivals = Rivals::stiffness, .units = si}),
+      row("mass", number, "KG", physical, "adds forces and energies to the report", in_metres,
+          {.units = si}),
+      row("gravity", number, "M/S2", physical, "default 9.80665", in_metres, {.units = si}),
+      row("x0-m", number, "M", physical, "initial displacement in m", motions,
+          {.rivals = Rivals::start, .units = si}),
 
-    Option{"excitation", text, "TYPE", shaking,
-           "harmonic, half-sine, full-sine, rectangle or record", motions | sweep},
-    Option{"k", number, "K", shaking, "its peak in g, or that of the pulse",
-           design | motions | sweep},
-    Option{"lambda", number, "L", shaking,
-           "angular frequency, dimensionless with physical input too: L/p times the natural one; "
-           "half-sine and rectangle last pi/L, full-sine 2 pi/L",
-           design | motions | sweep},
-    Option{"phase", number, "PHI", shaking, "of harmonic, W = K sin(L tau + PHI); default 0",
-           motions | sweep},
-    Option{"duration", number, "TAU", shaking, "of harmonic; default for ever", motions | sweep},
-    Option{"record", text, "FILE", shaking,
-           "accelerations: PEER .AT2 or columns; in s with physical input, else in tau",
-           motions | sweep},
-    Option{"record-units", text, "UNITS", shaking, "g (default), m/s2 or cm/s2", motions | sweep},
-    Option{"record-step", number, "DT", shaking, "between values that have no time column",
-           motions | sweep},
-    Option{"record-scale", number, "X", shaking, "factor on every value", motions | sweep},
-    Option{"t-end", number, "TAU", shaking,
-           "end of the run; default: the end of the motion, which a harmonic has not",
-           motions | sweep},
+      row("f", number, "F", damper, "constant friction coefficient", region | motions | sweep,
+          {.sweeps = true}),
+      row("delta", number, "D", damper, "point friction", region | motions | sweep,
+          {.sweeps = true, .rivals = Rivals::point_friction}),
+      row("delta-m", number, "M", damper, "point friction in m, with physical input",
+          region | motions, {.rivals = Rivals::point_friction, .units = si}),
+      row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
+          {.values = names(criteria), .first_is_default = true}),
+      row("tolerance", number, "R", damper,
+          "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
+      row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
+      row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
+          {.rivals = Rivals::point_friction_limit}),
+      row("delta-max-m", number, "M", damper, "the same in m, with physical input", design | region,
+          {.rivals = Rivals::point_friction_limit, .units = si}),
 
-    Option{"list", text, "FILE", sweeping,
-           "entries by rows: CSV with a header, or JSON lines; - for standard input", sweep},
-    Option{"list-format", text, "NAME", sweeping,
-           "csv or jsonl; default: jsonl where the list begins with {", sweep},
-    Option{"format", text, "NAME", sweeping,
-           "csv or npy; default: by the end of the output's name, else csv", sweep},
-    Option{"columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep},
-    Option{"times", flag, "", sweeping, "write stop_time as well", sweep},
-    Option{"threads", integer, "N", sweeping, "default: all. No result depends on it", sweep},
-    Option{"resume", flag, "", sweeping, "go on with what an interrupted sweep left", sweep},
+      row("objective", text, "NAME", searching, "{}", design | sweep,
+          {.values = names(objectives), .first_is_default = true}),
+      row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
+          {.values = {algorithms.begin(), algorithms.end()}}),
 
-    Option{"max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate},
-    Option{"half-cycle-limit", number, "N", output,
-           "do not compute a motion that may take more half-cycles (default 1e8; under an "
-           "excitation none)",
-           simulate | sweep},
-    Option{"trajectory", text, "FILE", output, "write tau,x,v to a CSV file", simulate},
-    Option{"samples", integer, "N", output,
-           "evenly spaced instants in it, besides every event (default 1000)", simulate},
-    Option{"html", text, "FILE", output, "write a page with figures, readable offline",
-           design | region | simulate | sweep},
-    Option{"svg", text, "DIR", output, "write each figure to this directory",
-           design | region | simulate | sweep},
-    Option{"title", text, "TEXT", output, "a heading for the report", every},
-    Option{"json", flag, "", output, "print the JSON report, and nothing else", every},
-    Option{"output", text, "FILE", output,
-           "write the JSON report (of sweep: the rows) to FILE, whole or not at all", every},
-};
+      row("excitation", text, "TYPE", shaking, "{}", of_excitations,
+          {.values = excitation_names()}),
+      row("k", number, "K", shaking, "peak of the excitation or pulse in g",
+          design | of_excitations),
+      row("lambda", number, "L", shaking,
+          "angular frequency, dimensionless; with physical input too, as L/p times the natural "
+          "one. "
+          "half-sine and rectangle last pi/L, full-sine 2 pi/L",
+          design | of_excitations),
+      row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
+          of_excitations),
+      row("duration", number, "TAU", shaking, "of a harmonic, 0 or more; default for ever",
+          of_excitations),
+      row("record", text, "FILE", shaking,
+          "accelerations: PEER .AT2 or columns; times in s with physical input, else in tau",
+          of_excitations, {.file = FileUse::read}),
+      row("record-units", text, "UNITS", shaking, "{}", of_excitations,
+          {.values = names(record_units), .first_is_default = true}),
+      row("record-step", number, "DT", shaking, "between values that have no time column",
+          of_excitations),
+      row("record-scale", number, "X", shaking, "factor on every value", of_excitations),
+      row("t-end", number, "TAU", shaking,
+          "end of the run (default: end of the motion); required for a harmonic without a duration",
+          of_excitations),
+
+      row("list", text, "FILE", sweeping,
+          "one entry a row: CSV with a header, or JSON lines; - for standard input", sweep,
+          {.role = Role::entries, .file = FileUse::read}),
+      row("list-format", text, "NAME", sweeping,
+          "{}; default: jsonl if the list begins with a brace, else csv", sweep,
+          {.role = Role::entries, .values = {"csv", "jsonl"}}),
+      row("format", text, "NAME", sweeping,
+          "{}; default: npy if the output's name ends in .npy, else csv", sweep,
+          {.role = Role::content, .values = {"csv", "npy"}}),
+      row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
+          {.role = Role::output}),
+      row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
+      row("threads", integer, "N", sweeping, "default: all. No result depends on it", sweep,
+          {.role = Role::execution}),
+      row("resume", flag, "", sweeping, "go on with what an interrupted sweep left", sweep,
+          {.role = Role::execution}),
+
+      row("max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate,
+          {.role = Role::content}),
+      row("half-cycle-limit", number, "N", output,
+          "refuse a motion that may take more half-cycles (default 1e8; no limit under an "
+          "excitation)",
+          simulate | sweep),
+      row("trajectory", text, "FILE", output, "write tau,x,v to a CSV file", simulate,
+          {.role = Role::output, .file = FileUse::written}),
+      row("samples", integer, "N", output,
+          "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
+          {.role = Role::output}),
+      row("html", text, "FILE", output, "write a page with figures, readable offline", drawn,
+          {.role = Role::output, .file = FileUse::written}),
+      row("svg", text, "DIR", output, "write each figure to this directory", drawn,
+          {.role = Role::output, .file = FileUse::directory}),
+      row("title", text, "TEXT", output, "a heading for the report", every,
+          {.role = Role::content}),
+      row("json", flag, "", output, "print the JSON report, and nothing else", every,
+          {.role = Role::output}),
+      row("output", text, "FILE", output,
+          "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", every,
+          {.role = Role::output, .file = FileUse::written}),
+  };
+}
+
+const std::vector<Option>& table() {
+  static const std::vector<Option> table = [] {
+    std::vector<Option> all = rows();
+    for (Option& option : all) {
+      if (const std::size_t place = option.help.find("{}"); place != std::string::npos) {
+        std::string values = listed(option.traits.values);
+        if (option.traits.first_is_default) {
+          values.insert(option.traits.values.front().size(), " (default)");
+        }
+        option.help.replace(place, 2, values);
+      }
+    }
+    return all;
+  }();
+  return table;
+}
+
+Role role(std::string_view option) {
+  return find_option(option)->traits.role;
+}
 
 /// Levenshtein's distance.
 std::size_t slips(std::string_view a, std::string_view b) {
@@ -163,17 +223,29 @@ std::string_view name(Command command) noexcept {
 }
 
 std::span<const Option> options() {
-  return table;
+  return table();
 }
 
 const Option* find_option(std::string_view name) {
-  const auto* const found = std::ranges::find(table, name, &Option::name);
-  return found == table.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(table(), name, &Option::name);
+  return found == table().end() ? nullptr : &*found;
+}
+
+bool is_echoed(std::string_view option) {
+  return role(option) <= Role::content;
+}
+
+bool decides_rows(std::string_view option) {
+  return role(option) == Role::input;
+}
+
+std::string listed(std::span<const std::string_view> values) {
+  return fmt::format("{} or {}", fmt::join(values.first(values.size() - 1), ", "), values.back());
 }
 
 std::string suggestion(std::string_view wrong) {
-  const auto* const nearest = std::ranges::min_element(
-      table, {}, [&](const Option& option) { return slips(wrong, option.name); });
+  const auto nearest = std::ranges::min_element(
+      table(), {}, [&](const Option& option) { return slips(wrong, option.name); });
   const std::size_t distance = slips(wrong, nearest->name);
   return distance <= 2 && distance < wrong.size() ? fmt::format("; did you mean {}?", nearest->name)
                                                   : "";

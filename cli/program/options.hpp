@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -36,6 +37,35 @@ constexpr CommandSet operator|(Command a, Command b) {
 /// An axis is one number or many, see Axis.
 enum class OptionKind { number, integer, text, flag, axis };
 
+/// What an option is for. Reports echo the first three as a scene; rows of a sweep that is resumed
+/// depend on `input` alone, and on the entries themselves.
+enum class Role {
+  input,      ///< decides the numbers
+  entries,    ///< where a sweep's entries come from
+  content,    ///< which of the numbers are reported
+  execution,  ///< how they are computed, on which they do not depend
+  output,     ///< where they go
+};
+
+/// Sets of options of which at most one can be given.
+enum class Rivals { none, hit, stiffness, stroke, start, point_friction, point_friction_limit };
+
+/// A task is given either dimensionless or in metres and seconds, not in both.
+enum class Units { any, dimensionless, physical };
+
+enum class FileUse { none, read, written, directory };
+
+/// What most options leave as it is.
+struct OptionTraits {
+  bool sweeps{false};  ///< a number, but in a sweep an axis
+  Rivals rivals{Rivals::none};
+  Units units{Units::any};
+  Role role{Role::input};
+  FileUse file{FileUse::none};
+  std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
+  bool first_is_default{false};            ///< of the values
+};
+
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
 /// '-' and '_' are the same.
 struct Option {
@@ -43,13 +73,16 @@ struct Option {
   OptionKind kind;
   std::string_view placeholder;  ///< in --help
   std::string_view group;        ///< heading in --help
-  std::string_view help;
+  std::string help;
   CommandSet commands;
-  bool sweeps{false};  ///< a number, but in a sweep an axis
+  OptionTraits traits{};
 
-  [[nodiscard]] constexpr bool serves(Command command) const { return commands.has(command); }
-  [[nodiscard]] constexpr OptionKind kind_in(Command command) const {
-    return sweeps && command == Command::sweep ? OptionKind::axis : kind;
+  [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
+  [[nodiscard]] OptionKind kind_in(Command command) const {
+    return traits.sweeps && command == Command::sweep ? OptionKind::axis : kind;
+  }
+  [[nodiscard]] bool takes_file() const {
+    return traits.file == FileUse::read || traits.file == FileUse::written;
   }
 };
 
@@ -58,6 +91,14 @@ struct Option {
 
 /// The option of that name, whatever its command; null where there is none.
 [[nodiscard]] const Option* find_option(std::string_view name);
+
+/// Whether a report echoes the option in its scene.
+[[nodiscard]] bool is_echoed(std::string_view option);
+/// Whether the rows of a sweep depend on the option.
+[[nodiscard]] bool decides_rows(std::string_view option);
+
+/// "robust, amplitude, time or acceleration"
+[[nodiscard]] std::string listed(std::span<const std::string_view> values);
 
 /// "; did you mean NAME?" for a name of the list that is one or two slips away, else "".
 [[nodiscard]] std::string suggestion(std::string_view wrong);

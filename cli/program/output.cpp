@@ -2,7 +2,8 @@
 #include "output.hpp"
 
 #include "settings.hpp"
-#include "writing.hpp"
+
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,13 @@
 namespace stillpoint::cli {
 
 namespace {
+
+using sweep::behind_links;
+using sweep::is_special_file;
+using sweep::is_standard_output;
+using sweep::refuse_writing;
+using sweep::require_file_name;
+using sweep::write_all;
 
 int write_and_close(int descriptor, std::string_view text) {
   const int error = write_all(descriptor, text);

@@ -1,37 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "progress.hpp"
 
-#include "seconds.hpp"
-
 #include <fmt/format.h>
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <mutex>
 #include <utility>
 
 namespace stillpoint::cli {
 
 namespace {
 
-volatile std::sig_atomic_t interrupt_seen = 0;
+std::atomic<bool> interrupt_seen{false};  // without a lock, as a handler needs it
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+double seconds_now() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
 
 void note_interrupt(int /*signal*/) {
-  interrupt_seen = 1;
+  interrupt_seen = true;
+}
+
+/// ", 0:50 left"
+std::string clock_text(double seconds) {
+  const auto minutes = static_cast<std::int64_t>(seconds / 60);
+  return fmt::format(", {}:{:02.0f} left", minutes, seconds - 60 * static_cast<double>(minutes));
 }
 
 /// What handled an interrupt before. One that comes once this one does is not forgotten.
 auto handle_interrupts() {
-  interrupt_seen = 0;
+  interrupt_seen = false;
   return std::signal(SIGINT, note_interrupt);
 }
 
 }  // namespace
 
-Progress::Progress(Line line, double end)
+Progress::Progress(Line line, double end, double begun_with)
     : line_(std::move(line)),
       end_(end),
+      begun_with_(begun_with),
       shown_(::isatty(STDERR_FILENO) == 1),
       started_s_(seconds_now()),
       previous_(handle_interrupts()) {
@@ -54,10 +71,18 @@ bool Progress::goes_on(double done) {
   if (shown_ && now - started_s_ > quiet_s && now - last_shown_s_ > between_s) {
     last_shown_s_ = now;
     line_open_ = true;
-    fmt::print(stderr, "\r{}\x1b[K", line_(done, now - started_s_));
+    const double seconds = now - started_s_;
+    fmt::print(stderr, "\r{}{}\x1b[K", line_(done, seconds),
+               end_ > 0 ? clock_text(seconds_left(done, seconds)) : "");
     std::fflush(stderr);
   }
   return !interrupted();
+}
+
+double Progress::seconds_left(double done, double seconds) const {
+  constexpr double most = 3.6e8;  // 100 thousand hours, which fit the line
+  const double done_now = done - begun_with_;
+  return done_now > 0 ? std::min(seconds * (end_ - done) / done_now, most) : 0;
 }
 
 void Progress::announce_minutes(double done) {
@@ -72,7 +97,7 @@ void Progress::announce_minutes(double done) {
     return;
   }
   announced_ = true;
-  const double left_s = done > 0 ? seconds * (end_ - done) / done : 0;
+  const double left_s = end_ > 0 ? seconds_left(done, seconds) : 0;
   if (left_s > long_s) {
     fmt::print(stderr, "stillpoint: {}: some {:.0f} minutes to go\n", line_(done, seconds),
                left_s / 60);
@@ -80,7 +105,25 @@ void Progress::announce_minutes(double done) {
 }
 
 bool Progress::interrupted() {
-  return interrupt_seen != 0;
+  return interrupt_seen;
+}
+
+std::stop_token Progress::stop_token() {
+  if (!watcher_.joinable()) {
+    watcher_ = std::jthread([stop = stop_](const std::stop_token& ended) mutable {
+      constexpr std::chrono::milliseconds between_looks{20};
+      std::mutex mutex;
+      std::condition_variable_any wake;
+      std::unique_lock lock(mutex);
+      while (!interrupted() && !ended.stop_requested()) {
+        wake.wait_for(lock, ended, between_looks, [] { return interrupted(); });
+      }
+      if (interrupted()) {
+        stop.request_stop();
+      }
+    });
+  }
+  return stop_.get_token();
 }
 
 Progress::Line progress_in_tau(double end) {

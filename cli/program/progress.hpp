@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
+#include <thread>
 
 namespace stillpoint::cli {
 
@@ -17,11 +19,11 @@ class Interrupted : public std::runtime_error {
 /// ends the run instead of the program. One at a time.
 class Progress {
  public:
-  /// The line for what is done, after so many seconds.
+  /// The line for what is done, after so many seconds. The time left is added to it.
   using Line = std::function<std::string(double done, double seconds)>;
 
-  /// `end`: what is done when all is, where that is known.
-  explicit Progress(Line line, double end = 0);
+  /// `end`: what is done at the end, 0 if that is not known; `begun_with`: what was done before.
+  explicit Progress(Line line, double end = 0, double begun_with = 0);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   Progress(Progress&&) = delete;
@@ -30,13 +32,19 @@ class Progress {
 
   /// To be asked now and then, with what is done: false after an interrupt.
   [[nodiscard]] bool goes_on(double done);
-  /// Where no terminal shows the line, says once that the run will take minutes, if it will.
+  /// If no terminal shows the line, says once, after the first second, that the run will take
+  /// minutes.
   void announce_minutes(double done);
   [[nodiscard]] static bool interrupted();
+  /// Stopped soon after an interrupt. A handler must not do that itself, so a thread looks for it.
+  [[nodiscard]] std::stop_token stop_token();
 
  private:
+  [[nodiscard]] double seconds_left(double done, double seconds) const;
+
   Line line_;
   double end_;
+  double begun_with_;
   bool shown_;
   bool announced_{false};
   bool line_open_{false};
@@ -44,6 +52,8 @@ class Progress {
   double started_s_;
   double last_done_{0};
   void (*previous_)(int);
+  std::stop_source stop_;
+  std::jthread watcher_;
 };
 
 /// "tau 3 of 10, 30 %"; `end` 0 where that is not known.

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "excitation_input.hpp"
 #include "settings.hpp"
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical_input.hpp>
 #include <stillpoint/design/region_answer.hpp>
+#include <stillpoint/report/record_origin.hpp>
 
 #include <optional>
 #include <string>
 
 namespace stillpoint::cli {
-
-/// v0, p and x0 of a motion, however they were given.
-struct MotionInput {
-  double v0{0};
-  double p{1};
-  double x0{0};
-  std::optional<design::PhysicalInput> physical;
-};
 
 /// A request, and what a report or a file needs beside it. `physical` where it was given in metres
 /// and seconds.

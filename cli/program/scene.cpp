@@ -2,18 +2,19 @@
 #include "scene.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -22,95 +23,106 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_message = 300;
 /// A scene has some hundred bytes.
 constexpr std::size_t largest_scene = std::size_t{1} << 20U;
 
-std::string read_all(std::FILE* file, const std::string& source) {
-  std::string text;
-  std::vector<char> buffer(std::size_t{1} << 16U);
-  for (;;) {
-    const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file);
-    text.append(buffer.data(), count);
-    if (text.size() > largest_scene) {
-      throw UsageError(
-          fmt::format("scene {}: is too large, must be at most {} bytes", source, largest_scene));
-    }
-    if (count == 0) {
-      break;
-    }
-  }
-  if (std::ferror(file) != 0) {
-    throw UsageError(fmt::format("scene {}: cannot be read: {}", source, std::strerror(errno)));
-  }
-  return text;
+constexpr std::string_view standard_input = "from standard input";
+
+std::string shown(std::string_view key) {
+  return records::printable(key, records::longest_word);
 }
 
-[[noreturn]] void refuse_twice(const std::string& key) {
-  throw UsageError(fmt::format("{} is set twice: a key may stand only once in a scene",
-                               records::shortened(key, records::longest_word)));
-}
-
-/// What the library passes over, watched for while it parses: of two equal keys it keeps the last,
-/// and it prints a value by recursion, so that the stack ends with a deep one.
-class SceneWatch {
+/// Reads a scene through for what json::parse passes over or words badly: equal keys, of which it
+/// keeps the last, a deep value, which it would print by recursion until the stack ends, and
+/// numbers beyond a double. Throws FileError. The parser calls a function for each part of the
+/// text.
+class SceneCheck {
  public:
-  explicit SceneWatch(std::string_view source) : source_(source) {}
+  SceneCheck(std::string_view text, std::string_view source) : text_(text), source_(source) {
+    json::sax_parse(text, this);
+  }
 
-  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    constexpr int deepest = 16;  // a scene has three levels
-    if (depth > deepest) {
-      throw UsageError(fmt::format("scene {}: is nested deeper than {} levels, which no scene is",
-                                   source_, deepest));
-    }
-    const auto level = static_cast<std::size_t>(depth);
-    if (event == json::parse_event_t::object_start) {
-      seen_.resize(level + 1);
-      seen_[level].clear();
-    } else if (event == json::parse_event_t::key) {
-      const auto key = parsed.get<std::string>();
-      last_ = key;
-      if (!seen_.at(level - 1).insert(key).second) {
-        refuse_twice(key);
-      }
+  static bool null() { return true; }
+  static bool boolean(bool /*value*/) { return true; }
+  static bool string(std::string& /*value*/) { return true; }
+  static bool binary(json::binary_t& /*value*/) { return true; }
+  static bool number_integer(std::int64_t /*value*/) { return true; }
+  static bool number_unsigned(std::uint64_t /*value*/) { return true; }
+  static bool number_float(double /*value*/, const std::string& /*text*/) { return true; }
+  bool start_object(std::size_t /*size*/) { return enter(); }
+  bool start_array(std::size_t /*size*/) { return enter(); }
+  bool end_object() { return leave(); }
+  bool end_array() { return leave(); }
+
+  bool key(const std::string& key) {
+    last_ = key;
+    if (!seen_.back().insert(key).second) {
+      refuse({}, fmt::format("{} is set twice: a key can stand only once", shown(key)));
     }
     return true;
   }
 
-  /// The key that was read last; empty before the first.
-  [[nodiscard]] const std::string& last() const { return last_; }
+  bool parse_error(std::size_t position, const std::string& token, const json::exception& error) {
+    if (dynamic_cast<const json::out_of_range*>(&error) != nullptr) {
+      refuse(
+          position - std::min(position, token.size()) + 1,
+          fmt::format("{} = {}: must have a magnitude up to 1.8e308", shown(last_), shown(token)));
+    }
+    refuse(position,
+           fmt::format("is not valid JSON{}: {}",
+                       last_.empty() ? "" : fmt::format(" after the key {}", shown(last_)),
+                       cause(error.what())));
+  }
 
  private:
-  std::string source_;
-  std::string last_;
-  std::vector<std::set<std::string>> seen_;
-};
+  bool enter() {
+    constexpr std::size_t deepest = 16;  // a scene has three levels
+    seen_.emplace_back();
+    if (seen_.size() > deepest) {
+      refuse({}, fmt::format("is nested deeper than {} levels, which no scene is", deepest));
+    }
+    return true;
+  }
+  bool leave() {
+    seen_.pop_back();
+    return true;
+  }
 
-/// The library's message without its "[json.exception...] ".
-std::string_view without_prefix(std::string_view message) {
-  const std::size_t prefix = message.find("] ");
-  return prefix == std::string_view::npos ? message : message.substr(prefix + 2);
-}
+  /// Of the library's message "[...] parse error at ...: ... - CAUSE; last read: ...".
+  static std::string cause(std::string_view message) {
+    constexpr std::string_view dash = " - ";
+    if (const std::size_t begin = message.find(dash); begin != std::string_view::npos) {
+      message.remove_prefix(begin + dash.size());
+    }
+    return records::printable(message.substr(0, message.find("; last read")), 150);
+  }
+
+  /// `position` counts the bytes that are read.
+  [[noreturn]] void refuse(std::optional<std::size_t> position, std::string_view message) const {
+    records::FilePlace place{"scene", std::string(source_)};
+    if (position) {
+      const std::string_view before =
+          text_.substr(0, std::min(std::max<std::size_t>(*position, 1) - 1, text_.size()));
+      const std::size_t newline = before.rfind('\n');
+      place.line = 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
+      place.column =
+          newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
+    }
+    throw records::FileError(std::move(place), message);
+  }
+
+  std::string_view text_;
+  std::string_view source_;
+  std::string last_;                         ///< key
+  std::vector<std::set<std::string>> seen_;  ///< the keys of each object that is open
+};
 
 json parse_json(std::string_view text, std::string_view source) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw UsageError(fmt::format("scene {}: is empty, must be a JSON object", source));
+    throw records::FileError({"scene", std::string(source)}, "is empty, must be a JSON object");
   }
-  SceneWatch watch(source);
-  try {
-    return json::parse(text, [&watch](int depth, json::parse_event_t event, const json& parsed) {
-      return watch(depth, event, parsed);
-    });
-  } catch (const json::out_of_range& error) {
-    throw UsageError(
-        fmt::format("scene {}: {}: {}, must have a magnitude up to 1.8e308", source,
-                    records::shortened(watch.last(), records::longest_word),
-                    records::printable(without_prefix(error.what()), longest_message)));
-  } catch (const json::exception& error) {
-    throw UsageError(
-        fmt::format("scene {}: is not valid JSON: {}", source,
-                    records::printable(without_prefix(error.what()), longest_message)));
-  }
+  const SceneCheck check(text, source);
+  return json::parse(text);
 }
 
 /// A number, a text "first:last:count" or an array of numbers.
@@ -121,7 +133,7 @@ Axis axis(const Option& option, const json& value) {
                       "must be a number, a range \"first:last:count\" or an array of numbers");
   };
   if (value.is_string()) {
-    return parse_axis(field, value.get<std::string>());
+    return sweep::parse_axis(field, value.get<std::string>());
   }
   std::vector<double> values;
   for (const json& entry : value.is_array() ? value : json::array({value})) {
@@ -174,11 +186,12 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
 void add_key(Settings& settings, const std::string& key, const json& value, const Option* option,
              Command command) {
   if (option == nullptr) {
-    throw InputError(records::shortened(key, records::longest_word), value.dump(),
+    throw InputError(shown(key), value.dump(),
                      fmt::format("is not a key of a scene{}", suggestion(key)));
   }
   if (settings.has(option->name)) {
-    refuse_twice(key);
+    throw UsageError(
+        fmt::format("{} is set twice in the scene: a key can stand only once", shown(key)));
   }
   settings.set(*option, typed(*option, value, command));
 }
@@ -213,8 +226,8 @@ void add_keys(Settings& settings, const json& object, std::string_view within, C
 Settings parse_scene(std::string_view text, std::string_view source, Command command) {
   const json scene = parse_json(text, source);
   if (!scene.is_object()) {
-    throw UsageError(
-        fmt::format("scene {}: is a JSON {}, must be an object", source, scene.type_name()));
+    throw records::FileError({"scene", std::string(source)},
+                             fmt::format("is a JSON {}, must be an object", scene.type_name()));
   }
   Settings settings;
   add_keys(settings, scene, "", command);
@@ -222,17 +235,10 @@ Settings parse_scene(std::string_view text, std::string_view source, Command com
 }
 
 Settings read_scene(const std::string& path, Command command) {
-  if (path == "-") {
-    return parse_scene(read_all(stdin, "from standard input"), "from standard input", command);
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) {
-    throw UsageError(fmt::format("scene {}: cannot be read: {}",
-                                 records::shortened(path, records::longest_path),
-                                 std::strerror(errno)));
-  }
-  return parse_scene(read_all(file.get(), path), path, command);
+  return path == "-"
+             ? parse_scene(records::read_text_stream("scene", standard_input, largest_scene, stdin),
+                           standard_input, command)
+             : parse_scene(records::read_text_file("scene", path, largest_scene), path, command);
 }
 
 }  // namespace stillpoint::cli

@@ -9,9 +9,9 @@
 namespace stillpoint::cli {
 
 /// Reads a scene: a JSON object whose keys are option names ('-' and '_' are the same). `path` "-"
-/// is standard input. Throws UsageError where it cannot be read, is larger than 1 MiB or is no
-/// JSON, and InputError for a key that is unknown or repeated and for a value of the wrong type for
-/// `command`.
+/// is standard input. Throws records::FileError for a file that cannot be read, is larger than 1
+/// MiB or is not valid JSON, and InputError for an unknown key and for a value of the wrong type
+/// for `command`.
 [[nodiscard]] Settings read_scene(const std::string& path, Command command);
 
 /// The same from text; `source` names it in messages.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene_and_flags.hpp"
 
-#include "pulse_input.hpp"
+#include "excitation_input.hpp"
+#include "excitation_kinds.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,51 +14,40 @@ namespace stillpoint::cli {
 
 namespace {
 
-using Names = std::span<const std::string_view>;
-
-/// Of each row at most one can be given.
-constexpr std::array<std::array<std::string_view, 3>, 6> rivals{{{"v0", "velocity", "pulse"},
-                                                                 {"p", "period", "stiffness"},
-                                                                 {"beta", "max-displacement"},
-                                                                 {"x0", "x0-m"},
-                                                                 {"delta", "delta-m"},
-                                                                 {"delta-max", "delta-max-m"}}};
-constexpr std::array<std::string_view, 5> wave{"excitation", "k", "lambda", "phase", "duration"};
-constexpr std::array<std::string_view, 4> of_a_record{"record", "record-units", "record-step",
-                                                      "record-scale"};
-
-bool has_any(const Settings& settings, Names names) {
-  return std::ranges::any_of(names, [&](std::string_view name) { return settings.has(name); });
+bool has_rival_of(const Settings& settings, const Option& option) {
+  return std::ranges::any_of(options(), [&](const Option& other) {
+    return other.traits.rivals == option.traits.rivals && settings.has(other.name);
+  });
 }
 
-void drop(Settings& scene, Names names) {
-  std::ranges::for_each(names, [&](std::string_view name) { scene.drop(name); });
-}
-
-void displace_rivals(const Settings& flags, Settings& scene) {
-  for (const Names row : rivals) {
-    if (has_any(flags, row)) {
-      drop(scene, row);
+void drop_rivals(const Settings& flags, Settings& scene) {
+  for (const Option& option : options()) {
+    if (option.traits.rivals != Rivals::none && has_rival_of(flags, option)) {
+      scene.drop(option.name);
     }
   }
 }
 
-/// A scene's wave is no more where a flag asks for a record, and the other way round; nor is its
-/// pulse in either case, but its k and lambda serve a wave.
-void displace_excitation(const Settings& flags, Settings& scene) {
-  const std::string type = flags.text("excitation").value_or(flags.has("record") ? "record" : "");
-  if (type.empty()) {
+/// A flag that asks for a record removes the scene's wave, one that asks for a wave its record, and
+/// both its pulse. A wave may still use the k and lambda of the scene.
+void drop_excitation(const Settings& flags, Settings& scene) {
+  const auto type = excitation_type(flags);
+  if (!type) {
     return;
   }
-  if (type == "record") {
-    drop(scene, wave);
-  } else {
-    drop(scene, of_a_record);
+  const bool asks_for_record = *type == "record";
+  if (asks_for_record) {
+    scene.drop("excitation");
+  }
+  for (const ExcitationKind& kind : excitation_kinds()) {
+    if ((kind.wave == nullptr) != asks_for_record) {
+      std::ranges::for_each(kind.takes, [&](std::string_view option) { scene.drop(option); });
+    }
   }
   scene.drop("pulse");
 }
 
-/// For a motion the scene's pulse is an excitation like any other.
+/// A scene's pulse excites a motion like any other excitation.
 void follow_pulse(Settings& scene) {
   if (!scene.has("pulse") || scene.has("excitation") || scene.has("record")) {
     return;
@@ -69,7 +57,7 @@ void follow_pulse(Settings& scene) {
       throw UsageError(fmt::format("{} and pulse exclude each other: give one of them", start));
     }
   }
-  scene.set(*find_option("excitation"), pulse_type(scene).value());
+  scene.set(*find_option("excitation"), *scene.known("pulse"));
   scene.drop("pulse");
 }
 
@@ -77,8 +65,8 @@ void follow_pulse(Settings& scene) {
 
 Settings scene_and_flags(Command command, const Settings& flags, Settings& scene) {
   const bool had_pulse = scene.has("pulse");
-  displace_rivals(flags, scene);
-  displace_excitation(flags, scene);
+  drop_rivals(flags, scene);
+  drop_excitation(flags, scene);
   if (command == Command::simulate || command == Command::accuracy) {
     follow_pulse(scene);
   }

@@ -5,11 +5,12 @@
 
 namespace stillpoint::cli {
 
-/// What `command` is to do: the flags, and of the scene what they leave. A flag overrides its own
-/// key and displaces what excludes it: --velocity a v0 or a pulse, --record an excitation. A pulse
-/// is for design the start, for motions the excitation, and for others nothing.
+/// What `command` is to do: the flags, and what they leave of the scene. A flag overrides its own
+/// key and removes the keys that it excludes: --velocity removes v0 and pulse, --record an
+/// excitation. A pulse is the hit of a design and the excitation of a motion; other commands do not
+/// use it.
 ///
-/// Takes from `scene` what was displaced. Throws InputError and UsageError for a wrong pulse.
+/// Removes from `scene` what gave way. Throws InputError and UsageError for a wrong pulse.
 [[nodiscard]] Settings scene_and_flags(Command command, const Settings& flags, Settings& scene);
 
 }  // namespace stillpoint::cli

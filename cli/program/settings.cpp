@@ -3,6 +3,10 @@
 
 #include <stillpoint/core/input_error.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace stillpoint::cli {
 
 template <class T>
@@ -21,6 +25,15 @@ std::optional<std::int64_t> Settings::integer(std::string_view name) const {
 
 std::optional<std::string> Settings::text(std::string_view name) const {
   return get<std::string>(name);
+}
+
+std::optional<std::string> Settings::known(std::string_view name) const {
+  auto wanted = text(name);
+  const auto& values = find_option(name)->traits.values;
+  if (wanted && std::ranges::find(values, *wanted) == values.end()) {
+    throw InputError(std::string(name), *wanted, fmt::format("must be {}", listed(values)));
+  }
+  return wanted;
 }
 
 bool Settings::flag(std::string_view name) const {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "axis.hpp"
 #include "options.hpp"
 
 #include <stillpoint/records/number.hpp>
+#include <stillpoint/sweep/axis.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,6 +26,7 @@ class UsageError : public std::runtime_error {
 
 using records::parse_integer;
 using records::parse_number;
+using sweep::Axis;
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {
@@ -44,9 +46,20 @@ class Settings {
   /// The same, but InputError where not set, saying what else would do.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
 
+  /// A text that must be one of the option's values. Throws InputError.
+  [[nodiscard]] std::optional<std::string> known(std::string_view name) const;
+
+  /// The one of `choices` that the option names, else the first. Throws InputError.
+  template <class Choices>
+  [[nodiscard]] auto chosen(std::string_view option, const Choices& choices) const {
+    const auto wanted = known(option);
+    return wanted ? *std::ranges::find(choices, *wanted, [](auto one) { return name(one); })
+                  : choices.front();
+  }
+
   void drop(std::string_view name) { values_.erase(name); }
 
-  /// Sets here what `other` has and this has not.
+  /// Sets what `other` has and this does not have.
   void complete_with(const Settings& other) {
     values_.insert(other.values_.begin(), other.values_.end());
   }

@@ -2,10 +2,17 @@
 #include "written_files.hpp"
 
 #include "pictures.hpp"
-#include "writing.hpp"
+
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -14,6 +21,10 @@
 namespace stillpoint::cli {
 
 namespace {
+
+using sweep::behind_links;
+using sweep::is_special_file;
+using sweep::is_standard_output;
 
 struct NamedFile {
   std::string field;
@@ -24,41 +35,42 @@ std::string shown(const NamedFile& file) {
   return fmt::format("{} {}", file.field, file.path == "-" ? "on standard input" : file.path);
 }
 
-std::vector<NamedFile> read_files(Command command, const Settings& settings,
-                                  const std::optional<std::string>& scene) {
+/// What the options that `use` a file name for this command.
+std::vector<NamedFile> files(Command command, const Settings& settings, FileUse use) {
   std::vector<NamedFile> files;
-  if (scene) {
-    files.push_back({"scene", *scene});
-  }
-  for (const char* const option : {"record", "list"}) {
-    if (const auto path = settings.text(option); path && find_option(option)->serves(command)) {
-      files.push_back({option, *path});
+  for (const Option& option : options()) {
+    if (option.traits.file == use && option.serves(command) && settings.has(option.name)) {
+      files.push_back({std::string(option.name), *settings.text(option.name)});
     }
   }
   return files;
+}
+
+std::vector<NamedFile> read_files(Command command, const Settings& settings,
+                                  const std::optional<std::string>& scene) {
+  std::vector<NamedFile> all = files(command, settings, FileUse::read);
+  if (scene) {
+    all.insert(all.begin(), {"scene", *scene});
+  }
+  return all;
 }
 
 std::vector<NamedFile> written_files(Command command, const Settings& settings) {
-  std::vector<NamedFile> files;
-  for (const char* const option : {"trajectory", "html", "output"}) {
-    if (const auto path = settings.text(option); path && find_option(option)->serves(command)) {
-      files.push_back({option, *path});
-      if (command == Command::sweep && option == std::string_view("output")) {
-        files.push_back({option, *path + ".part"});
-        files.push_back({option, *path + ".part.json"});
-      }
-    }
+  std::vector<NamedFile> all = files(command, settings, FileUse::written);
+  const auto output = settings.text("output");
+  if (command == Command::sweep && output) {
+    all.push_back({"output", *output + ".part"});
+    all.push_back({"output", *output + ".part.json"});
   }
-  if (const auto directory = settings.text("svg");
-      directory && find_option("svg")->serves(command)) {
+  for (const auto& [option, directory] : files(command, settings, FileUse::directory)) {
     for (const std::string_view figure : figure_names(command)) {
-      files.push_back({"svg", svg_path(*directory, figure)});
+      all.push_back({option, svg_path(directory, figure)});
     }
   }
-  return files;
+  return all;
 }
 
-/// What is no name is refused where the file is written, in its own words.
+/// What cannot be a name is refused where the file is written.
 bool may_be_a_file(const std::string& path) {
   return !path.empty() && path != "-" && !is_special_file(path);
 }
@@ -76,12 +88,32 @@ bool same_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, not_there) || place(a) == place(b);
 }
 
+/// A sweep that is alive holds a lock on its FILE.part, and beside that stands FILE.part.json.
+void refuse_part_of_a_sweep(const NamedFile& file) {
+  std::string part = behind_links(file.path).string();
+  if (part.ends_with(".part.json")) {
+    part.resize(part.size() - std::string_view(".json").size());
+  }
+  const int descriptor =
+      part.ends_with(".part") ? ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK) : -1;
+  if (descriptor < 0) {
+    return;
+  }
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  if (locked) {
+    throw UsageError(
+        fmt::format("{}: a sweep is writing it: let it end, or give another file", shown(file)));
+  }
+}
+
 }  // namespace
 
 void require_files_apart(Command command, const Settings& settings,
                          const std::optional<std::string>& scene) {
   const std::vector<NamedFile> inputs = read_files(command, settings, scene);
   const std::vector<NamedFile> outputs = written_files(command, settings);
+  std::ranges::for_each(files(command, settings, FileUse::written), refuse_part_of_a_sweep);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const NamedFile& output = outputs[i];
     if (!may_be_a_file(output.path)) {
@@ -98,7 +130,7 @@ void require_files_apart(Command command, const Settings& settings,
       const bool both_standard = is_standard_output(other.path) && is_standard_output(output.path);
       if (may_be_a_file(other.path) && !both_standard && same_file(other.path, output.path)) {
         throw UsageError(
-            fmt::format("{} and {} are one file: give two", shown(other), shown(output)));
+            fmt::format("{} and {} are the same file: give two", shown(other), shown(output)));
       }
     }
   }

@@ -8,9 +8,10 @@
 
 namespace stillpoint::cli {
 
-/// Throws UsageError, naming both, where a file that `command` would write is one that it reads
-/// (scene, record, list) or is to be written twice. Links are followed; a device or a pipe may be
-/// written to as often as one likes. `scene` is a path, or "-" for standard input.
+/// Throws UsageError where a file that `command` would write is one that it reads (scene, record,
+/// list), is to be written twice, or belongs to a sweep that is running. Links are followed; a
+/// device or a pipe may be written to any number of times. `scene` is a path, or "-" for standard
+/// input.
 void require_files_apart(Command command, const Settings& settings,
                          const std::optional<std::string>& scene);
 

@@ -22,6 +22,14 @@ using figures::Scale;
 namespace {
 
 using fmt::format;
+using sweep::Axis;
+using sweep::MapAxis;
+using sweep::Quantity;
+using sweep::SweepAxis;
+using sweep::SweepClass;
+using sweep::SweepKind;
+using sweep::SweepMap;
+using sweep::SweepSpec;
 
 constexpr std::array<const char*, SweepClass::count> palette{
     "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
@@ -64,13 +72,13 @@ std::array<std::int64_t, SweepClass::count> class_counts(const SweepMap& map) {
   return counts;
 }
 
-double only_value(const SweepTask& task, Quantity quantity) {
-  return std::ranges::find(task.axes, quantity, &SweepAxis::quantity)->axis[0];
+double only_value(const SweepSpec& spec, Quantity quantity) {
+  return std::ranges::find(spec.axes, quantity, &SweepAxis::quantity)->axis[0];
 }
 
 }  // namespace
 
-Figure sweep_figure(const SweepTask& task, const SweepMap& map) {
+Figure sweep_figure(const SweepSpec& spec, const SweepMap& map) {
   const FigureUnits units({});
   const auto counts = class_counts(map);
   Figure figure;
@@ -89,9 +97,9 @@ Figure sweep_figure(const SweepTask& task, const SweepMap& map) {
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
-  const double v0 = std::abs(only_value(task, Quantity::v0));
-  const double p = only_value(task, Quantity::p);
-  if (task.kind == SweepKind::free && task.from_zero && v0 > 0 && p > 0) {
+  const double v0 = std::abs(only_value(spec, Quantity::v0));
+  const double p = only_value(spec, Quantity::p);
+  if (spec.kind == SweepKind::free && from_zero(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
   }
   return figure;

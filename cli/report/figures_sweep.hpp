@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sweep_map.hpp"
+#include <stillpoint/sweep/map.hpp>
 
 #include <stillpoint/figures/figure.hpp>
 
@@ -9,6 +9,7 @@ namespace stillpoint::cli {
 
 /// The plane of f and Delta, coloured by how the motions end and after how many half-cycles; of
 /// free motions from x = 0 with the analytic boundaries on top.
-[[nodiscard]] figures::Figure sweep_figure(const SweepTask& task, const SweepMap& map);
+[[nodiscard]] figures::Figure sweep_figure(const sweep::SweepSpec& spec,
+                                           const sweep::SweepMap& map);
 
 }  // namespace stillpoint::cli

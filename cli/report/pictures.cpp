@@ -39,14 +39,11 @@ constexpr std::size_t longest_title = 400;
 
 /// The options that make the numbers, as a scene.
 std::string scene_of(const Settings& settings, Command command) {
-  constexpr std::array no_part{"html",   "svg",        "json",    "output", "threads",
-                               "resume", "trajectory", "samples", "columns"};
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
   settings.for_each([&](std::string_view option, const Settings::Value& value) {
     const bool for_the_trajectory =
         option == "t-end" && !settings.has("excitation") && !settings.has("record");
-    if (std::ranges::find(no_part, option) != no_part.end() || for_the_trajectory ||
-        !find_option(option)->serves(command)) {
+    if (!is_echoed(option) || for_the_trajectory || !find_option(option)->serves(command)) {
       return;
     }
     std::visit(
@@ -297,16 +294,17 @@ HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer) {
   return page;
 }
 
-HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary, const SweepMap& map) {
+HtmlPage sweep_page(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
+                    const sweep::SweepMap& map) {
   HtmlPage page;
   page.title = "Sweep";
   page.verdict = format(
       "{} motions. At 0: it rests at x = 0; off 0: in the dead zone; the number is of half-cycles.",
       summary.state.rows);
-  if (task.output) {
-    page.report = sweep_text(task, summary, {}, Style(false));
+  if (spec.output) {
+    page.report = sweep_text(spec, summary, {}, Style(false));
   }
-  page.figures = {sweep_figure(task, map)};
+  page.figures = {sweep_figure(spec, map)};
   return page;
 }
 

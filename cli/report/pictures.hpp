@@ -4,10 +4,10 @@
 #include "json_report.hpp"
 #include "output.hpp"
 #include "settings.hpp"
-#include "sweep_map.hpp"
 #include "sweep_report.hpp"
 
 #include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/sweep/map.hpp>
 
 #include <span>
 #include <string>
@@ -34,8 +34,9 @@ void prepare_pictures(const Settings& settings);
                                             const design::RegionAnswer& answer);
 [[nodiscard]] figures::HtmlPage simulate_page(const SimulateInput& input, const Simulation& answer);
 
-[[nodiscard]] figures::HtmlPage sweep_page(const SweepTask& task, const SweepSummary& summary,
-                                           const SweepMap& map);
+[[nodiscard]] figures::HtmlPage sweep_page(const sweep::SweepSpec& spec,
+                                           const sweep::SweepSummary& summary,
+                                           const sweep::SweepMap& map);
 
 /// Writes the page, with the title and the input that `settings` have, and each figure alone, where
 /// they are asked for. Throws UsageError.

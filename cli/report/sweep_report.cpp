@@ -16,6 +16,13 @@ namespace stillpoint::cli {
 namespace {
 
 using nlohmann::ordered_json;
+using sweep::Quantity;
+using sweep::sweep_outcome_count;
+using sweep::sweep_outcome_name;
+using sweep::SweepKind;
+using sweep::SweepSpec;
+using sweep::SweepState;
+using sweep::SweepSummary;
 
 double rate(const SweepSummary& summary) {
   constexpr double least_s = 1e-6;
@@ -37,43 +44,43 @@ ordered_json outcomes_json(const SweepState& state) {
 
 }  // namespace
 
-std::string sweep_json(const SweepTask& task, const SweepSummary& summary) {
-  const bool design = task.kind == SweepKind::design;
+std::string sweep_json(const SweepSpec& spec, const SweepSummary& summary) {
+  const bool design = spec.kind == SweepKind::design;
   ordered_json columns = ordered_json::array();
-  for (const Quantity column : task.columns) {
+  for (const Quantity column : spec.columns) {
     columns.push_back(name(column));
   }
   const SweepState& state = summary.state;
   const ordered_json report{
       {"schema", "stillpoint/sweep-report/1"},
       {"program", {{"name", "stillpoint"}, {"version", program_version()}}},
-      {"kind", name(task.kind)},
-      {"output", {{"file", *task.output}, {"format", name(task.format)}, {"columns", columns}}},
+      {"kind", name(spec.kind)},
+      {"output", {{"file", *spec.output}, {"format", name(spec.format)}, {"columns", columns}}},
       {"rows", state.rows},
       {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
       {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
       {"resumed_at", summary.resumed_at},
-      {"threads", task.threads},
+      {"threads", spec.threads},
       {"wall_time_s", summary.wall_time_s},
       {"rows_per_s", rate(summary)}};
   constexpr int indent = 2;
   return report.dump(indent) + "\n";
 }
 
-std::string sweep_text(const SweepTask& task, const SweepSummary& summary,
+std::string sweep_text(const SweepSpec& spec, const SweepSummary& summary,
                        const std::optional<std::string>& title, Style style) {
   const SweepState& state = summary.state;
   Page page(style);
   add_title(page, "Sweep", title);
   page.section("Rows");
-  page.row("file", *task.output);
+  page.row("file", *spec.output);
   page.row("rows", fmt::format("{}", state.rows));
   if (summary.resumed_at > 0) {
     page.row("resumed at", fmt::format("{}", summary.resumed_at));
   }
   page.row("time", fmt::format("{:.4g} s, {:.3g} rows/s on {} thread{}", summary.wall_time_s,
-                               rate(summary), task.threads, task.threads == 1 ? "" : "s"));
-  if (task.kind == SweepKind::design) {
+                               rate(summary), spec.threads, spec.threads == 1 ? "" : "s"));
+  if (spec.kind == SweepKind::design) {
     page.section("Designs");
     page.row("feasible", fmt::format("{}", state.feasible));
     page.row("infeasible", fmt::format("{}", state.rows - state.feasible));

@@ -2,26 +2,21 @@
 #pragma once
 
 #include "page.hpp"
-#include "sweep_state.hpp"
-#include "sweep_task.hpp"
+
+#include <stillpoint/sweep/run.hpp>
 
 #include <optional>
 #include <string>
 
 namespace stillpoint::cli {
 
-/// How a sweep went.
-struct SweepSummary {
-  SweepState state;
-  std::int64_t resumed_at{0};  ///< rows that an interrupted sweep had left
-  double wall_time_s{0};       ///< of this run alone
-};
-
 /// The report stillpoint/sweep-report/1.
-[[nodiscard]] std::string sweep_json(const SweepTask& task, const SweepSummary& summary);
+[[nodiscard]] std::string sweep_json(const sweep::SweepSpec& spec,
+                                     const sweep::SweepSummary& summary);
 
 /// The same for people.
-[[nodiscard]] std::string sweep_text(const SweepTask& task, const SweepSummary& summary,
+[[nodiscard]] std::string sweep_text(const sweep::SweepSpec& spec,
+                                     const sweep::SweepSummary& summary,
                                      const std::optional<std::string>& title, Style style);
 
 }  // namespace stillpoint::cli

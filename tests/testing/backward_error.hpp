@@ -25,8 +25,8 @@ inline double allowed_change(double half_cycles) {
 }
 
 /// sum |d metric / d ln input| by one-sided differences of relative size `step`, which must be far
-/// above Real's rounding and far below the distance to any decision. A side on which a count or the
-/// outcome changes is left for the other; where both change the input is left out. A change of
+/// above Real's rounding and far below the distance to any decision. If a count or the outcome
+/// changes on one side, the other side is used; if on both, the input is left out. A change of
 /// units keeps every tie: x0 by 1 + e with p and f by 1 - e changes lengths and times by 1 + e and
 /// accelerations by 1 - e; x0, v0, f by 1 + e with delta by 1 + 2e changes speeds by 1 + e. So the
 /// sum is never below 1 |metric|, and 1/2 |metric| for the speed.

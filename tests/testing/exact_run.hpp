@@ -2,7 +2,7 @@
 #pragma once
 
 // The kernel's own template in another scalar: with 50 digits the reference of the tests of double.
-// What it shares with double, the rules themselves, is checked against data/reference instead.
+// The rules, which it shares with double, are checked against data/reference instead.
 
 #include "kernel/free_run.hpp"
 #include "kernel/margin_keeper.hpp"
@@ -23,7 +23,7 @@ namespace stillpoint::test {
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                             boost::multiprecision::et_off>;
 
-/// What a motion decides: equal ends mean equal outcome and counts.
+/// The decisions of a motion: equal ends mean equal outcome and counts.
 struct End {
   Outcome outcome{Outcome::never_stops};
   double half_cycles{0};

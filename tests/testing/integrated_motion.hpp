@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A forced motion by Boost.Odeint's dopri5 with dense output, its events looked for on a fine grid
-// and bisected: nothing in common with the kernel but the rules.
+// A forced motion by Boost.Odeint's dopri5 with dense output; events are found on a fine grid and
+// bisected. It shares only the rules with the kernel.
 
 #include "testing/forced_scene.hpp"
 
@@ -26,7 +26,7 @@ struct SmoothLoad {
   std::function<double(double)> w;
 };
 
-/// In order, from tau = 0 to for ever.
+/// In order, from tau = 0 without end.
 inline std::vector<SmoothLoad> smooth_loads(const AnyExcitation<double>& excitation) {
   constexpr double for_ever = std::numeric_limits<double>::infinity();
   const auto nothing = [](double /*t*/) { return 0.0; };

@@ -17,8 +17,8 @@ inline End end_of(const Scene<double>& scene) {
   return as_run(response(scene, {.times = false, .margin = false})).end;
 }
 
-/// `scene` with `input` moved from its value towards `far` to where the end of the motion first
-/// seen to change changes: the nearest double on the near side. Empty where the ends are equal.
+/// `scene` with `input` moved from its value towards `far` to the first change of the end that
+/// bisection finds: the nearest double on the near side. Empty if the ends are equal.
 inline std::optional<Scene<double>> edge(Scene<double> scene, double Scene<double>::*input,
                                          double far) {
   const End near_end = end_of(scene);

@@ -22,7 +22,7 @@ concept Named = requires(Value value) {
 
 namespace boost::test_tools::tt_detail {
 
-/// The name that the library gives it, else its number.
+/// The name that the library gives it, or its number.
 template <class Enum>
 requires std::is_enum_v<Enum>
 struct print_log_value<Enum> {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One motion's inputs, whatever the scalar, and how tests print them.
+// The inputs of one motion, for any scalar, and how tests print them.
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>

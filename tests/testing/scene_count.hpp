@@ -5,8 +5,8 @@
 
 namespace stillpoint::test {
 
-/// How many random forced scenes to try: a thousand, fewer under sanitizers, or what
-/// STILLPOINT_FORCED_SCENES in the environment says.
+/// How many random forced scenes to try: a thousand, fewer under sanitizers, or the
+/// value of STILLPOINT_FORCED_SCENES in the environment.
 inline int forced_scene_count() {
   const char* asked = std::getenv("STILLPOINT_FORCED_SCENES");
 #ifdef __SANITIZE_ADDRESS__

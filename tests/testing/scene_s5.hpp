@@ -22,7 +22,7 @@ inline Record record_s5() {
 }
 
 /// The same rounded to multiples of 2^-36: the doubles of data/reference/make_forced_reference.py,
-/// whatever the last bits of exp and sin.
+/// for any last bits of exp and sin.
 inline Record rounded_record_s5() {
   Record record = record_s5();
   for (double& value : record.values) {

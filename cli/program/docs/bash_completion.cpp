@@ -29,6 +29,19 @@ std::string command_list(std::string_view separator) {
   return list;
 }
 
+/// For each option that takes one of some words, these words.
+std::string value_cases() {
+  std::string cases;
+  for (const Option& option : options()) {
+    if (!option.traits.values.empty()) {
+      cases += fmt::format(
+          "    --{}) mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$cur\"); return ;;\n",
+          option.name, value_names(option));
+    }
+  }
+  return cases;
+}
+
 constexpr std::string_view beginning =
     R"(# Completion of stillpoint for bash, made from its options.
 
@@ -46,9 +59,9 @@ _stillpoint() {
 }  // namespace
 
 std::string bash_completion() {
-  const auto with_file = [](const Option& option) { return takes_file(option); };
+  const auto with_file = [](const Option& option) { return option.takes_file(); };
   const auto with_value = [](const Option& option) {
-    return option.kind != OptionKind::flag && !takes_file(option);
+    return option.kind != OptionKind::flag && !option.takes_file() && option.traits.values.empty();
   };
   std::string script(beginning);
   script += fmt::format(
@@ -58,6 +71,7 @@ std::string bash_completion() {
       "    esac\n"
       "  done\n"
       "  case $prev in\n"
+      "{}"
       "    {})\n"
       "      compopt -o filenames 2>/dev/null\n"
       "      mapfile -t COMPREPLY < <(compgen -f -- \"$cur\")\n"
@@ -66,7 +80,7 @@ std::string bash_completion() {
       "      return ;;\n"
       "  esac\n"
       "  case $command in\n",
-      command_list(" | "), flags(" | ", with_file), flags(" | ", with_value));
+      command_list(" | "), value_cases(), flags(" | ", with_file), flags(" | ", with_value));
   for (const CommandHelp& help : all_commands()) {
     const std::string all =
         flags(" ", [&help](const Option& option) { return option.serves(help.command); });

@@ -13,11 +13,14 @@ std::string quoted(std::string_view text) {
 }
 
 /// How the value of the option is asked for.
-std::string_view value_switch(const Option& option) {
+std::string value_switch(const Option& option) {
   if (option.kind == OptionKind::flag) {
     return "";
   }
-  return takes_file(option) ? " -r -F" : " -x";
+  if (!option.traits.values.empty()) {
+    return fmt::format(" -x -a {}", quoted(value_names(option)));
+  }
+  return option.takes_file() ? " -r -F" : " -x";
 }
 
 }  // namespace

@@ -72,14 +72,14 @@ std::string entry(const Option& option) {
       option.kind == OptionKind::flag ? "" : fmt::format(" \\fI{}\\fR", roff(option.placeholder));
   return fmt::format(".TP\n\\fB{}\\fR{}\n{} ({}{})\n", roff(fmt::format("--{}", option.name)),
                      value, roff(option.help), command_names(option, ", "),
-                     option.sweeps ? "*" : "");
+                     option.traits.sweeps ? "*" : "");
 }
 
 /// Every option under the heading of its group, with the commands that have it.
 std::string option_entries() {
   std::string page =
-      ".SH OPTIONS\nBehind each stand the commands that have it; with\n.B sweep*\n"
-      "it is an axis there.\n";
+      ".SH OPTIONS\nThe commands that have an option stand in brackets;\n.B sweep*\n"
+      "takes an axis.\n";
   std::string_view group;
   for (const Option& option : options()) {
     if (option.group != group) {
@@ -96,23 +96,24 @@ std::string option_entries() {
 
 constexpr std::string_view scenes =
     ".SH SCENES\n"
-    "A scene is a JSON file whose keys are the names of the options, with _ or \\-;\n"
-    "a flag overrides it. The scene \\fB\\-\\fR is standard input.\n"
+    "A scene is a JSON file; its keys are the names of the options, with _ or \\-.\n"
+    "A flag overrides it. The scene \\fB\\-\\fR is standard input.\n"
     "The JSON Schema of scenes and those of the reports are installed in\n"
     ".IR share/stillpoint/schemas .\n";
 
 constexpr std::string_view exit_status =
     ".SH EXIT STATUS\n"
     ".TP\n0\ndone\n"
-    ".TP\n2\nwrong input: standard error names the field, the value and the bound, and nothing is "
+    ".TP\n2\nwrong input: standard error names the field, the value and the bound; nothing is "
     "written\n"
-    ".TP\n3\nno admissible design: the report says why, and the least change that would mend it\n"
+    ".TP\n3\nno admissible design: the report says why, and the least change of each input that "
+    "would allow one\n"
     ".TP\n4\nthe cross\\-check disagrees; the report is written\n"
     ".TP\n130\ninterrupted; the rows of a sweep so far are kept\n";
 
 constexpr std::string_view environment =
     ".SH ENVIRONMENT\n"
-    ".TP\n.B NO_COLOR\nwhere it is set, the reports have no colours\n";
+    ".TP\n.B NO_COLOR\nif it is set, the reports have no colours\n";
 
 }  // namespace
 

@@ -4,16 +4,13 @@
 #include "command_line.hpp"
 #include "options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stillpoint::cli {
-
-/// Whether the option's value is the name of a file.
-[[nodiscard]] inline bool takes_file(const Option& option) {
-  return option.placeholder == "FILE";
-}
 
 /// The names of the commands that the option serves, with `separator` between them.
 [[nodiscard]] inline std::string command_names(const Option& option, std::string_view separator) {
@@ -25,6 +22,11 @@ namespace stillpoint::cli {
     }
   }
   return names;
+}
+
+/// What the option's value can be, with blanks between; "" where it is free.
+[[nodiscard]] inline std::string value_names(const Option& option) {
+  return fmt::format("{}", fmt::join(option.traits.values, " "));
 }
 
 /// `text` with `prefix` before every character of `special`.

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json type_of(const Option& option) {
-  if (option.sweeps) {
+  if (option.traits.sweeps) {
     return {
         {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 1}};
   }
@@ -24,7 +24,9 @@ ordered_json type_of(const Option& option) {
     case OptionKind::integer:
       return {{"type", "integer"}};
     case OptionKind::text:
-      return {{"type", "string"}};
+      return option.traits.values.empty()
+                 ? ordered_json{{"type", "string"}}
+                 : ordered_json{{"type", "string"}, {"enum", option.traits.values}};
     case OptionKind::flag:
       return {{"type", "boolean"}};
     case OptionKind::axis:
@@ -37,7 +39,7 @@ ordered_json type_of(const Option& option) {
 ordered_json described(const Option& option) {
   ordered_json entry = type_of(option);
   entry["description"] = std::string(option.help) + " (" + command_names(option, ", ") + ")" +
-                         (option.sweeps ? "; an axis in a sweep alone" : "");
+                         (option.traits.sweeps ? "; only a sweep takes an axis" : "");
   return entry;
 }
 
@@ -51,7 +53,8 @@ void add(ordered_json& properties, const Option& option, const ordered_json& ent
 
 /// The name of a type, or an object that has it as `type` beside the options of its group.
 ordered_json excitation(const Option& option) {
-  ordered_json properties{{"type", {{"type", "string"}, {"description", option.help}}}};
+  ordered_json properties{{"type", type_of(option)}};
+  properties["type"]["description"] = option.help;
   for (const Option& other : options()) {
     if (other.group == option.group && other.name != option.name) {
       add(properties, other, described(other));

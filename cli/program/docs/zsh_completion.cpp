@@ -26,8 +26,12 @@ std::string argument(const Option& option) {
   if (option.kind == OptionKind::flag) {
     return fmt::format("'--{}[{}]'", option.name, inner(option.help));
   }
+  const std::string action = !option.traits.values.empty()
+                                 ? fmt::format("({})", value_names(option))
+                             : option.takes_file() ? "_files"
+                                                   : "";
   return fmt::format("'--{}=[{}]:{}:{}'", option.name, inner(option.help),
-                     inner(option.placeholder), takes_file(option) ? "_files" : "");
+                     inner(option.placeholder), action);
 }
 
 std::string arguments(Command command) {

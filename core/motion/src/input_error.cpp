@@ -48,7 +48,8 @@ InputError InputError::in_entry(std::ptrdiff_t index) const {
 TooManyHalfCycles::TooManyHalfCycles(double bound, double limit)
     : std::runtime_error(fmt::format("f and delta are so small that the motion may take {:.3g} "
                                      "half-cycles; at most {:.3g} are allowed (half-cycle-limit)",
-                                     bound, limit)) {}
+                                     bound, limit)),
+      bound_(bound) {}
 
 TooManyHalfCycles::TooManyHalfCycles(const std::string& message) : std::runtime_error(message) {}
 

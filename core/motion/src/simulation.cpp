@@ -37,10 +37,10 @@ Simulation free_simulation(const SimulationRequest& request) {
   return result;
 }
 
-/// Until the rest is known to be the final one; where it never stops, ten periods more.
+/// Until the rest is known to be final; if the motion never stops, ten periods more.
 double horizon_of(const SimulationRequest& request, const ForcedResponse& response) {
   // The end of the motion comes from the free kernel, which may round it an ulp earlier than the
-  // forced one that lists what led to it. A rest under a load is the final one once that is over.
+  // forced one that lists the events before it. A rest under a load is final once the load is over.
   constexpr double behind_the_end = 1 + 1e-12;
   if (request.t_end) {
     return *request.t_end;
@@ -75,7 +75,7 @@ class ForcedSimulation {
 
   Simulation operator()() {
     if (request_.t_end) {
-      trace(*request_.t_end);  // first: of a motion too long for it nothing else is computed
+      trace(*request_.t_end);  // first: if the motion is too long for it, nothing else is computed
     }
     if (!result_.cancelled) {
       respond();

@@ -9,7 +9,7 @@
 
 namespace stillpoint::design {
 
-/// How exact a method is. `resolution` is the decision margin below which its own errors may tip a
+/// How exact a method is. Below the decision margin `resolution` its own errors may change a
 /// decision.
 struct Quality {
   std::string_view name;
@@ -18,7 +18,7 @@ struct Quality {
   bool acceleration{true};  ///< compared as well
 };
 
-/// The rest of a method, whose figures are there already; `margin` is the decision margin of the
+/// Completes a method whose figures are already there; `margin` is the decision margin of the
 /// predicted motion.
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
            const Problem& problem, double f, double margin);

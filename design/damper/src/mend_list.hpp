@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mends of a case, a struct with `limits`, that `fits(case)` tells from one without a design.
+// Mends of a case, a struct with `limits`. `fits(case)` says whether it has a design.
 
 #include "nearest_fit.hpp"
 
@@ -15,7 +15,7 @@
 
 namespace stillpoint::design {
 
-/// An input that helps the more, the nearer it is to `to`.
+/// An input that helps more, the nearer it is to `to`.
 template <class Case>
 struct Input {
   std::string_view field;
@@ -52,7 +52,7 @@ std::vector<Input<Case>> limit_inputs(const Limits& limits) {
   return list;
 }
 
-/// The mend of one input, where it can mend alone.
+/// The mend of one input, if it suffices alone.
 template <class Case, class Fits>
 void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits,
               const Input<Case>& input) {
@@ -92,7 +92,7 @@ std::optional<JointMend> joint_mend_of(const Case& base, const Fits& fits,
       continue;
     }
     least = factor;
-    // One of them may have gone farther than it need. At the largest tolerance of all rounding
+    // One of them may have gone farther than necessary. At the largest possible tolerance rounding
     // decides, so the other is sought a little inside of it.
     const double most = tolerance.moved(*factor) * (1 - nearer);
     const double value =

@@ -53,7 +53,7 @@ double most_p(const Problem& problem) {
   return std::min({largest_speed, largest_speed / problem.beta, problem.v0 / problem.beta * ratio});
 }
 
-/// More p helps the amplitude and can only harm the stop, so both are asked one after the other.
+/// More p helps the amplitude and can only harm the stop, so both are tested one after the other.
 std::optional<double> mended_p(const Case& base, double least, double most) {
   const auto with = [&](double p) {
     Case changed = base;

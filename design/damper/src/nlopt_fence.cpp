@@ -25,7 +25,7 @@ constexpr double xtol_abs = 1e-11;
 constexpr double constraint_tolerance = 0;
 constexpr unsigned long seed = 20'081;  // any; fixed, so that every run repeats
 
-/// One function as NLopt calls it, with what it must not let through.
+/// One function as NLopt calls it, and where to keep an exception that must not pass through NLopt.
 struct Callback {
   const Function* function;
   nlopt::opt* solver;

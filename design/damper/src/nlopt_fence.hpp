@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All that the project asks of NLopt; nlopt_fence.cpp is the only file that includes it.
+// All use of NLopt: nlopt_fence.cpp is the only file that includes it.
 
 #include <Eigen/Core>
 
@@ -12,14 +12,14 @@
 
 namespace stillpoint::design {
 
-/// A function of x; `gradient` is empty (size 0) where the algorithm wants none, else as long as x.
+/// A function of x; `gradient` is empty (size 0) if the algorithm needs none, else as long as x.
 using Function = std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)>;
 
 struct NloptProblem {
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
   Eigen::VectorXd start;              ///< moved into the bounds where it is outside
-  Function objective;                 ///< to be made small
+  Function objective;                 ///< to be minimised
   std::vector<Function> constraints;  ///< each to be <= 0; only for algorithms that take them
 };
 

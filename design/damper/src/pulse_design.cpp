@@ -19,7 +19,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// A point that holds for the pulse, with the cost by which it is ranked.
+/// A point that is admissible for the pulse, with the cost that ranks it.
 struct Candidate {
   DesignPoint point;
   double cost{0};
@@ -35,7 +35,7 @@ double cost_of(Objective objective, const PulseProblem& problem, const DesignPoi
                                            : motion.peak_acceleration;
 }
 
-/// What is searched, and how.
+/// The task of the search and its options.
 struct Hunt {
   PulseTask task;
   SearchOptions options;
@@ -54,7 +54,7 @@ void consider(std::optional<Candidate>& best, const Hunt& hunt, DesignPoint poin
   }
 }
 
-/// The same with the Delta that goes best with f.
+/// The same with the best Delta for f.
 void consider_f(std::optional<Candidate>& best, const Hunt& hunt, double f) {
   const FreeTask free = task_of_box(hunt.task, f, hunt.task.limits.tolerance, 0);
   consider(best, hunt, with_best_delta(free.problem, free.limits, f));
@@ -89,7 +89,7 @@ double softest_f(const PulseProblem& problem, double low, double high) {
   const auto acceleration = [&](double f) {
     return std::hypot(f, problem_at(problem, f).v0 * problem.p);
   };
-  // Half of the digits are all that a minimum has.
+  // A minimum has only half of the digits.
   constexpr int bits = std::numeric_limits<double>::digits / 2;
   return boost::math::tools::brent_find_minima(acceleration, low, high, bits).first;
 }
@@ -133,7 +133,7 @@ SearchResult search(const Hunt& hunt) {
     consider_f(best, hunt, softest_f(task.problem, std::min(f.x(), inside), inside));
   }
   if (!best) {
-    // So little is left that NLopt's steps do not resolve it.
+    // The region is too small for NLopt's steps.
     consider_f(best, hunt, corner.f);
     consider(best, hunt, corner);
   }
@@ -141,8 +141,8 @@ SearchResult search(const Hunt& hunt) {
   return SearchResult{best->point, record};
 }
 
-/// Where the limits are those of the high corner's velocity, the conflict is with the edge that
-/// they stand for.
+/// Where the limits come from the velocity of the high corner, the conflict is with the edge behind
+/// them.
 Conflict as_asked(Conflict conflict, const FreeTask& task, const Limits& limits) {
   if (conflict == Conflict::amplitude_against_f_max && task.limits.f_max != limits.f_max) {
     return Conflict::amplitude_against_return;
@@ -170,7 +170,7 @@ DesignResult without_design(const PulseTask& task, const SearchOptions& options)
   return result;
 }
 
-/// The paper's edges with the velocity at f; what is left for f is the pulse's own.
+/// The paper's edges with the velocity at f; the interval of f is that of the pulse.
 Region region_at(const PulseTask& task, const Problem& reduced) {
   Region region = admissible_region(reduced, task.limits);
   region.feasible = true;

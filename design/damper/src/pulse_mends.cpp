@@ -14,7 +14,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Six decades of any input are more than a design has to spare, and leave it valid.
+/// Six decades of any input are more than any design can use, and keep it valid.
 constexpr double far = 1e6;
 /// Of lambda to p, as require_valid has it.
 constexpr double longest_ratio = 1e12;
@@ -51,7 +51,7 @@ Input<Case> beta_of(const PulseProblem& problem) {
           [](Case& now, double value) { now.problem.beta = value; }};
 }
 
-/// More p helps the amplitude and can only harm the stop, so both are asked one after the other:
+/// More p helps the amplitude and can only harm the stop, so both are tested one after the other:
 /// without a limit of Delta, then without one of the amplitude.
 void add_p(std::vector<Mend>& list, const Case& base) {
   const auto with = [&](double p) {

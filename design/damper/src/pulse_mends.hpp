@@ -9,7 +9,7 @@
 
 namespace stillpoint::design {
 
-/// As mends() of region.hpp, with k and lambda in place of v0.
+/// Like mends() of region.hpp, with k and lambda instead of v0.
 [[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
 [[nodiscard]] std::optional<JointMend> joint_mend(const PulseProblem& problem,
                                                   const Limits& limits);

@@ -34,7 +34,7 @@ double last_f_that_returns(PulseProblem problem) {
   return *last;
 }
 
-/// The largest Delta whose box fits below the caps that a box around f leaves.
+/// The largest Delta whose box fits below the caps for a box around f.
 double highest_delta(const PulseTask& task, double f) {
   const double tolerance = task.limits.tolerance;
   return highest_centre(*task_of_box(task, f, tolerance, 0).limits.delta_max, tolerance);

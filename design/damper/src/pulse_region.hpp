@@ -13,7 +13,7 @@
 
 namespace stillpoint::design {
 
-/// What a design for a pulse is looked for in.
+/// The task of a design for a pulse.
 struct PulseTask {
   PulseTask(const PulseProblem& what, const Limits& allowed);
 
@@ -30,17 +30,16 @@ struct FreeTask {
   Limits limits;
 };
 
-/// For the box around `f` of the given tolerance: the velocity of its low corner, and as limits
-/// what the velocity of its high corner leaves of f3 and Delta2, and f_most. What this task admits
-/// of such a box, the pulse does as well. Both velocities and f_most are taken to the safe side by
-/// a relative `slack`.
+/// For the box around `f` with the given tolerance: the velocity of its low corner and, as limits,
+/// f3 and Delta2 for the velocity of its high corner, and f_most. If this task admits such a box,
+/// so does the pulse. Both velocities and f_most are moved to the safe side by a relative `slack`.
 [[nodiscard]] FreeTask task_of_box(const PulseTask& task, double f, double tolerance, double slack);
 
 /// The largest f whose box fits below f3, f_most and f_max, f3 with the velocity of that f. There
 /// the strip of Delta is widest and the peak least.
 [[nodiscard]] double highest_f(const PulseTask& task);
 
-/// The least f that has any Delta. Of a feasible task.
+/// The smallest f that has any Delta. For a feasible task.
 [[nodiscard]] double lowest_f(const PulseTask& task);
 
 /// The highest f and the largest Delta whose box fits below Delta2 and delta_max.
@@ -50,7 +49,7 @@ struct FreeTask {
 [[nodiscard]] bool feasible(const PulseTask& task);
 
 [[nodiscard]] bool admissible(const PulseTask& task, double f, double delta);
-/// The largest tolerance that an admissible point withstands; empty for one that is not.
+/// The largest tolerance of an admissible point; empty for any other point.
 [[nodiscard]] std::optional<double> largest_tolerance(const PulseTask& task, double f,
                                                       double delta);
 

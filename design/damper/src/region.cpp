@@ -88,7 +88,7 @@ double lower_end_from_stop(const Problem& problem, const Edges& edges, double to
   return a * problem.v0 * problem.p / (1 - tolerance);
 }
 
-/// Two numbers in six digits, or in all where six do not tell them apart.
+/// Two numbers with six digits, or with all if six do not distinguish them.
 std::pair<std::string, std::string> told_apart(double a, double b) {
   std::pair six{fmt::format("{:.6g}", a), fmt::format("{:.6g}", b)};
   return six.first != six.second ? six : std::pair{fmt::format("{}", a), fmt::format("{}", b)};

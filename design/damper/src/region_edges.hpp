@@ -19,13 +19,13 @@ struct Edges {
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
 
-/// There is an f whose box lies between f2 and f3, or f2 and f_max. More beta or p, or less v0,
-/// only helps.
+/// There is an f whose box lies between f2 and f3, or f2 and f_max. A larger beta or p, or a
+/// smaller v0, only helps.
 [[nodiscard]] bool amplitude_fits_return(const Edges& edges, const Limits& limits);
 [[nodiscard]] bool amplitude_fits_f_max(const Edges& edges, const Limits& limits);
 
-/// At the largest f that the limits leave, where Delta1 is least, there is a Delta between Delta1
-/// and the cap, for the whole box. Less v0 or p only helps.
+/// At the largest f within the limits, where Delta1 is smallest, there is a Delta between Delta1
+/// and the cap, for the whole box. A smaller v0 or p only helps.
 [[nodiscard]] bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits);
 
 /// The largest f whose box stays at or below the cap, and the smallest one at or above the floor,

@@ -7,7 +7,7 @@
 
 namespace stillpoint::design {
 
-/// What an integrator can tell of a free motion that comes to rest.
+/// What an integrator can say about a free motion that comes to rest.
 struct IntegratedMotion {
   bool stopped{false};  ///< false: still moving after max_half_cycles
   double peak_amplitude{0};
@@ -20,8 +20,8 @@ struct IntegratedMotion {
 
 /// The free motion from x = 0 as a series of initial-value problems, the paper's (9): adaptive
 /// Runge-Kutta (Boost.Odeint's dopri5 with dense output), passages and turns bracketed between
-/// steps and located by Boost.Math's TOMS 748. Shares nothing with the half-cycle map but the
-/// rules. Made to check, not to be fast. `tolerance` is the integrator's, absolute and relative,
+/// steps and located by Boost.Math's TOMS 748. Shares only the rules with the half-cycle
+/// map. Made to check, not to be fast. `tolerance` is the integrator's, absolute and relative,
 /// for x p / v0 and v / v0. Throws InputError unless v0 > 0 and there is some friction.
 [[nodiscard]] IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0,
                                                      double tolerance,

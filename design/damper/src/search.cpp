@@ -34,7 +34,7 @@ struct Task {
   [[nodiscard]] double scaled(double f) const { return f / problem.p / problem.v0; }
 };
 
-/// The best point seen, by the project's own judgement: NLopt's last point may be neither feasible
+/// The best point seen, judged by our own constraints: NLopt's last point may be neither feasible
 /// nor its best.
 class Best {
  public:
@@ -83,9 +83,9 @@ NloptAlgorithm find_algorithm(const std::string& wanted) {
   return *found;
 }
 
-/// A global algorithm says where the best is, not what: DIRECT_L's 20,000 points leave 1e-5 of it.
-/// The last fifth of its budget goes to a local one from the best point so far. Less leaves the
-/// local one short of evaluations; more takes them from the search for the right valley.
+/// A global algorithm finds the place of the optimum, not its value: after 20,000 points DIRECT_L
+/// is 1e-5 off. A local algorithm gets the last fifth of the budget and starts at the best point.
+/// A smaller share leaves it short of evaluations; a larger one takes them from the global search.
 constexpr double polished_share = 0.2;
 
 NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,

@@ -21,19 +21,19 @@ namespace stillpoint::design {
 struct SearchSpace {
   Criterion criterion{Criterion::published};
   Objective objective{Objective::robust};
-  double tolerance{0};  ///< what is asked for; `robust` has it as the lower bound of t
+  double tolerance{0};  ///< the requested one; for `robust` the lower bound of t
   double a2{0};
   double a_cap{0};
   double d_cap{0};
 
-  /// Told of every (x, y) at which the objective is evaluated.
+  /// Called with every (x, y) at which the objective is evaluated.
   std::function<void(double x, double y)> visit;
 };
 
 /// With the constraints as NLopt's own, gradients included; starts at (x, y).
 [[nodiscard]] NloptProblem constrained(const SearchSpace& space, double x, double y);
 
-/// For algorithms that know only bounds: outside of the region the violation, raised above every
+/// For algorithms that know only bounds: outside the region the violation, raised above every
 /// value inside; `tolerance_at` gives the tolerance of a point inside.
 [[nodiscard]] NloptProblem penalised(const SearchSpace& space, double x, double y,
                                      const std::function<double(double x, double y)>& tolerance_at);

@@ -18,7 +18,7 @@ DesignInterval design_interval(const Problem& problem, const Region& region) {
   assert(region.feasible);
   const double lower = *region.f_lower;
   const double upper = *region.f_upper;
-  // f_max is no graze: only at f3 is there something to keep away from.
+  // f_max is not a graze: a design must keep away only from f3.
   const double high = std::min(upper, region.f3 * (1 - inset));
   // With f below 1e-9 V0 p the strip of Delta is narrower than a relative 4e-9; where f_max is even
   // less, the tolerance still needs some room below it.

@@ -65,7 +65,7 @@ std::optional<double> largest_tolerance(const Problem& problem, const Limits& li
     tolerance = std::max(0.0, tolerance - std::numeric_limits<double>::epsilon());
   }
   assert(fits(tolerance));
-  // The root above is good to a few ulps only; what is asked for is tried as it is.
+  // The root above is accurate only to a few ulps, so the requested value itself is tried.
   if (tolerance < limits.tolerance && fits(limits.tolerance)) {
     return limits.tolerance;
   }

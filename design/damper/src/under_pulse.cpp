@@ -21,7 +21,7 @@ constexpr Names warning_names(
 /// Where both are below, the reduction is good to about 2 % in the peak.
 constexpr double short_pulse = 0.2;
 constexpr double small_friction = 0.2;
-/// Of a pulse so short that the forced run's own rounding is all that is left.
+/// For a pulse so short that only the rounding of the forced run remains.
 constexpr double least_tolerance = 1e-9;
 
 std::vector<PulseWarning> warnings(const PulseCheck& check) {
@@ -77,7 +77,7 @@ PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
     result.stop_time_error = (result.start.tau + prediction.stop_time) / *forced.stop_time - 1;
   }
   result.warnings = warnings(result);
-  // The search has asked for that already. Near f3 nothing else decides it.
+  // The search has already required that. Near f3 nothing else decides it.
   method.passed = method.passed && forced.stops_at_zero && forced.half_cycles == 1.0 &&
                   forced.peak_amplitude <= problem.beta;
   finding.cross_check.methods.push_back(method);

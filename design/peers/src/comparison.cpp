@@ -19,8 +19,8 @@ namespace stillpoint::peers {
 
 namespace {
 
-/// Of an integrator (methods.hpp), some 0.1 to 0.5 microseconds each. Steps and not seconds, so
-/// that what is run does not depend on the machine.
+/// The effort of an integrator (methods.hpp), some 0.1 to 0.5 microseconds each. In steps, not
+/// seconds, so that the result does not depend on the machine.
 constexpr std::int64_t most_effort = 3'000'000;
 
 bool is_free(const Scene& scene) {
@@ -62,7 +62,7 @@ struct Contestant {
   Call call;
 };
 
-/// Settings from coarse to fine, as somebody would try them.
+/// Settings from coarse to fine, as a user would try them.
 std::vector<Contestant> contestants(const Scene& scene, const Size& size) {
   std::vector<Contestant> list;
   const auto add = [&](const char* name, const char* knob, double setting, const Call& call) {
@@ -124,7 +124,7 @@ std::optional<double> far_enough(const Oscillator& oscillator, const Start& star
   if (!stop_time) {
     return std::nullopt;
   }
-  // A rest under a load is the final one once that is over.
+  // A rest under a load is final once the load is over.
   const double moving = *stop_time > 0 ? past_the_rest * *stop_time : 1;
   return std::max(moving, past_the_load * duration(excitation).value());
 }

@@ -12,7 +12,7 @@
 
 namespace stillpoint::peers {
 
-/// The error of a step by what is allowed, as odeint's own checker has it, but with an absolute
+/// The error of a step over the allowed error, as in odeint's own checker, but with an absolute
 /// tolerance for each of x and v.
 class SizedErrorChecker {
  public:
@@ -64,7 +64,7 @@ class Dopri5 {
       const auto verdict = controlled_.try_step(motion, before_.state, before_.rate, now_.t,
                                                 now_.state, now_.rate, length);
       if (verdict == boost::numeric::odeint::success) {
-        // A step that a kink cut short says little of the next one.
+        // A step that a kink cut short says little about the next one.
         next_ = capped ? std::max(next_, length) : length;
         now_.t = capped ? limit : now_.t;
         return {before_.t, now_.t};

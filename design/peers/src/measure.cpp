@@ -20,7 +20,7 @@ double seconds_of(const std::function<void()>& call, long repeats) {
   return taken.count() / static_cast<double>(repeats);
 }
 
-/// Calls and, from their first runs, how many make a batch.
+/// Calls, and the number that makes a batch, from their first runs.
 struct Case {
   const std::function<void()>& call;
   double first;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 
-// The model without events that people write first, e the width as a speed, d as a length:
+// The usual model without events, e the width as a speed, d as a length:
 //   x' = v,   v' = -W - p^2 x - (f + Delta bump(x)) tanh(v / e),
 //   bump(x) = 1 / (2 d cosh^2(x / d)), whose integral is 1.
-// It creeps where the mass should be held, so what it says of rests is read off a band |v| < 3 e:
-// tanh 3 = 0.995 is as good as held. A turn is an entry into the band or a change of sign of v
-// across it, a stick an entry under a load that friction can hold. A passage is one from beyond the
-// bump to beyond it on the other side; what comes to rest within it is no turn. The bump acts once
+// It creeps where the mass should be held, so rests are read off a band |v| < 3 e: tanh 3 = 0.995
+// counts as held. A turn is an entry into the band or a change of sign of v
+// across it, a stick an entry under a load that friction can hold. A passage leads from beyond
+// the bump to beyond it on the other side; a rest within it is not a turn. The bump acts once
 // the mass has been beyond it: a start at x = 0 is not a passage.
 
 #include "dopri5.hpp"
@@ -90,7 +90,7 @@ class SmoothRun {
     return scene_.oscillator.f + scene_.oscillator.delta / (2 * d_ * c * c);
   }
 
-  /// How far a step may go without jumping over the bump.
+  /// The longest step that cannot jump over the bump.
   [[nodiscard]] double reach(const State& state) const {
     if (scene_.oscillator.delta == 0) {
       return for_ever;

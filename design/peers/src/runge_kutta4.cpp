@@ -52,11 +52,11 @@ class FixedStep {
   }
 
  private:
-  // Less of a step than this before a kink is no step of its own: it is rounding.
+  // A shorter rest of a step before a kink is not a step of its own: it is rounding.
   static constexpr double sliver = 1e-6;
 
   /// The method from the start of the step to `t`, where W is `load`. Written out, so that W is
-  /// evaluated twice a step and not four times.
+  /// evaluated twice per step and not four times.
   template <class AnyMotion>
   [[nodiscard]] State advanced(const AnyMotion& motion, double t, double load) const {
     const double h = t - before_;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "axis.hpp"
-
-#include "settings.hpp"
+#include <stillpoint/sweep/axis.hpp>
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,10 +12,14 @@
 #include <cmath>
 #include <utility>
 
-namespace stillpoint::cli {
+namespace stillpoint::sweep {
 
 namespace {
 
+using records::parse_integer;
+using records::parse_number;
+
+/// Below 2^53, so a double counts them exactly.
 constexpr std::int64_t most_values = 1'000'000'000'000'000;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -46,13 +49,13 @@ Axis parse_range(std::string_view field, std::string_view text) {
     throw wrong(fmt::format("must have a count from 1 to {}", most_values));
   }
   if (!std::isfinite(last - first)) {
-    throw wrong("must have a length that a double holds");
+    throw wrong("must have a length that fits a double");
   }
   if (parts.size() == 3) {
     return {first, last, count, Axis::Spacing::linear};
   }
   if (!(first > 0 && last > 0)) {
-    throw wrong("must have both ends above 0, as it is logarithmic");
+    throw wrong("must have both ends above 0 because it is logarithmic");
   }
   return {first, last, count, Axis::Spacing::logarithmic};
 }
@@ -119,4 +122,4 @@ Axis parse_axis(std::string_view field, std::string_view text) {
   return Axis(std::move(values));
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::sweep

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "sweep_outcome.hpp"
-#include "sweep_rows.hpp"
+#include <stillpoint/sweep/outcome.hpp>
+#include "rows.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 
-namespace stillpoint::cli {
+namespace stillpoint::sweep {
 
 namespace {
 
@@ -54,4 +54,4 @@ void append_csv(const SweepBlock& block, const std::vector<Quantity>& columns, E
   }
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::sweep

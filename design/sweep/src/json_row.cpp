@@ -8,11 +8,12 @@
 
 #include <algorithm>
 
-namespace stillpoint::cli {
+namespace stillpoint::sweep {
 
 namespace {
 
 using nlohmann::json;
+using records::printable;
 
 /// What the parser calls for each part of the text; false ends it.
 class RowHandler {
@@ -41,7 +42,7 @@ class RowHandler {
   bool key(std::string& key) {
     if (std::ranges::find(row_.fields, key, &std::pair<std::string, double>::first) !=
         row_.fields.end()) {
-      return refuse(fmt::format("the key {} stands twice", shown(key)));
+      return refuse(fmt::format("the key {} is there twice", shown(key)));
     }
     row_.fields.emplace_back(key, 0.0);
     return true;
@@ -94,4 +95,4 @@ JsonRow parse_json_row(std::string_view text) {
   return row;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::sweep

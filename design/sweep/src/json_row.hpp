@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::sweep {
 
 /// A flat JSON object of numbers.
 struct JsonRow {
-  std::vector<std::pair<std::string, double>> fields;  ///< no key stands twice
-  std::string error;                                   ///< what is wrong with it; empty: nothing
+  std::vector<std::pair<std::string, double>> fields;  ///< each key once
+  std::string error;                                   ///< what is wrong; empty if nothing is
 };
 
 [[nodiscard]] JsonRow parse_json_row(std::string_view text);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::sweep

@@ -2,34 +2,39 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::sweep {
 
-/// The lines of a file or of standard input, one at a time, in constant memory.
+/// The lines of a list, a file or standard input, one at a time, in constant memory. Throws
+/// records::FileError.
 class LineReader {
  public:
-  /// `path` "-" is standard input. Throws UsageError where it cannot be read.
+  /// `path` "-" is standard input.
   explicit LineReader(const std::string& path);
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
-  LineReader(LineReader&& other) noexcept;
+  LineReader(LineReader&&) = delete;
   LineReader& operator=(LineReader&&) = delete;
   ~LineReader();
 
-  /// The next line without its end (LF or CR LF), good until the next call. False at the end and
-  /// after an interrupt. Throws UsageError where it cannot be read or is longer than 64 KiB.
-  [[nodiscard]] bool next(std::string_view& line);
+  /// The next line without its end (LF or CR LF), valid until the next call. False at the end and
+  /// after a stop, even while it waits for input. A line has at most 64 KiB.
+  [[nodiscard]] bool next(std::string_view& line, const std::stop_token& stop);
 
-  /// Of the line that was read last, from 1.
+  /// The line that was read last, from 1.
   [[nodiscard]] std::int64_t number() const { return number_; }
   /// "standard input", or the path.
   [[nodiscard]] const std::string& source() const { return source_; }
+  [[noreturn]] void refuse(std::optional<std::int64_t> line, std::string_view what) const;
 
  private:
-  bool read_more();
+  [[nodiscard]] bool read_more(const std::stop_token& stop);
+  [[noreturn]] void refuse_unreadable(int error) const;
 
   std::string source_;
   int descriptor_;
@@ -40,4 +45,4 @@ class LineReader {
   bool ended_{false};
 };
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::sweep

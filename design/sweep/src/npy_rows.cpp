@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sweep_rows.hpp"
+#include "rows.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cstring>
 
-namespace stillpoint::cli {
+namespace stillpoint::sweep {
 
 namespace {
 
@@ -74,4 +74,4 @@ void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, E
   }
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::sweep

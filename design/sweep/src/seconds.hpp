@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace stillpoint::cli {
+namespace stillpoint::sweep {
 
 /// Of a clock that only goes forward.
 [[nodiscard]] inline double seconds_now() {
@@ -11,4 +11,4 @@ namespace stillpoint::cli {
   return std::chrono::duration<double>(now).count();
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::sweep

@@ -84,6 +84,15 @@ BOOST_AUTO_TEST_CASE(offers_files_where_one_is_meant_and_nothing_for_a_number) {
   BOOST_TEST(offered(*this, "stillpoint design --v0 sce").empty());
 }
 
+BOOST_AUTO_TEST_CASE(offers_the_values_of_an_option) {
+  write_script(*this);
+  const std::set<std::string> pulses{"half-sine", "rectangle"};
+  BOOST_TEST(offered(*this, "stillpoint design --pulse \"\"") == pulses);
+  BOOST_TEST(offered(*this, "stillpoint design --objective=a") == std::set<std::string>());
+  const std::set<std::string> with_a{"amplitude", "acceleration"};
+  BOOST_TEST(offered(*this, "stillpoint design --objective = a") == with_a);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(texts)

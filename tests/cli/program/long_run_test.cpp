@@ -74,6 +74,21 @@ BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_where_nobody_watches) {
   BOOST_TEST(lines[1].starts_with("stillpoint: interrupted "), lines[1]);
 }
 
+// At most V0/(2 f) half-cycles: 1e11 of them. A run that the limit refuses is not announced.
+BOOST_AUTO_TEST_CASE(of_free_motion_says_beforehand_that_it_takes_minutes) {
+  const Arguments free{"simulate", "--v0",  "1",       "--p",   "1",
+                       "--f",      "5e-12", "--delta", "1e-15", "--half-cycle-limit"};
+  Surroundings heard;
+  heard.interrupt_once_heard = true;
+  const ProgramRun stopped = run(joined(free, {"1e12"}), heard);
+  const auto lines = stopped.err_lines();
+  BOOST_TEST_REQUIRE(lines.size() == 1U, stopped.err);
+  BOOST_TEST(lines[0] == "stillpoint: up to 1e+11 half-cycles: this may take some 25 minutes");
+  const ProgramRun refused = run(joined(free, {"1e10"}));
+  check_refusal(refused, {"1e+11 half-cycles; at most 1e+10"});
+  BOOST_TEST(refused.err_lines().size() == 1U, refused.err);
+}
+
 BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_terminals)) {
   Surroundings on_terminal;
   on_terminal.error_is_terminal = true;

@@ -5,6 +5,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <vector>
 
@@ -100,6 +104,24 @@ BOOST_AUTO_TEST_CASE(are_all_different) {
       BOOST_TEST(contents() == before);
     }
   }
+}
+
+// A sweep that is running holds a lock on its part; FILE.part.json says how far that is.
+BOOST_AUTO_TEST_CASE(are_not_those_of_a_running_sweep) {
+  write("m.npy.part", "rows");
+  write("m.npy.part.json", "{}");
+  fs::create_symlink("m.npy.part", path("other"));
+  const int part = ::open(path("m.npy.part").c_str(), O_RDWR);
+  BOOST_TEST_REQUIRE(::flock(part, LOCK_EX) == 0);
+  const auto before = contents();
+  for (const char* const file : {"m.npy.part", "m.npy.part.json", "other"}) {
+    check_refusal(run(joined(simulate, {"--output", file})),
+                  {"output " + std::string(file) + ": a sweep is writing it"});
+    check_refusal(run(joined(simulate, {"--trajectory", file})), {"a sweep is writing it"});
+    BOOST_TEST(contents() == before);
+  }
+  ::close(part);
+  BOOST_TEST(run(joined(simulate, {"--output", "m.npy.part"})).exit_code == 0);
 }
 
 // An old report may be replaced, also one of the same name elsewhere; a device takes everything.

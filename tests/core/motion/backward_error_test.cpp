@@ -45,7 +45,7 @@ void check_scenes(std::uint64_t seed, int count, Make make) {
   BOOST_TEST_MESSAGE(checked << " scenes, worst error/bound: " << text(worst));
 }
 
-/// One of the frictions moderate, so that the motion is short; the other as small as can be.
+/// One friction is moderate, so that the motion is short; the other may be tiny.
 Scene<> tiny_friction_scene(Dice& dice) {
   Scene<> scene = dice.once_in(2) ? moderate_scene(dice) : general_start_scene(dice);
   double& tiny = dice.once_in(2) ? scene.f : scene.delta;

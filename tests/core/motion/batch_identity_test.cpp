@@ -56,14 +56,14 @@ void with_each_instruction_set(const Action& action) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-/// Bit for bit. There are millions of values, so that only a difference goes through BOOST_TEST.
+/// Bit for bit. There are millions of values, so only a difference is reported.
 void same(const char* what, double got, double expected, const Scene<>& scene) {
   if (std::bit_cast<std::uint64_t>(got) != std::bit_cast<std::uint64_t>(expected)) {
     BOOST_ERROR(what << " = " << got << ", alone " << expected << ", scene " << scene);
   }
 }
 
-/// What the documentation of BatchResult says of an entry.
+/// An entry as the documentation of BatchResult describes it.
 void is_that_of(const Response& alone, const BatchResult& result, Eigen::Index i,
                 const Scene<>& scene) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -104,7 +104,7 @@ void is_identical(const Batch& batch, const std::vector<int>& numbers_of_threads
   });
 }
 
-/// Anything that is taken: one friction or none, caught, no motion, few and many half-cycles.
+/// Any valid scene: one friction or none, caught, no motion, few and many half-cycles.
 Scene<> any_scene(Dice& dice) {
   Scene<> scene = moderate_scene(dice);
   scene.f *= dice.once_in(8) ? 0 : dice.power_of_ten(-1, 1);
@@ -113,7 +113,7 @@ Scene<> any_scene(Dice& dice) {
   return scene;
 }
 
-/// From 1e-140 to 1e140 and about the bounds of what goes into the lanes, 2^-64 and 2^64.
+/// From 1e-140 to 1e140, and near the bounds of the lanes, 2^-64 and 2^64.
 Scene<> extreme_scene(Dice& dice) {
   const double far = dice.once_in(2) ? 140 : 20;
   Scene<> scene = moderate_scene(dice);

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-// Motions with one friction alone are answered in constant time: the large counts below would never
-// return otherwise.
+// Motions with only one friction take constant time: otherwise the large counts below would never
+// return.
 
 namespace stillpoint::test {
 

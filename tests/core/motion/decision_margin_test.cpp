@@ -48,7 +48,7 @@ void no_change_within_half_the_margin(std::uint64_t seed, Make make) {
   }
 }
 
-/// The relative change of one input alone, up or down, that changes the end; none up to `most`.
+/// The relative change of a single input, up or down, that changes the end; none up to `most`.
 std::optional<double> tipping_change(const Scene<>& scene, double Scene<>::*input, double most) {
   std::optional<double> least;
   for (const double far : {most, -most}) {
@@ -64,8 +64,9 @@ std::optional<double> tipping_change(const Scene<>& scene, double Scene<>::*inpu
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_margin_adds_up_what_each_input_alone_would_need) {
-  // To first order g tips where input i alone changes by e_i = |g| / |input_i dg/dinput_i|, and so
-  // the margin |g| / sum |input_i dg/dinput_i| is 1 / sum 1/e_i, or less where it is a bound.
+  // To first order g changes sign where input i alone changes by e_i = |g| / |input_i dg/dinput_i|,
+  // and so the margin |g| / sum |input_i dg/dinput_i| is 1 / sum 1/e_i, or less where it is a
+  // bound.
   constexpr double from_edge = 1e-7;
   constexpr double second_order = 1e-3;  // of the margin
   Dice dice(405);

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-// What is refused, and that the message names field, value and bound.
+// Wrong values are refused, and the message names field, value and bound.
 
 namespace stillpoint::test {
 
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(the_end_is_needed_and_bounded) {
   BOOST_TEST(refused(Harmonic{1, 1}, 1e16) == "t_end");
   BOOST_TEST(refused(NoExcitation{}, 1.1e15) == "t_end");   // p t_end
   BOOST_TEST(refused(Harmonic{1, 1e6}, 1.1e9) == "t_end");  // lambda t_end
-  BOOST_TEST(refused(HalfSine{1, 1e6}, 1.1e9).empty());     // lambda up to its end alone
+  BOOST_TEST(refused(HalfSine{1, 1e6}, 1.1e9).empty());     // lambda only up to its end
   BOOST_TEST(refused(Record{{1, 1}, 1.1e15, {}}, std::nullopt) == "duration");
 }
 

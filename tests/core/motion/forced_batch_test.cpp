@@ -48,7 +48,7 @@ ForcedBatchOptions until(double t_end, int threads) {
   return options;
 }
 
-/// v0, p, f, delta in this order, each one of some value, a good part of them with equal p.
+/// v0, p, f, delta in this order, each one of a few values; many with equal p.
 std::vector<Eigen::ArrayXd> random_scenes(Eigen::Index size, Dice& dice) {
   std::vector<Eigen::ArrayXd> columns(4, Eigen::ArrayXd(size));
   for (Eigen::Index i = 0; i < size; ++i) {
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_first_scene_at_fault) {
     BOOST_TEST(message(harmonic, until(9, threads)) ==
                "f[300] = -1: must be a number from 0 to 1e+300");
   }
-  // What is wrong for one p alone, although the p before was right.
+  // Wrong for one p only, although the p before was right.
   p[200] = 1e-140;
   BOOST_TEST(
       message(Harmonic{0.2, 1}, until(9, 1)).starts_with("lambda = 1: lambda / p must be from"));

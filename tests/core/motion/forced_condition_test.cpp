@@ -9,10 +9,10 @@
 #include <cmath>
 #include <cstddef>
 
-// Under a harmonic that exceeds the friction by little, a slip is as small as the square of what it
-// exceeds it by, and that is the difference of two inputs. Every metric must nevertheless be that
-// of inputs changed by rounding: its error is held against its condition, sum |d metric / d ln
-// input|, from runs in 50 digits. docs/forced.md section 9.
+// Under a harmonic that hardly exceeds the friction, a slip is as small as the square of the
+// excess, which is the difference of two inputs. Every metric must nevertheless be that of inputs
+// changed by rounding: its error is compared with its condition, sum |d metric / d ln input|, from
+// runs in 50 digits. docs/forced.md section 9.
 
 namespace stillpoint::test {
 
@@ -20,8 +20,8 @@ BOOST_AUTO_TEST_SUITE(forced_condition_test)
 
 namespace {
 
-// Units of 2^-53 times the condition. The worst of 4000 scenes is 61: a slip is as the fourth power
-// of an angle, and the last may be one of a hundred.
+// Units of 2^-53 times the condition. The worst of 4000 scenes is 61: a slip grows as the fourth
+// power of an angle, and it may be the last of a hundred.
 constexpr double allowed_units = 128;
 
 /// x0, v0, p, f, delta, k, lambda, phase, t_end.
@@ -66,7 +66,7 @@ Inputs<double> friction_near_load(Dice& dice) {
 }
 
 /// Sums over the inputs of |d metric / d ln input|, by one-sided differences. An input for which
-/// either side is another motion is left out: the bound is the stricter for it.
+/// either side is another motion is left out, which makes the bound stricter.
 std::array<Exact, 6> conditions(const Inputs<Exact>& inputs, const ForcedRecord<Exact>& run) {
   const Exact step("1e-22");
   const std::array<Exact, 6> metrics = metrics_of(run.state, inputs[2]);

@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(of_a_motion_left_at_a_passage_end_with_one_of_no_length) {
       const HalfCycle first = list_of(run, 1).front();
       const auto list =
           forced_half_cycles(run.oscillator, start, run.excitation, first.end_time, all);
-      if (list.size() == 2 && list[1].peak == 0) {  // or else rounding leaves it just before
+      if (list.size() == 2 && list[1].peak == 0) {  // otherwise rounding leaves it just before
         ++left_there;
         BOOST_TEST(list[1].side == -first.side);
         BOOST_TEST(list[1].peak_time == first.end_time);
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(so_many_as_asked_are_the_first_of_all) {
 }
 
 BOOST_AUTO_TEST_CASE(run_no_further_than_the_last_that_is_listed) {
-  // To its end this would take days.
+  // A run to the end would take days.
   const auto list = forced_half_cycles({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, 1e14, 5);
   BOOST_TEST(list.size() == 5U);
   BOOST_TEST(forced_half_cycles({1, 0.05, 0}, {0, 0.5}, Harmonic{0.2, 1}, 1e14, 0).empty());

@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_turn_at_zero_is_an_arrival_without_speed_if_there_is_a_no
   const auto notch = until(100, {1, 0, 0.1}, {-2, 0}, push);
   BOOST_TEST(notch.decision_margin.has_value());
   BOOST_TEST(*notch.decision_margin <= 1e-15);
-  // Either way to decide within rounding: rest in the notch, or a turn just before it.
+  // Within rounding both decisions are right: rest in the notch, or a turn just before it.
   const auto none = until(100, {1, 0, 0}, {-2, 0}, push);
   BOOST_TEST(*none.decision_margin <= 1e-15);
   // 15 turns at x = -2, and 16 at x = 0 or within rounding of it
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_load_of_exactly_f_for_a_whole_record_moves_nothing) {
 
 BOOST_AUTO_TEST_CASE(
     a_load_that_never_exceeds_f_moves_nothing_whatever_p_is_and_one_ulp_more_does) {
-  // W/p and f/p, rounded each for itself, may differ where W = f, and be equal where it is not.
+  // W/p and f/p, rounded separately, may differ where W = f, and be equal where it is not.
   const auto moved = [](double p, double f, const AnyExcitation<double>& load) {
     return run_forced(ForcedScene<>{{0, 0, p, f, 0}, load, 10 / p}).state.moved;
   };
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(records_that_stand_at_f_have_the_events_of_50_digits) {
 }
 
 BOOST_AUTO_TEST_CASE(releases_within_rounding_of_a_sample_or_a_crest_end) {
-  // Released as the load turns back: these once turned for ever without going on in time.
+  // Released as the load turns back: these once turned for ever without progress in time.
   const double f = 0.85931643703331595;
   const double k = 1.3393644863060254;
   const auto sample =

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <numbers>
 
-// The decision margin (docs/forced.md section 7) sees what tips: where a small change of all inputs
-// changes a count or the outcome, the margin is small as well.
+// The decision margin (docs/forced.md section 7) sees close decisions: where a small change of all
+// inputs changes a count or the outcome, the margin is small too.
 
 namespace stillpoint::test {
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double half_circle = std::numbers::pi;
 
-/// A change of the inputs reaches a decision enlarged by the motion before it. The worst of 4 *
+/// The motion before a decision amplifies a change of the inputs. The worst of 4 *
 /// 10^4 scenes of each kind was 94 times, at resonance.
 constexpr double enlarged = 1000;
 
@@ -34,7 +34,7 @@ bool same_counts(const ForcedState<double>& a, const ForcedState<double>& b) {
          a.moved == b.moved && a.outcome == b.outcome;
 }
 
-/// Every input changed by up to `by` of itself.
+/// Every input changed by a relative `by` at most.
 ForcedScene<> shifted(ForcedScene<> scene, Dice& dice, double by) {
   const auto shift = [&](double& value) { value *= 1 + by * dice.uniform(-1, 1); };
   Scene<>& motion = scene.motion;
@@ -125,7 +125,7 @@ void margins_are_honest(MakeScene make_scene, std::uint64_t seed, int least_chan
       }
     }
   }
-  BOOST_TEST(changed >= least_changes);  // or it would have tried nothing
+  BOOST_TEST(changed >= least_changes);  // otherwise nothing would be tested
 }
 
 /// The mass comes to rest, and is driven back, as the rectangle ends: p / lambda = 1.

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Seeded random scenes of every excitation, against an integrator that shares nothing with the
-// kernel but the rules.
+// Seeded random scenes of every excitation, against an integrator that shares only the rules with
+// the kernel.
 
 namespace stillpoint::test {
 

@@ -120,10 +120,10 @@ struct Looked {
   double size;   ///< of v
 };
 
-/// The least v up to `length` after the start of a piece: looks at even distances, so and so many a
-/// ripple of v (at least a hundred), and each that is below both its neighbours followed to the
-/// minimum between them. So it sees a pair of turns however near they are to each other, unless
-/// there are two minima within three looks.
+/// The smallest v up to `length` after the start of a piece. It samples v evenly, a fixed number
+/// per ripple of v (at least a hundred in all), and follows each sample that is below both its
+/// neighbours to the minimum between them. So it sees a pair of turns at any distance, unless there
+/// are two minima within three samples.
 Looked look_closely(const SeenMotion& piece, double length) {
   constexpr double looks_a_ripple = 32;
   constexpr int bits = 26;  // half of the digits of a minimum's place give all of its value

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// Whole motions against numbers that other programs found. The first three are the scenes of the
+// Whole motions against numbers from other programs. The first three are the scenes of the
 // speed comparison; the file is written by data/reference/make_forced_reference.py.
 
 namespace stillpoint::test {

@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
-// Where turns, arrivals and releases under a harmonic are found, for lambda/p from 0.01 to 100. The
-// truth is the closed form in 50 digits, written anew below: what it leaves of v, of y or of the
-// load at the instant found, from the state in double at the start of the piece. So nothing
-// that the motion does later enlarges an error, and no search for a zero is relied upon.
+// The instants found for turns, arrivals and releases under a harmonic, for lambda/p from 0.01 to
+// 100. The truth is the closed form in 50 digits, written again below: the residual of v, of y or
+// of the load at the instant found, from the state in double at the start of the piece. So no later
+// motion enlarges an error, and the test relies on no search for a zero.
 
 namespace stillpoint::test {
 
@@ -23,10 +23,10 @@ namespace {
 
 constexpr double epsilon = 0x1p-52;
 
-// In units of epsilon times the size of what is 0: docs/forced.md section 4. The worst of 10^5
+// In units of epsilon times the scale of the residual: docs/forced.md section 4. The worst of 10^5
 // scenes is 9.5.
 constexpr double residual_units = 16;
-// Of the load at a release, in units of epsilon times what it still grows by up to the crest; the
+// Of the load at a release, in units of epsilon times its growth up to the crest; the
 // worst of 10^5 scenes is 2.6.
 constexpr double release_units = 8;
 
@@ -103,7 +103,7 @@ ForcedScene<> any_frequency(Dice& dice) {
 
 struct Residual {
   Exact value;  ///< of v at a turn, of y at an arrival
-  Exact size;   ///< what v or y is made of there
+  Exact size;   ///< the size of the terms of v or y there
 };
 
 /// y'' + y = -w from the point on, by c = 1/(r^2 - 1).
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(turns_and_arrivals_in_50_digits_are_good_to_40) {
 }
 
 BOOST_AUTO_TEST_CASE(the_first_turn_is_that_of_50_digits_wherever_the_run_ends) {
-  // It was 5.8e-14 off, 8000 ulp of 1/lambda, in the first of these alone.
+  // It was 5.8e-14 off, 8000 ulp of 1/lambda, only in the first of these.
   const Harmonic load{1.6155625521063481, 36.997705331740306, 1.0122097334545659};
   for (const double t_end : {0.14, 0.102, 0.103, 0.11, 0.2, 1.0}) {
     const ForcedScene<> scene{
@@ -188,7 +188,8 @@ BOOST_AUTO_TEST_CASE(the_first_turn_is_that_of_50_digits_wherever_the_run_ends) 
   }
 }
 
-// |w + u| = phi, against what is left up to the crest: the slip that follows is as that squared.
+// |w + u| = phi, relative to the distance from the crest: the slip that follows grows as its
+// square.
 BOOST_AUTO_TEST_CASE(a_release_is_found_to_the_digits_of_its_distance_from_the_crest) {
   Dice dice(20273);
   double worst = 0;

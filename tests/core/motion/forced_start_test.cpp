@@ -9,7 +9,7 @@
 
 BOOST_AUTO_TEST_SUITE(forced_start_test)
 
-// Rests at the start of a run, and what the excitation's end makes of them.
+// Rests at the start of a run, and their outcome at the end of the excitation.
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-// Settled motions under W = k sin(lambda tau) that others found: Den Hartog's without stops, cycles
+// Known settled motions under W = k sin(lambda tau): Den Hartog's without stops, cycles
 // with two stops at resonance, growth at resonance.
 
 namespace stillpoint::test {

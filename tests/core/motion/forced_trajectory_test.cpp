@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(outside_the_horizon_and_beyond_the_limit_it_refuses) {
 }
 
 BOOST_AUTO_TEST_CASE(as_many_pieces_as_allowed_are_not_too_many) {
-  // Held for ever: start, stick and rest are a piece each.
+  // Held for ever: start, stick and rest are one piece each.
   const auto of_pieces = [](std::int64_t most) {
     return ForcedTrajectory({1, 0.3, 0}, {0, 0}, Harmonic{0.2, 1}, {50, most});
   };

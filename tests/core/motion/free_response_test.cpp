@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_SUITE(free_response_test)
 
 namespace {
 
-/// Bit for bit, but for what was not asked for.
+/// Bit for bit, except for the metrics that were not requested.
 void equal_but_for_times_and_margin(const Response& a, const Response& b) {
   BOOST_TEST(a.outcome == b.outcome);
   BOOST_TEST(a.stops_at_zero == b.stops_at_zero);

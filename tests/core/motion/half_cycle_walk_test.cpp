@@ -31,7 +31,7 @@ std::vector<HalfCycle> rows(const Scene<>& scene, std::int64_t most = 100000) {
   return first_half_cycles(scene.oscillator(), scene.start(), most);
 }
 
-/// What a half-cycle says of itself, and what the one before left it.
+/// The half-cycle agrees with itself and with the one before.
 void is_consistent(const Scene<>& scene, const std::vector<HalfCycle>& list, std::size_t k) {
   const HalfCycle& now = list[k];
   BOOST_TEST(now.index == static_cast<std::int64_t>(k) + 1);
@@ -40,7 +40,7 @@ void is_consistent(const Scene<>& scene, const std::vector<HalfCycle>& list, std
   BOOST_TEST(now.peak_time <= now.end_time);
   BOOST_TEST(now.start_time < now.end_time);
   BOOST_TEST(now.arrival_speed.has_value() == (now.end_position == 0));
-  // Constant friction takes f for every length gone: v-^2 = V^2 + p^2 x0^2 - 2 f (2 A - |x0|).
+  // Constant friction takes f per unit of distance: v-^2 = V^2 + p^2 x0^2 - 2 f (2 A - |x0|).
   const double from = k == 0 ? std::abs(scene.x0) : 0;
   const double way = now.peak_time > now.start_time ? 2 * now.peak - from : from;
   if (now.arrival_speed) {

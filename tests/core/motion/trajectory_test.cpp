@@ -83,7 +83,7 @@ void is_a_motion(const Scene<>& scene) {
       }
     }
   }
-  // Two events meet at an arrival: what follows is a passage or the rest.
+  // Two events coincide at an arrival; the second is a passage or the rest.
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (events[i].kind == EventKind::arrival) {
       BOOST_TEST(events.at(i + 1).state.tau == events[i].state.tau);
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(at_an_event_the_state_is_the_events_own) {
   const std::vector<Event>& events = path.events();
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (i + 1 < events.size() && events[i + 1].state.tau == events[i].state.tau) {
-      continue;  // of two velocities the later one
+      continue;  // the later one of two velocities
     }
     const State state = path.at(events[i].state.tau);
     BOOST_TEST(state.x == events[i].state.x);
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(samples_hold_every_event_and_both_ends_in_order) {
       return state.tau == event.state.tau && state.x == event.state.x && state.v == event.state.v;
     }));
   }
-  // An event at an instant stands for it: the start for the first.
+  // An event at an instant replaces it: the start replaces the first.
   BOOST_TEST(states.size() == path.events().size() + 49);
   for (int i = 0; i < 50; ++i) {  // and every evenly spaced instant
     BOOST_TEST(std::ranges::any_of(

@@ -22,7 +22,8 @@ using namespace stillpoint::design_test;
 
 /// The simulation of one half-cycle decides rightly beyond this margin (free_motion.hpp).
 constexpr double simulation_margin = 6e-16;
-/// The formulas decide beyond this: a few roundings of each edge, at a condition of at most 4.
+/// The formulas decide rightly beyond this: a few roundings of each edge, at a condition of at
+/// most 4.
 constexpr double formula_margin = 4e-15;
 
 double below(double value) {
@@ -85,8 +86,8 @@ BOOST_AUTO_TEST_CASE(delta_of_a_whole_number_triple_tips_both_bounds_at_the_last
       BOOST_TEST(admissible(published, {}, f, above(at_published)));
       BOOST_TEST(!admissible(exact, {}, f, at_exact));
       BOOST_TEST(admissible(exact, {}, f, above(at_exact)));
-      // The published bound is safe on both of its sides; the exact one is where the motion tips.
-      // At v_-^2 = 2 Delta itself it stops, which the region leaves out: there nothing is to spare.
+      // The published bound is safe on both sides; at the exact one the motion changes. At
+      // v_-^2 = 2 Delta itself it stops, but the region excludes that, because it has no tolerance.
       BOOST_TEST(stops_at_first_return(simulate(exact, f, below(at_published))));
       BOOST_TEST(stops_at_first_return(simulate(exact, f, at_exact)));
       BOOST_TEST(*simulate(exact, f, below(at_exact)).zero_passages >= 1);

@@ -28,14 +28,14 @@ const Problem problem{1, 1, 0.9};
 constexpr double f = 0.2;
 constexpr double delta = 0.3;
 
-/// What the check says of the good design when the prediction is changed.
+/// The check of the good design with a changed prediction.
 CrossCheck check_changed(const std::function<void(Prediction&)>& change) {
   Prediction prediction = predict(problem, f);
   change(prediction);
   return cross_check(prediction, problem, f, delta);
 }
 
-/// That the change is noticed by both methods.
+/// Both methods notice the change.
 void check_fires(const std::function<void(Prediction&)>& change) {
   const CrossCheck check = check_changed(change);
   BOOST_TEST(!check.passed);
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(a_right_prediction_passes_both_ways) {
     BOOST_TEST(method.relative_error <= method.tolerance);
     BOOST_TEST(method.wall_time_s >= 0);
   }
-  // Independent ways do not agree to the last bit.
+  // Independent methods do not agree to the last bit.
   BOOST_TEST(check.methods[1].relative_error > 0);
 }
 
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_number_of_half_cycles_is_noticed) {
 BOOST_AUTO_TEST_CASE(a_stop_position_that_is_off_is_noticed) {
   check_fires([](Prediction& wrong) { wrong.stop_position = 1e-6; });
   check_fires([](Prediction& wrong) { wrong.stop_position = -1e-6; });
-  // The error that is told is relative to the peak.
+  // The reported error is relative to the peak.
   const CrossCheck check =
       check_changed([](Prediction& wrong) { wrong.stop_position = wrong.peak_amplitude / 4; });
   for (const CheckMethod& method : check.methods) {
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(every_design_that_is_found_passes) {
         const CheckMethod& integrated = check.methods.at(1);
         BOOST_TEST(check.passed, name(objective) << ": errors " << map.relative_error << " and "
                                                  << integrated.relative_error);
-        // Where the arrival grazes, no more than half of the digits is given up.
+        // Where the arrival grazes, at most half of the digits are lost.
         BOOST_TEST(map.tolerance <= 1.01 * std::sqrt(map_tolerance));
         BOOST_TEST(integrated.tolerance <= 1.01 * std::sqrt(runge_kutta_tolerance));
         worst_map = std::max(worst_map, map.relative_error / map.tolerance);

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(an_empty_region_is_a_result_that_explains_itself) {
 }
 
 BOOST_AUTO_TEST_CASE(the_box_of_a_design_is_safe_in_simulation) {
-  // What the tolerance promises: every f and Delta within it stops at x = 0 with a peak within
+  // The tolerance promises that every f and Delta within it stops at x = 0 with a peak within
   // beta.
   constexpr double rounding = 1e-14;
   RandomSource random(1302);

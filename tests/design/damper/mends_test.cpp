@@ -24,9 +24,9 @@ using namespace stillpoint::design_test;
 
 /// Of closed forms in V0, p and beta, relative: their own three roundings and the mend's last bit.
 constexpr double value_tolerance = 8e-16;
-/// How much smaller a change must not do, relative to the change.
+/// A change smaller by this, relative to the change, must not suffice.
 constexpr double smaller = 1e-9;
-/// The same of two inputs, the other of which is sought 1e-9 inside the tolerance.
+/// The same for two inputs, where the other one is found 1e-9 inside the tolerance.
 constexpr double joint_smaller = 1e-7;
 
 struct Case {
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
       moved.field(field) *= field == "v0" ? 1 / less : less;
       BOOST_TEST(!moved.feasible(), field << " and the tolerance mend by less");
     }
-    // Whatever beta, no damper has more than that.
+    // No damper has more than that, for any beta.
     BOOST_TEST(mended.limits.tolerance <= joint->largest_tolerance * (1 + smaller));
     Case wide{now.problem, {std::nullopt, std::nullopt, joint->largest_tolerance}};
     wide.problem.beta = 1e9 * wide.problem.v0 / wide.problem.p;

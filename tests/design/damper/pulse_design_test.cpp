@@ -20,8 +20,8 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_design_test)
 
-// Designs for a pulse, held against the conditions (32) of docs/theory.md written out with V(f), a
-// scan of the (f, Delta) plane, and the forced motion.
+// Designs for a pulse, compared with the conditions (32) of docs/theory.md written out with V(f),
+// with a scan of the (f, Delta) plane, and with the forced motion.
 
 namespace {
 
@@ -29,7 +29,7 @@ using namespace stillpoint;
 using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
-/// What the design stays inside of its edges, relative: 1e-9 from f3, and as much of each velocity.
+/// Relative distance of the design from its edges: 1e-9 from f3, and as much for each velocity.
 constexpr double inset = 1e-8;
 
 double v0_at(const PulseProblem& problem, double f) {
@@ -52,7 +52,7 @@ bool holds_under_pulse(const PulseProblem& problem, double f, double delta) {
   return motion.stops_at_zero && motion.half_cycles == 1.0 && motion.peak_amplitude <= problem.beta;
 }
 
-/// The whole box, looked at in many points.
+/// The whole box, at many points.
 bool box_holds(const PulseProblem& problem, const Limits& limits, double f, double delta,
                double tolerance) {
   constexpr int steps = 8;
@@ -99,7 +99,7 @@ PulseRequest random_request(RandomSource& random) {
   return request;
 }
 
-/// Of the points of a grid whose box holds: the best value of the objective, and whether any does.
+/// The grid points whose box is admissible: whether there are any, and the best objective.
 struct Scan {
   bool any{false};
   double best{0};
@@ -122,7 +122,7 @@ double value_of(const PulseRequest& request, double f, double tolerance) {
 
 bool corners_hold(const PulseRequest& request, double f, double delta, double tolerance) {
   const auto& [problem, limits, search] = request;
-  // At the high corner stopping is no part of the question.
+  // The design need not stop at the high corner.
   const double high = f * (1 + tolerance);
   const double v0 = v0_at(problem, high);
   const bool starts_and_returns = high * std::sqrt(8.0) <= v0 * problem.p &&
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(the_pulse_itself_is_a_third_method) {
                                          check.response.peak_amplitude -
                                      1);
   BOOST_TEST(check.warnings.empty());
-  // A figure of the forced run that is wrong would not pass.
+  // A wrong figure of the forced run would not pass.
   BOOST_TEST(method.relative_error > 1e-4);
 }
 
@@ -314,7 +314,7 @@ BOOST_AUTO_TEST_CASE(friction_that_is_not_small_against_the_pulse_is_warned_of) 
   BOOST_TEST(warns(check, PulseWarning::friction_not_small));
 }
 
-// At f3 the reduced motion only just comes back, and the true one would fall short.
+// At f3 the reduced motion barely comes back, and the true one would fall short.
 BOOST_AUTO_TEST_CASE(a_design_on_the_edge_stops_at_zero_under_the_pulse_itself) {
   for (const Objective objective :
        {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
@@ -326,14 +326,14 @@ BOOST_AUTO_TEST_CASE(a_design_on_the_edge_stops_at_zero_under_the_pulse_itself) 
     BOOST_TEST(finding.pulse.value().response.stops_at_zero);
     BOOST_TEST(finding.cross_check.passed);
     BOOST_TEST(finding.point.f < f3);
-    if (objective == Objective::amplitude) {  // wants as much friction as there may be
+    if (objective == Objective::amplitude) {  // wants the most friction
       BOOST_TEST(finding.point.f > f3 * (1 - 0.05 * 0.05));
       BOOST_TEST(!holds_under_pulse(request.problem, f3 * (1 - 1e-9), finding.point.delta));
     }
   }
 }
 
-// Only just feasible by its velocity, so that the pulse itself decides.
+// Barely feasible by its velocity, so that the pulse itself decides.
 BOOST_AUTO_TEST_CASE(a_mend_holds_under_the_pulse_itself) {
   const DesignResult none = stillpoint::design::design(half_sine(0.5, 20, 0.02));
   BOOST_TEST(!none.finding.has_value());
@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_mends_it) {
   BOOST_TEST((fields == std::vector<std::string>{"k", "lambda", "p", "beta"}));
 }
 
-// Neither p nor lambda is mended to beyond what a forced run can follow.
+// No mend of p or lambda goes beyond what a forced run can follow.
 BOOST_AUTO_TEST_CASE(the_shortest_pulses_are_mended_too) {
   for (const double lambda : {1e6, 1.1e6, 1e9, 1e12}) {
     PulseRequest request;

@@ -2,7 +2,7 @@
 #pragma once
 
 // The formulas of the admissible region and of the designed motion as the paper writes them, in 50
-// digits, where no form is badly conditioned. The tests hold the library against these.
+// digits, where no form is badly conditioned. The tests compare the library with these.
 
 #include <stillpoint/design/problem.hpp>
 
@@ -85,7 +85,7 @@ class Reference {
   design::Criterion criterion_;
 };
 
-/// |value - expected| <= bound, and both numbers where it is not.
+/// |value - expected| <= bound; prints both numbers if not.
 inline boost::test_tools::predicate_result within(double value, const Precise& expected,
                                                   const Precise& bound) {
   const Precise error = abs(Precise(value) - expected);
@@ -97,7 +97,7 @@ inline boost::test_tools::predicate_result within(double value, const Precise& e
   return result;
 }
 
-/// The same, relative to what is expected.
+/// The same, relative to the expected value.
 inline boost::test_tools::predicate_result close(double value, const Precise& expected,
                                                  double tolerance) {
   return within(value, expected, Precise(abs(expected) * tolerance));

@@ -22,7 +22,7 @@ using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-/// Relative: on which side of a double an edge lies, long double may tell wrongly within this.
+/// Relative: within this, long double may put an edge on the wrong side of a double.
 constexpr double long_double_doubt = 1e-18;
 /// Raising beta by an ulp, 2.2e-16, lowers f2 by three times that; twice, where a first one is not
 /// enough for a double to fit.

@@ -15,7 +15,7 @@
 BOOST_AUTO_TEST_SUITE(region_simulation_test)
 
 // The region as the simulation sees it: points of (V0, p, beta, f, Delta) over nine decades, most
-// of them close to an edge, each asked of the formulas and of the half-cycle map.
+// of them close to an edge, each judged by the formulas and by the half-cycle map.
 
 namespace {
 
@@ -26,8 +26,8 @@ using namespace stillpoint::design_test;
 constexpr std::uint64_t seed = 20'260'301;
 constexpr std::int64_t points = 1'200'000;
 
-/// Relative. Nearer to tipping than this, the rounding of the region's edges (a few 1e-16) and that
-/// of the simulation (6e-16 for one half-cycle) may decide either way.
+/// Relative. Closer to a change than this, the rounding of the region's edges (a few 1e-16) and
+/// that of the simulation (6e-16 for one half-cycle) may decide either way.
 constexpr double undecided_within = 1e-14;
 /// How many points may lie that near to tipping: the nearest are sown at 1e-12 and their margin is
 /// that divided by the condition of the edge, so it takes an edge that is nearly vertical.
@@ -154,7 +154,7 @@ struct Seen {
   bool stops_on_first_return;
   bool within_beta;
   bool dead_zone_within_beta;
-  bool undecided;  ///< some requirement is nearer to tipping than undecided_within
+  bool undecided;  ///< some requirement is within undecided_within of its limit
 
   [[nodiscard]] bool all() const {
     return starts && stops_on_first_return && within_beta && dead_zone_within_beta;
@@ -229,11 +229,11 @@ BOOST_AUTO_TEST_CASE(the_simulation_shows_the_region_on_a_million_points) {
                                   << ", f = " << sample.f << ", delta = " << sample.delta);
     }
   }
-  // Inside of either region every requirement holds; outside of the exact one, one fails at least.
+  // Inside either region every requirement holds; outside the exact one at least one fails.
   BOOST_TEST(all.published_but_unsafe == 0);
   BOOST_TEST(all.exact_but_unsafe == 0);
   BOOST_TEST(all.outside_but_safe == 0);
-  // What the published bound refuses and the exact one admits stops at x = 0 all the same.
+  // A point that only the exact bound admits stops at x = 0 too.
   BOOST_TEST(all.between_but_unsafe == 0);
   BOOST_TEST(all.published_but_not_exact == 0);
   BOOST_TEST(all.undecided <= undecided_at_most);
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(the_simulation_shows_the_region_on_a_million_points) {
   BOOST_TEST_MESSAGE("published " << all.inside_published << ", exact " << all.inside_exact
                                   << ", between " << all.between << ", outside " << all.outside
                                   << ", undecided " << all.undecided);
-  // Each case was met often enough to mean something.
+  // Each case occurred often enough to be significant.
   BOOST_TEST(all.inside_published > points / 10);
   BOOST_TEST(all.between > points / 20);
   BOOST_TEST(all.outside > points / 10);

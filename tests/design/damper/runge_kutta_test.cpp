@@ -26,9 +26,9 @@ constexpr double tight = 1e-12;  ///< the integrator's
 /// Of times, p T, for each half-cycle, and of lengths, relative to V0/p, at that tolerance.
 constexpr double time_tolerance = 5e-10;
 constexpr double length_tolerance = 2e-10;
-/// Of v^2/V0^2 after a half-cycle; divided by its margin it is what a near thing turns it into.
+/// Of v^2/V0^2 after a half-cycle; near a tie it is divided by the margin.
 constexpr double energy_error = 1e-11;
-/// Below this decision margin the integrator's errors may tip a count.
+/// Below this decision margin the errors of the integrator may change a count.
 constexpr double clear_margin = 1e-7;
 
 IntegratedMotion integrate(double v0, double p, double f, double delta) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The best design by looking at every point of a grid: slow, but nothing to go wrong. In long
+// The best design of all points of a grid: slow, but simple. In long
 // double and in the paper's own units, so that it shares no formula with the search.
 
 #include <stillpoint/design/problem.hpp>
@@ -57,7 +57,7 @@ class Scan {
     return std::min(linear, low);
   }
 
-  /// The most tolerance of any Delta that goes with f.
+  /// The largest tolerance of any Delta for f.
   [[nodiscard]] Wide best_tolerance(Wide f, int steps) const {
     const Wide floor = std::max<Wide>(delta1(f), 0);
     Wide best = -1;
@@ -67,14 +67,14 @@ class Scan {
     return best;
   }
 
-  /// Whether some Delta goes with f at the tolerance that is asked for.
+  /// Whether some Delta is admissible with f at the requested tolerance.
   [[nodiscard]] bool serves(Wide f) const {
     const Wide lowest = std::max<Wide>(delta1(f * (1 - asked_)), 0) / (1 - asked_);
     return f * (1 - asked_) >= f2_ && f * (1 + asked_) <= f_cap_ &&
            lowest < delta_cap_ / (1 + asked_);
   }
 
-  /// What the objective makes small.
+  /// What the objective minimises.
   [[nodiscard]] Wide cost(design::Objective objective, Wide f, int delta_steps = 100) const {
     const Wide s = radius(f);
     switch (objective) {
@@ -90,8 +90,8 @@ class Scan {
     return 0;
   }
 
-  /// The least cost of all f of the grid that serve (for `robust`, the cost itself says whether one
-  /// does); HUGE_VAL where none does.
+  /// The least cost of all feasible f of the grid (for `robust`, the cost itself says whether f is
+  /// feasible); HUGE_VAL if none is.
   [[nodiscard]] Wide least_cost(design::Objective objective) const {
     Wide best = HUGE_VAL;
     const bool robust = objective == design::Objective::robust;

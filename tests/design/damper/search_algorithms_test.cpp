@@ -22,7 +22,7 @@ using namespace stillpoint::design_test;
 /// How near every algorithm comes to the default one: of R absolute, of the others relative.
 constexpr double algorithm_tolerance = 1e-3;
 
-/// Of R, where a local search ends a global one: SBPLX stops at steps of 1e-10 of x.
+/// Of R, if a local search follows a global one: SBPLX stops at steps of 1e-10 of x.
 constexpr double polished_tolerance = 1e-8;
 
 constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,

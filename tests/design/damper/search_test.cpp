@@ -22,11 +22,11 @@ using namespace stillpoint::design_test;
 
 /// Of a cost, relative (of R, absolute): the design stays a relative 1e-9 inside of open edges.
 constexpr double cost_tolerance = 1e-8;
-/// What the scan of 100 by 100 points may miss of R, absolute.
+/// Error in R of the scan of 100 by 100 points, absolute.
 constexpr double scan_miss = 0.02;
 /// Of the reported R, as in tolerance_test.
 constexpr double reported_tolerance = 4e-15;
-/// Of a tolerance that is all the region has: the rounding of its edges.
+/// Of the largest tolerance that the region allows: the rounding of its edges.
 constexpr double last_digits = 2e-15;
 
 constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
@@ -51,7 +51,7 @@ DesignPoint find(const Problem& problem, const Limits& limits, Objective objecti
   return result->point;
 }
 
-/// That the point is admissible with what was asked for (but for `doubt`) and reports its own
+/// The point is admissible with the requested tolerance (minus `doubt`) and reports its own
 /// tolerance.
 void check_point(const Problem& problem, const Limits& limits, const DesignPoint& point,
                  double doubt = 0) {
@@ -82,7 +82,7 @@ void check_search(const Problem& problem, const Limits& limits, Objective object
     } else {
       const auto cost = static_cast<double>(scan.cost(objective, point.f));
       BOOST_TEST(cost <= best * (1 + cost_tolerance));
-      // Delta is free: no other one that goes with this f has more tolerance.
+      // Delta is free: no other Delta for this f has more tolerance.
       BOOST_TEST(point.tolerance >=
                  static_cast<double>(scan.best_tolerance(point.f, 400)) - reported_tolerance);
     }

@@ -20,8 +20,8 @@
 #include <variant>
 #include <vector>
 
-// The speed comparison is worth as much as the methods that it compares with: each must find the
-// reference motions where its setting is fine, and be shown as it is where it is coarse.
+// The speed comparison is only as good as the methods that it compares: each must find the
+// reference motions with a fine setting, and be shown with its errors with a coarse one.
 
 namespace stillpoint::peers {
 
@@ -74,7 +74,7 @@ Scene with(const Excitation& excitation, const Oscillator& oscillator, const Sta
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(dopri5_finds_the_references) {
-  // 1e-12 a step; resonance enlarges what is lost on the way, 424 half-cycles add theirs up.
+  // 1e-12 per step; resonance amplifies the errors, and 424 half-cycles add theirs up.
   finds(scene("S1"), dopri5(scene("S1").scene, 1e-12), 1e-10);
   finds(scene("S2"), dopri5(scene("S2").scene, 1e-12), 1e-7);
   finds(scene("FR"), dopri5(scene("FR").scene, 1e-12), 1e-10);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(dopri5_finds_the_references) {
 }
 
 BOOST_AUTO_TEST_CASE(runge_kutta4_finds_the_references) {
-  // Its error is some step^4 a unit of time, and more at resonance.
+  // Its error is some step^4 per unit of time, and more at resonance.
   finds(scene("S1"), runge_kutta4(scene("S1").scene, 0.005), 1e-8);
   finds(scene("S2"), runge_kutta4(scene("S2").scene, 0.01), 1e-6);
   finds(scene("FR"), runge_kutta4(scene("FR").scene, 0.005), 1e-9);
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(peers_give_up_when_told) {
     BOOST_TEST(result.end_time > 0);
     BOOST_TEST(result.end_time < long_one.t_end);
   }
-  // Held for long by friction under a fast load: looks at the load are effort as well.
+  // Held for long by friction under a fast load: checks of the load are effort too.
   const Scene held = with(Harmonic{0.05, 1000}, {1, 0.1, 0}, {0, 0}, 1000);
   BOOST_TEST(!runge_kutta4(held, 1e-2, most).finished);
   BOOST_TEST(runge_kutta4(held, 1e-2).finished);
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(peers_that_come_to_the_end_have_finished) {
 }
 
 // The same motion in units 2^-17 times as large (f by it, Delta by its square): the arithmetic is
-// the same but for exponents, so that a method that is told of the size says the same.
+// the same except for exponents, so a method that knows the size gives the same result.
 BOOST_AUTO_TEST_CASE(a_scene_in_other_units_is_no_other_problem) {
   const double unit = std::ldexp(1, -17);
   const Scene& s = scene("S1").scene;
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_scene_in_other_units_is_no_other_problem) {
     same(dopri5(small, tolerance, size), dopri5(s, tolerance));
   }
   same(regularised(small, 1e-2, size), regularised(s, 1e-2));
-  // Not told, it takes the small motion for nearly nothing.
+  // Without the size, it treats the small motion as nearly nothing.
   BOOST_TEST(dopri5(small, 1e-6).turns != scene("S1").truth.turns);
 }
 
@@ -212,8 +212,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_end_to_follow_it_to_is_refused) {
                     TooManyHalfCycles);
 }
 
-// f a hair below k: the mass moves by 1e-23, and what the width of the regularised model then is
-// makes it stiffer than anybody would wait for.
+// f just below k: the mass moves by 1e-23, and the width of the regularised model is then so small
+// that its run would take for ever.
 BOOST_AUTO_TEST_CASE(what_hardly_moves_is_given_up) {
   const Comparison found = compare(with(FullSine{1, 0.5}, {1, 0.999999999999, 0.125}, {0, 0}, 30));
   BOOST_TEST(found.rows.front().result.turns == 1);

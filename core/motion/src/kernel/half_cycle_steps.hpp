@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The steps of HalfCycleWalk, with what Trajectory needs to know of the motion besides.
+// The steps of HalfCycleWalk, with the state of the motion that Trajectory needs.
 
 #include "kernel/ending.hpp"
 #include "kernel/first_leg.hpp"

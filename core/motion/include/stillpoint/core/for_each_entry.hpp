@@ -8,7 +8,7 @@
 
 namespace stillpoint {
 
-/// What was thrown in an entry of a loop; the message is that of its cause.
+/// An exception from an entry of a loop, with the message of its cause.
 class EntryError : public std::runtime_error {
  public:
   EntryError(std::ptrdiff_t entry, const std::exception_ptr& cause);
@@ -24,10 +24,10 @@ class EntryError : public std::runtime_error {
 /// Calls body(i) for each i from 0 to size - 1 on several threads (0: as many as the machine runs
 /// at once). Each i is called by one thread only, so no result depends on their number.
 ///
-/// `go_on`, where it is not empty, is asked before each entry, by several threads at once; when it
-/// returns false the remaining entries are skipped. Where body throws, no further entry is begun,
-/// and EntryError is thrown for the first entry that threw, whatever the number of threads.
-/// InputError for threads < 0.
+/// `go_on`, if not empty, is called before each entry, by several threads at once; when it returns
+/// false the remaining entries are skipped. If body throws, no further entry begins, and EntryError
+/// is thrown for the first entry that threw, for every number of threads. Throws InputError for
+/// threads < 0.
 void for_each_entry(std::ptrdiff_t size, int threads, const std::function<bool()>& go_on,
                     const std::function<void(std::ptrdiff_t)>& body);
 

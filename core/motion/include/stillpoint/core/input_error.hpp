@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -47,8 +48,13 @@ class TooManyHalfCycles : public std::runtime_error {
   /// The same error in entry `index` of arrays: "entry 17: ...".
   [[nodiscard]] TooManyHalfCycles in_entry(std::ptrdiff_t index) const;
 
+  /// Empty where only the limit is known to be exceeded.
+  [[nodiscard]] std::optional<double> bound() const noexcept { return bound_; }
+
  private:
   explicit TooManyHalfCycles(const std::string& message);
+
+  std::optional<double> bound_;
 };
 
 /// Throws InputError unless `value` is a finite number with low <= value <= high.

@@ -14,7 +14,7 @@
 
 namespace stillpoint {
 
-/// One motion, and how much of it is wanted.
+/// One motion, and which results to compute.
 struct SimulationRequest {
   Oscillator oscillator;
   Start start;
@@ -25,23 +25,23 @@ struct SimulationRequest {
   std::optional<std::int64_t> samples{};   ///< of the trajectory, >= 2; empty: no trajectory
 };
 
-/// What came of it.
+/// The results.
 struct Simulation {
   Response response;
-  std::optional<ForcedResponse> forced;  ///< where there is an excitation; response is its part
+  std::optional<ForcedResponse> forced;  ///< if there is an excitation; response is its part
   std::vector<HalfCycle> half_cycles;
   /// States at evenly spaced instants and at every event; a passage has two, before and after the
-  /// notch. Up to t_end, else to the end of the motion, and where that never ends ten periods (of a
-  /// forced motion ten more after the excitation).
+  /// notch. Up to t_end, otherwise to the end of the motion. A motion that never ends gets ten
+  /// periods (a forced motion ten more after the excitation).
   std::vector<State> trajectory;
-  /// Up to when half-cycles and trajectory of a forced motion go; 0 for a free one.
+  /// The tau where half-cycles and trajectory of a forced motion end; 0 for a free one.
   double horizon{0};
-  bool cancelled{false};  ///< go_on said no: the rest is incomplete
+  bool cancelled{false};  ///< go_on returned false: the rest is incomplete
 };
 
 [[nodiscard]] bool is_forced(const SimulationRequest& request);
 
-/// Metrics, half-cycles and trajectory of the motion. A forced run asks `go_on` now and then, in
+/// Metrics, half-cycles and trajectory of the motion. A forced run calls `go_on` now and then, in
 /// each of its up to three passes, with the tau reached; false ends it. Throws InputError as
 /// free_response and forced_response do, and of t_end where the motion rests too late to be listed
 /// up to then; TooManyHalfCycles.

@@ -9,7 +9,7 @@
 
 namespace stillpoint::design {
 
-/// One independent way to the same figures, and how far it is from the prediction.
+/// An independent method for the same figures, and its distance from the prediction.
 struct CheckMethod {
   std::string_view name;  ///< half_cycle_map or runge_kutta
   double tolerance{0};    ///< for relative_error
@@ -23,10 +23,10 @@ struct CheckMethod {
   /// relative errors of the other three.
   double relative_error{0};
   double wall_time_s{0};
-  /// False where the design is so near to a tie that this method's own rounding decides whether the
-  /// mass passes x = 0; then the peak alone is judged, and relative_error is the peak's.
+  /// False if the design is so close to a tie that the rounding of this method decides whether the
+  /// mass passes x = 0; then only the peak is judged, and relative_error is that of the peak.
   bool decided{true};
-  /// relative_error <= tolerance, and where decided the predicted half_cycles and a stop at x = 0.
+  /// relative_error <= tolerance and, if decided, the predicted half_cycles and a stop at x = 0.
   bool passed{false};
 };
 
@@ -35,7 +35,7 @@ struct CrossCheck {
   std::vector<CheckMethod> methods;
 };
 
-/// Holds the prediction against the half-cycle map (tolerance 1e-12) and against Runge-Kutta
+/// Compares the prediction with the half-cycle map (tolerance 1e-12) and with Runge-Kutta
 /// (1e-9; integrated at 1e-12). Where the arrival grazes x = 0, the stop time loses up to half of
 /// its digits in any arithmetic; both tolerances are multiplied by (31) of docs/theory.md, which is
 /// 1 away from there. Throws InputError for delta = 0, which is no design.

@@ -22,14 +22,14 @@ struct DesignRequest {
   std::optional<Pulse> pulse{};  ///< in place of problem.v0; see pulse_design.hpp
 };
 
-/// What was found for an admissible region.
+/// The design found for an admissible region.
 struct Finding {
   DesignPoint point;
   std::vector<Constraint> constraints;
   Response response;  ///< by the half-cycle map
   SearchRecord search;
   CrossCheck cross_check;
-  std::optional<PulseCheck> pulse;  ///< where a pulse gave the initial velocity
+  std::optional<PulseCheck> pulse;  ///< if a pulse gave the initial velocity
 };
 
 /// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the

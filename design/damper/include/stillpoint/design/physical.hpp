@@ -7,7 +7,7 @@ namespace stillpoint::design {
 
 /// The scales between metres, seconds and the paper's dimensionless numbers, its (5):
 ///   length H, time sqrt(H/g), velocity sqrt(g H), omega^2 = g p^2 / H.
-/// Any H > 0 serves; with a velocity the program takes H = velocity / omega, the amplitude without
+/// Any H > 0 works; with a velocity the program uses H = velocity / omega, the amplitude without
 /// friction.
 struct Scales {
   double length_m{1};
@@ -21,14 +21,14 @@ struct Scales {
   [[nodiscard]] double delta_m(double delta) const { return delta * length_m; }
   /// m f g, the constant friction force.
   [[nodiscard]] std::optional<double> friction_force_n(double f) const;
-  /// m g delta_m, what each passage through x = 0 takes.
+  /// m g delta_m, the energy lost at each passage through x = 0.
   [[nodiscard]] std::optional<double> energy_per_passage_j(double delta) const;
   /// m omega^2, the spring.
   [[nodiscard]] std::optional<double> stiffness_n_per_m() const;
 };
 
-/// What an engineer knows of an isolator. Exactly one of period_s and stiffness_n_per_m; the latter
-/// needs mass_kg. All positive.
+/// What an engineer knows about an isolator. Exactly one of period_s and stiffness_n_per_m; the
+/// latter needs mass_kg. All positive.
 struct PhysicalIsolator {
   std::optional<double> period_s;
   std::optional<double> stiffness_n_per_m;

@@ -5,8 +5,8 @@
 
 namespace stillpoint::design {
 
-/// What the design's own formulas say of an admissible (f, Delta): it stops at x = 0 at the first
-/// return. Closed forms of docs/theory.md section 7, not taken from the kernel.
+/// The motion of an admissible (f, Delta) by the formulas of the design: it stops at x = 0 on the
+/// first return. Closed forms of docs/theory.md section 7, not taken from the kernel.
 struct Prediction {
   double peak_amplitude{0};     ///< (24)
   double peak_acceleration{0};  ///< S

@@ -21,7 +21,7 @@ struct Problem {
   Criterion criterion{Criterion::published};
 };
 
-/// What may be built. Every limit holds for the whole box f (1 +- tolerance), Delta (1 +-
+/// What can be built. Every limit holds for the whole box f (1 +- tolerance), Delta (1 +-
 /// tolerance).
 struct Limits {
   std::optional<double> f_max{};

@@ -11,10 +11,10 @@
 
 namespace stillpoint::design {
 
-/// The pulses that amount to an initial velocity. A full sine does not: it leaves none.
+/// The pulses that act like an initial velocity. A full sine does not: it leaves none.
 using Pulse = std::variant<HalfSine, Rectangle>;
 
-/// A problem whose initial velocity a pulse leaves. Friction acts during the pulse already, so that
+/// A problem whose initial velocity comes from a pulse. Friction already acts during the pulse, so
 /// the velocity depends on f and falls with it: docs/forced.md section 8.
 struct PulseProblem {
   Pulse pulse;
@@ -23,8 +23,8 @@ struct PulseProblem {
   Criterion criterion{Criterion::published};
 };
 
-/// Throws InputError, naming the field, unless k > 0, lambda >= p (a longer pulse is no impulse),
-/// and the problem of the velocity left without friction is valid (problem.hpp).
+/// Throws InputError, naming the field, unless k > 0, lambda >= p (a longer pulse is not an
+/// impulse), and the problem of the velocity left without friction is valid (problem.hpp).
 void require_valid(const PulseProblem& problem, const Limits& limits = {});
 
 [[nodiscard]] double peak_load(const Pulse& pulse);          ///< k

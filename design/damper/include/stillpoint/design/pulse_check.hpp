@@ -10,7 +10,7 @@
 
 namespace stillpoint::design {
 
-/// What keeps a pulse from being an initial velocity.
+/// Why a pulse does not act like an initial velocity.
 enum class PulseWarning {
   pulse_not_short,     ///< p / lambda > 0.2
   friction_not_small,  ///< f / k > 0.2
@@ -21,7 +21,7 @@ enum class PulseWarning {
 /// The warning of that name; empty where there is none.
 [[nodiscard]] std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept;
 
-/// How the design stands under its pulse, followed from rest by the exact forced motion.
+/// The design under its pulse, followed from rest by the exact forced motion.
 struct PulseCheck {
   double shortness{0};       ///< p / lambda, the paper's eps for p = 1
   double friction_ratio{0};  ///< f / k

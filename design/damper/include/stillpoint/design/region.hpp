@@ -18,12 +18,11 @@ enum class Conflict {
   amplitude_against_f_max,   ///< f2 > f_max
   stop_against_start,        ///< Delta1 > Delta2 over the tolerance box
   stop_against_delta_max,    ///< Delta1 > delta_max
-  narrower_than_rounding,    ///< what is left lies between neighbouring doubles
+  narrower_than_rounding,    ///< the rest of the region lies between neighbouring doubles
 };
 
-/// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2 and what the limits
-/// leave of it. f1, f2, f3 and delta2 are the paper's; f2 is negative where amplitude does not
-/// bind.
+/// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2, and its part within
+/// the limits. f1, f2, f3 and delta2 are the paper's; f2 is negative where amplitude does not bind.
 struct Region {
   bool feasible{false};
   Conflict conflict{Conflict::none};
@@ -32,7 +31,7 @@ struct Region {
   double f3{0};
   double delta2{0};
   double beta_min{0};  ///< V0/(sqrt(2) p), condition (10); the least double that is feasible
-  /// The interval of f left after every limit, for the middle of the tolerance box. Empty where
+  /// The interval of feasible f within every limit, for the middle of the tolerance box. Empty if
   /// not feasible. The lower end itself is excluded where it comes from Delta (Delta1 < Delta is
   /// strict) or is 0.
   std::optional<double> f_lower;
@@ -43,7 +42,7 @@ struct Region {
 /// admissible. Throws InputError (problem.hpp).
 [[nodiscard]] Region admissible_region(const Problem& problem, const Limits& limits = {});
 
-/// Why the region is empty, as a sentence with the numbers; empty where it is not.
+/// Why the region is empty, as a sentence with the numbers; empty if it is not.
 [[nodiscard]] std::string reason(const Region& region, const Problem& problem,
                                  const Limits& limits = {});
 
@@ -89,31 +88,31 @@ struct Constraint {
 /// because Delta1 falls with f.
 [[nodiscard]] bool admissible(const Problem& problem, const Limits& limits, double f, double delta);
 
-/// The largest tolerance for which the box around (f, delta) is admissible, whatever
-/// `limits.tolerance` asks for; empty where the point itself is not.
+/// The largest tolerance for which the box around (f, delta) is admissible, for any
+/// `limits.tolerance`; empty if the point itself is not.
 [[nodiscard]] std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits,
                                                       double f, double delta);
 
-/// The least change of one input, the others as they are, that makes the region not empty.
+/// The least change of one input, with the others unchanged, that makes the region not empty.
 struct Mend {
   std::string_view field;  ///< v0 (of a pulse k, lambda), p, beta, f_max, delta_max or tolerance
   double value{0};
-  bool upwards{false};  ///< more of it mends, not less
+  bool upwards{false};  ///< it must grow, not shrink
 };
 
-/// One entry for each input that can mend it alone; none where the region is not empty.
+/// One entry for each input that suffices alone; none if the region is not empty.
 [[nodiscard]] std::vector<Mend> mends(const Problem& problem, const Limits& limits);
 
-/// What helps where no single input mends it, because no damper at all has the tolerance.
+/// The changes that help where no single input suffices, because no damper has the tolerance.
 struct JointMend {
-  double largest_tolerance{0};  ///< that any damper has, whatever beta and the limits
-  /// The tolerance and another input: the two that mend it when both are changed by the same factor
-  /// and that factor is the least there is. Neither can be nearer to what it was without the other
-  /// farther from it.
+  double largest_tolerance{0};  ///< of any damper, for any beta and limits
+  /// The tolerance and another input, both changed by the same factor, which is the least that
+  /// makes the region not empty. Neither can be closer to its old value unless the other is farther
+  /// from its own.
   std::vector<Mend> mends;
 };
 
-/// Empty where the region is not, and where one input can mend it.
+/// Empty if the region is not empty, or if one input suffices.
 [[nodiscard]] std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits);
 
 }  // namespace stillpoint::design

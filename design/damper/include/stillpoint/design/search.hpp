@@ -11,13 +11,13 @@
 
 namespace stillpoint::design {
 
-/// What makes one admissible damper better than another. The last three lie on the region's edge,
-/// so ask for a tolerance with them.
+/// What makes one admissible damper better than another. The last three optima lie on the edge of
+/// the region, so ask for a tolerance with them.
 enum class Objective {
   robust,        ///< largest R with every f (1 +- R), Delta (1 +- R) admissible
-  amplitude,     ///< least peak displacement: f as large as may be
-  time,          ///< least stop time: f as small as may be
-  acceleration,  ///< least peak acceleration: f as small as may be
+  amplitude,     ///< least peak displacement: the largest f
+  time,          ///< least stop time: the smallest f
+  acceleration,  ///< least peak acceleration: the smallest f
 };
 
 /// "robust", "amplitude", "time" or "acceleration".
@@ -31,7 +31,7 @@ enum class Objective {
 struct DesignPoint {
   double f{0};
   double delta{0};
-  double tolerance{0};  ///< the largest R that it withstands
+  double tolerance{0};  ///< the largest R that it allows
 };
 
 struct SearchOptions {
@@ -42,10 +42,10 @@ struct SearchOptions {
   double max_seconds{10};       ///< > 0
 };
 
-/// How the search went. `status` is NLopt's own word for it: XTOL_REACHED or SUCCESS where it
-/// converged; ROUNDOFF_LIMITED or FAILURE where the start was so good, or the region so small, that
-/// no step made sense to it; MAXEVAL_REACHED and MAXTIME_REACHED where the budget is spent, as
-/// global algorithms always do. The point is admissible whatever it says, because it is rechecked.
+/// How the search went. `status` is NLopt's own word: XTOL_REACHED or SUCCESS if it converged;
+/// ROUNDOFF_LIMITED or FAILURE if the start was so good, or the region so small, that no step made
+/// sense to it; MAXEVAL_REACHED or MAXTIME_REACHED if the budget was spent, which global algorithms
+/// always do. The point is admissible in every case, because it is rechecked.
 struct SearchRecord {
   std::string algorithm;
   std::string status;
@@ -58,20 +58,20 @@ struct SearchResult {
   SearchRecord record;
 };
 
-/// The NLopt algorithms that can be asked for.
+/// The NLopt algorithms to choose from.
 [[nodiscard]] std::span<const std::string_view> algorithm_names();
 
-/// The version of NLopt that runs, "2.7.1" for instance.
+/// The version of NLopt that runs, for example "2.7.1".
 [[nodiscard]] std::string nlopt_version();
 
 /// Throws InputError, naming the field, unless the algorithm is in the list, max_evaluations >= 1
 /// and max_seconds > 0.
 void require_valid(const SearchOptions& options);
 
-/// The best (f, Delta) of the region that the limits leave; empty where that is empty, or holds no
-/// point in doubles. Where the objective leaves Delta free, it is the Delta in the middle of what
-/// the box of f leaves, which has the most tolerance. On an open edge the design stays a relative
-/// 1e-9 inside. Throws InputError. docs/theory.md section 8.
+/// The best (f, Delta) of the region within the limits; empty if that is empty or contains no point
+/// in doubles. If the objective does not depend on Delta, Delta is in the middle of the range that
+/// is feasible for the box of f, which has the most tolerance. On an open edge the design stays a
+/// relative 1e-9 inside. Throws InputError. docs/theory.md section 8.
 [[nodiscard]] std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                                                  const SearchOptions& options = {});
 

@@ -14,9 +14,9 @@ namespace stillpoint::peers {
 /// Of a free motion; as many take a second or so in 50 digits.
 inline constexpr double most_half_cycles = 1e5;
 
-/// Up to when a motion without a `t_end` of its own is followed: past its rest, so that integrators
-/// have room to miss it. Empty where it never stops. Throws what free_response and forced_response
-/// throw, for wrong input and for more than `most_half_cycles`.
+/// The end of the run for a motion without a `t_end`: past its rest, so that integrators have room
+/// to miss it. Empty if it never stops. Throws what free_response and forced_response throw, for
+/// wrong input and for more than `most_half_cycles`.
 [[nodiscard]] std::optional<double> far_enough(const Oscillator& oscillator, const Start& start,
                                                const Excitation& excitation);
 
@@ -25,14 +25,14 @@ inline constexpr double most_half_cycles = 1e5;
 
 enum class Run {
   done,
-  nothing_moves,  ///< not run: the mass never moves, so that there is nothing to integrate
+  nothing_moves,  ///< not run: the mass never moves, so there is nothing to integrate
   too_long,       ///< not run to its end: it would take too long
 };
 
 /// A method with one setting on a scene; what follows `run` is empty unless that is `done`.
 struct MethodRow {
   std::string_view name;
-  std::string_view knob;  ///< what `setting` is; "" where there is none
+  std::string_view knob;  ///< the name of `setting`; "" if there is none
   double setting{0};
   Run run{Run::done};
   Timing time{};
@@ -49,8 +49,8 @@ struct Comparison {
   std::vector<MethodRow> rows;  ///< this project's kernel first
 };
 
-/// This project's kernel and what others would use, each with settings from coarse to fine. Every
-/// method gives up after an effort that takes it less than a second or so.
+/// This project's kernel and the methods that others would use, each with settings from coarse to
+/// fine. Every method gives up after an effort of less than a second or so.
 [[nodiscard]] Comparison compare(const Scene& scene);
 
 }  // namespace stillpoint::peers

@@ -10,8 +10,8 @@
 
 namespace stillpoint::peers {
 
-/// Where `function` changes its sign in [from, to], as near as doubles go; `to` where it does not.
-/// It may vanish at `from`, where a piece begins at rest: that root is not meant.
+/// Where `function` changes its sign in [from, to], to the last bit; `to` if it does not. It may
+/// vanish at `from`, where a piece begins at rest: that root does not count.
 template <class Function>
 double bracketed_root(const Function& function, double from, double to) {
   const double at_to = function(to);

@@ -4,8 +4,8 @@
 // One motion by an integrator: the rules of docs/forced.md section 1 around pieces in which the
 // sign s of v is constant,
 //   x' = v,   v' = -W(t) - p^2 x - s f.
-// Events are what its users take them for: a change of sign over a step, then a bracketed root on
-// the integrator's own states within the step.
+// An event is found as users do it: a change of sign over a step, then a bracketed root on the
+// integrator's own states within the step.
 //
 // A Method integrates:
 //   begin(motion, t, state)  a new piece, or after a jump of W
@@ -181,7 +181,7 @@ class EventRun {
       if (turned) {
         locate(motion, 1, step.from, step.to);
       }
-      // Where the motion turns within the step, its place there says whether it met the notch.
+      // If the motion turns within the step, its position there says whether it met the notch.
       if (notched && s * x() >= 0) {
         locate(motion, 0, step.from, t_);
         arrive();

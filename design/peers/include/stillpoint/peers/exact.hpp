@@ -5,7 +5,7 @@
 
 namespace stillpoint::peers {
 
-/// A number in about 32 digits: `near` is the closest double, `rest` what that leaves.
+/// A number in about 32 digits: the closest double `near` and the difference `rest`.
 struct Wide {
   double near{0};
   double rest{0};
@@ -26,7 +26,7 @@ struct ExactResult {
   Wide v;
 };
 
-/// A free scene (NoExcitation) to its rest, whatever t_end; a forced one to t_end or its rest.
+/// A free scene (NoExcitation) to its rest, for any t_end; a forced one to t_end or its rest.
 /// Throws TooManyHalfCycles where a free one may have more than `most_half_cycles`. One that never
 /// stops has no meaning here: it must not be free of all friction.
 [[nodiscard]] ExactResult exact(const Scene& scene, double most_half_cycles);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// W(tau) as integrators want it: smooth on a stretch, and the ends of stretches known.
+// W(tau) for integrators: smooth stretches with known ends.
 
 #include <stillpoint/core/excitation.hpp>
 

@@ -6,7 +6,7 @@
 
 namespace stillpoint::peers {
 
-/// Seconds a call.
+/// Seconds per call.
 struct Timing {
   double median{0};
   double low{0};   ///< lower quartile of the batches
@@ -20,8 +20,8 @@ struct MeasureOptions {
   double slow{0.2};            ///< a call that takes longer is timed once: Timing::batches is 1
 };
 
-/// Times all calls, a batch of each in turn and then the next batch of each, so that what else the
-/// machine does meets them alike.
+/// Times all calls, a batch of each in turn and then the next batch of each, so that other work of
+/// the machine affects them alike.
 [[nodiscard]] std::vector<Timing> measure(const std::vector<std::function<void()>>& calls,
                                           const MeasureOptions& options);
 

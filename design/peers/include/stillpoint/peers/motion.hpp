@@ -20,7 +20,7 @@ struct Motion {
   }
 };
 
-/// What an integrator that looks for events itself found at the end of a step.
+/// The event that an integrator with its own event finder found at the end of a step.
 enum class Located { nothing, turn, arrival };
 
 struct Step {

@@ -8,7 +8,7 @@
 
 namespace stillpoint::peers {
 
-/// A scene of the comparison and what is true of it.
+/// A scene of the comparison and its true result.
 struct ReferenceScene {
   std::string name;    ///< S1, ...
   std::string legend;  ///< in words

@@ -18,7 +18,7 @@ struct Scene {
   double t_end{0};  ///< tau at which the run ends, > 0 and finite; it ends before in a final rest
 };
 
-/// What a method found, dimensionless; the counts are defined as in core's Response.
+/// The result of a method, dimensionless; the counts are defined as in core's Response.
 struct Result {
   Outcome outcome{Outcome::running};  ///< `running`: followed up to end_time
   double peak{0};                     ///< largest |x|
@@ -29,11 +29,11 @@ struct Result {
   std::int64_t turns{0};
   std::int64_t sticks{0};
   std::int64_t steps{0};  ///< accepted integration steps; 0 where the method has none
-  bool finished{true};    ///< false: it gave up after the effort it was allowed, `running`
+  bool finished{true};    ///< false: it gave up after the allowed effort, `running`
 };
 
-/// What an integrator may be told of a motion: its absolute tolerances are relative to this, so
-/// that a scene in other units is no other problem.
+/// The size of a motion, for integrators: their absolute tolerances are relative to it, so that the
+/// units of a scene do not matter.
 struct Size {
   double length{1};
   double speed{1};

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The requests of design and region, which share their task.
+
+#include "choices.hpp"
+#include "excitation_input.hpp"
+#include "motion_input.hpp"
+#include "request.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// As for the isolator's own figures: what these make dimensionless is then valid as well.
+constexpr double smallest_physical = 1e-30;
+constexpr double largest_physical = 1e30;
+/// Of a limit of Delta, as problem.hpp has it.
+constexpr double smallest_limit = 1e-300;
+
+struct Task {
+  design::Problem problem;
+  design::Limits limits;
+  std::optional<design::PhysicalInput> physical;
+};
+
+/// The stroke beta. Says in `motion` what it is in metres.
+double stroke(const Settings& settings, MotionInput& motion) {
+  if (!motion.physical) {
+    return settings.required("beta", "give --beta, or --max-displacement in m");
+  }
+  const double displacement =
+      settings.required("max-displacement", "give the largest admissible displacement in m");
+  require_within("max-displacement", displacement, smallest_physical, largest_physical);
+  motion.physical->max_displacement_m = displacement;
+  return displacement / motion.physical->scales.length_m;
+}
+
+/// With a pulse, without a velocity.
+Task task(const Settings& settings, Command command, bool pulse) {
+  MotionInput motion = motion_input(settings, command, pulse);
+  const double beta = stroke(settings, motion);
+  if (motion.physical && !pulse) {
+    require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
+                   largest_physical);
+  }
+  return {{motion.v0, motion.p, beta, criterion(settings)},
+          {settings.number("f-max"),
+           point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
+           settings.number("tolerance").value_or(0)},
+          motion.physical};
+}
+
+}  // namespace
+
+design::Criterion criterion(const Settings& settings) {
+  return settings.chosen("criterion", criteria);
+}
+
+design::Objective objective(const Settings& settings) {
+  return settings.chosen("objective", objectives);
+}
+
+DesignInput design_input(const Settings& settings) {
+  const std::optional<design::Pulse> pulse = pulse_input(settings);
+  const Task given = task(settings, Command::design, pulse.has_value());
+  const std::optional<std::string> algorithm = settings.text("algorithm");
+  if (algorithm && algorithm->empty()) {
+    throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
+  }
+  DesignInput input{{given.problem, given.limits, {}, pulse}, given.physical};
+  input.request.search.objective = objective(settings);
+  input.request.search.algorithm = algorithm.value_or("");
+  return input;
+}
+
+RegionInput region_input(const Settings& settings) {
+  if (settings.has("pulse") && !settings.has("v0") && !settings.has("velocity")) {
+    throw InputError::missing(
+        "v0", "region needs a velocity, not a pulse: give --v0, or --velocity in m/s");
+  }
+  const Task given = task(settings, Command::region, false);
+  RegionInput input{{given.problem, given.limits, settings.number("f")}, given.physical};
+  auto& [problem, limits, f, delta] = input.request;
+  delta = point_friction(settings, "delta", "delta-m", given.physical);
+  if (f) {
+    require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
+  }
+  if (delta && !f) {
+    throw InputError::missing("f", "delta alone is not a point of the region, give --f as well");
+  }
+  return input;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "settings.hpp"
+
+#include <stillpoint/design/physical_input.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace stillpoint::cli {
+
+/// v0, p and x0 of a motion, however they were given.
+struct MotionInput {
+  double v0{0};
+  double p{1};
+  double x0{0};
+  std::optional<design::PhysicalInput> physical;
+};
+
+/// `from_rest`: the velocity may be missing, because something else sets the mass off. Throws
+/// UsageError for options that exclude each other and InputError for a missing or wrong value.
+[[nodiscard]] MotionInput motion_input(const Settings& settings, Command command, bool from_rest);
+
+/// A point friction, which may be given in metres, then at least `least`. Empty where not given.
+[[nodiscard]] std::optional<double> point_friction(
+    const Settings& settings, std::string_view plain, std::string_view metres,
+    const std::optional<design::PhysicalInput>& physical, double least = 0);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::records {
+
+/// Units of the values in a file.
+enum class RecordUnits { g, m_per_s2, cm_per_s2 };
+
+/// "g", "m/s2" or "cm/s2".
+[[nodiscard]] std::string_view name(RecordUnits units) noexcept;
+/// Throws InputError for any other name.
+[[nodiscard]] RecordUnits parse_record_units(std::string_view name);
+
+/// The unit of the times in a file, and which of them a motion can follow, excitation.hpp. This is
+/// asked while the file is read, so that an error can name the line.
+struct RecordClock {
+  std::string_view unit{"s"};
+  double per_tau{1};  ///< how much of this unit is one tau; > 0
+  double p{1};        ///< of the oscillator; > 0
+
+  /// The shortest time between two values, rounded.
+  [[nodiscard]] double shortest() const { return smallest_speed / std::min(p, 1.0) * per_tau; }
+  [[nodiscard]] double latest() const { return largest_speed * per_tau; }
+  /// The largest value in g.
+  [[nodiscard]] double largest_load() const { return largest_speed * std::min(p, 1.0); }
+  [[nodiscard]] bool reaches(double time) const { return time / per_tau <= largest_speed; }
+  /// Whether the motion can tell `time` from `before`.
+  [[nodiscard]] bool tells_apart(double before, double time) const {
+    const double tau = time / per_tau - before / per_tau;
+    return p * tau >= smallest_speed && tau >= smallest_speed;
+  }
+  [[nodiscard]] bool holds_step(double step) const { return reaches(step) && tells_apart(0, step); }
+};
+
+struct RecordOptions {
+  /// In the clock's unit, > 0; for a file with values alone, and only for that.
+  std::optional<double> step{};
+  /// If not given: what the file's header says, else g.
+  std::optional<RecordUnits> units{};
+  double scale{1};                   ///< factor on every value; negative reverses it; not 0
+  double gravity_m_per_s2{9.80665};  ///< one g of the result
+  RecordClock clock{};
+};
+
+/// An acceleration record as a motion takes it, and what the file says about it.
+struct RecordFile {
+  Record record;            ///< in g and tau, scaled; at least one value
+  std::string description;  ///< the titles of a PEER record or the first comment; may be empty
+  RecordUnits units{RecordUnits::g};
+};
+
+inline constexpr std::size_t largest_record_bytes = std::size_t{64} << 20U;
+
+/// Reads a record in any format of docs/records.md. Throws FileError, with the line, if the file is
+/// wrong or contradicts the options, and InputError for a wrong or missing option.
+[[nodiscard]] RecordFile read_record(const std::string& path, const RecordOptions& options = {});
+
+/// The same from text that is in memory; `path` stands for it in errors, and its ending may tell
+/// the format.
+[[nodiscard]] RecordFile parse_record(std::string_view text, const std::string& path,
+                                      const RecordOptions& options = {});
+
+}  // namespace stillpoint::records

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "at2_parts.hpp"
+
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::records {
+
+namespace {
+
+/// A word of the line with NPTS and DT, and the number that it is, if any.
+struct HeaderWord {
+  std::string text;
+  std::optional<double> number;
+};
+
+bool begins_number(char c) {
+  return (c >= '0' && c <= '9') || c == '.' || c == '+' || c == '-';
+}
+
+/// ".0200SEC" as ".0200" and "SEC".
+std::size_t number_length(std::string_view word) {
+  const std::size_t end = std::min(word.find_first_not_of("0123456789.+-EeDd"), word.size());
+  return scan_fortran_number(word.substr(0, end)).fault == NumberFault::none ? end : 0;
+}
+
+std::vector<HeaderWord> header_words(std::string_view line) {
+  std::vector<HeaderWord> words;
+  for (std::string_view word : words_of(line, " \t,;:=()")) {
+    const std::size_t length = begins_number(word.front()) ? number_length(word) : 0;
+    if (length > 0) {
+      const std::string_view digits = word.substr(0, length);
+      words.push_back({std::string(digits), scan_fortran_number(digits).value});
+      word.remove_prefix(length);
+    }
+    while (word.ends_with('.')) {
+      word.remove_suffix(1);
+    }
+    if (!word.empty()) {
+      words.push_back({upper_case(word), std::nullopt});
+    }
+  }
+  return words;
+}
+
+/// The words NPTS and DT of a line with their numbers, one after each word ("NPTS= 2000, DT= .02
+/// SEC") or both in front ("2000 0.02 NPTS, DT").
+class CountLine {
+ public:
+  explicit CountLine(const RecordReader& reader)
+      : reader_(reader),
+        words_(header_words(reader.line())),
+        npts_(index("NPTS")),
+        dt_(index("DT")) {
+    if (dt_ == words_.size()) {
+      reader_.refuse("NPTS without DT: both must be in this line, as in NPTS= 2000, DT= .02 SEC");
+    }
+    numbers_first_ = std::min(npts_, dt_) == 2 && words_[0].number && words_[1].number;
+  }
+
+  [[nodiscard]] std::size_t count() const {
+    const HeaderWord& word = number_of("NPTS", npts_, npts_ > dt_);
+    const double count = *word.number;
+    if (count < 1 || count > largest_count || count != std::floor(count)) {
+      reader_.refuse(fmt::format("NPTS = {}: must be a whole number from 1 to {:.0f}", word.text,
+                                 largest_count));
+    }
+    return static_cast<std::size_t>(count);
+  }
+
+  [[nodiscard]] double step() const {
+    const HeaderWord& word = number_of("DT", dt_, dt_ > npts_);
+    if (*word.number <= 0) {
+      reader_.refuse(fmt::format("DT = {}: must be more than 0", word.text));
+    }
+    require_seconds();
+    return *word.number;
+  }
+
+ private:
+  /// More values than a file within the size limit can hold.
+  static constexpr double largest_count = 1e9;
+
+  [[nodiscard]] std::size_t index(std::string_view text) const {
+    const auto found = std::ranges::find(words_, text, &HeaderWord::text);
+    return static_cast<std::size_t>(found - words_.begin());
+  }
+
+  [[nodiscard]] const HeaderWord& number_of(std::string_view key, std::size_t at,
+                                            bool is_second) const {
+    const std::size_t place = numbers_first_ ? (is_second ? 1 : 0) : at + 1;
+    if (place >= words_.size() || !words_[place].number) {
+      reader_.refuse(fmt::format("{} has no number", key));
+    }
+    return words_[place];
+  }
+
+  /// A factor of 1000 must not slip through.
+  void require_seconds() const {
+    const std::size_t place = numbers_first_ ? std::max(npts_, dt_) + 1 : dt_ + 2;
+    if (place >= words_.size()) {
+      return;
+    }
+    const std::string_view unit = words_[place].text;
+    constexpr std::array others{"MS", "MILLI", "US", "MICRO", "MIN", "HZ", "SPS"};
+    if (std::ranges::any_of(others,
+                            [unit](std::string_view other) { return unit.starts_with(other); })) {
+      reader_.refuse(fmt::format("DT in {}: must be in SEC", quoted(unit)));
+    }
+  }
+
+  const RecordReader& reader_;
+  std::vector<HeaderWord> words_;
+  std::size_t npts_;
+  std::size_t dt_;
+  bool numbers_first_{false};
+};
+
+}  // namespace
+
+bool has_npts(std::string_view line) {
+  const std::string text = upper_case(line);
+  const auto is_letter = [&text](std::size_t at) {
+    return at < text.size() && ((text[at] >= 'A' && text[at] <= 'Z') || text[at] == '_');
+  };
+  constexpr std::string_view npts = "NPTS";
+  for (std::size_t at = text.find(npts); at != std::string::npos; at = text.find(npts, at + 1)) {
+    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + npts.size())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+At2Counts read_at2_counts(const RecordReader& reader) {
+  const CountLine line(reader);
+  return {line.count(), line.step()};
+}
+
+}  // namespace stillpoint::records

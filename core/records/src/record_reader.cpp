@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "record_reader.hpp"
+
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::records {
+
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr char end_of_dos_file = '\x1A';
+
+/// Bytes that no text has. A form feed and DOS's end of file may be in a trailer.
+bool is_binary(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20U && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != end_of_dos_file;
+}
+
+}  // namespace
+
+RecordReader::RecordReader(std::string_view text, const std::string& path,
+                           const RecordOptions& options)
+    : path_(&path), options_(&options), rest_(text) {
+  if (rest_.starts_with(byte_order_mark)) {
+    rest_.remove_prefix(byte_order_mark.size());
+  }
+  if (rest_.ends_with(end_of_dos_file)) {
+    rest_.remove_suffix(1);
+  }
+  if (rest_.empty()) {
+    throw FileError({"record", path}, "is empty");
+  }
+  const auto* const found = std::ranges::find_if(rest_, is_binary);
+  if (found != rest_.end()) {
+    const auto line = 1 + std::count(rest_.begin(), found, '\n');
+    refuse(static_cast<std::size_t>(line),
+           fmt::format("is not text: it holds the byte 0x{:02X}", static_cast<unsigned>(*found)));
+  }
+}
+
+bool RecordReader::next() {
+  if (rest_.empty()) {
+    return false;
+  }
+  const std::size_t end = rest_.find('\n');
+  line_ = rest_.substr(0, end);
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  if (line_.ends_with('\r')) {
+    line_.remove_suffix(1);
+  }
+  ++number_;
+  return true;
+}
+
+void RecordReader::refuse_word(std::string_view word, std::string_view message) const {
+  const auto column = static_cast<std::size_t>(word.data() - line_.data()) + 1;
+  throw FileError({"record", *path_, number_, column}, fmt::format("{} {}", quoted(word), message));
+}
+
+void RecordReader::refuse(std::size_t number, std::string_view message) const {
+  throw FileError({"record", *path_, number}, message);
+}
+
+void RecordReader::refuse_step(std::size_t line, std::string_view what) const {
+  if (options_->step) {
+    refuse(line, fmt::format("{}, so record-step = {} must not be given", what, *options_->step));
+  }
+}
+
+double RecordReader::parse_number(std::string_view word) const {
+  const ScannedNumber scanned = scan_fortran_number(word);
+  if (scanned.fault != NumberFault::none) {
+    refuse_word(word, explanation(scanned.fault));
+  }
+  return scanned.value;
+}
+
+void RecordReader::set_units(RecordUnits units) {
+  units_per_g_ = units == RecordUnits::m_per_s2    ? options_->gravity_m_per_s2
+                 : units == RecordUnits::cm_per_s2 ? 100 * options_->gravity_m_per_s2
+                                                   : 1;
+}
+
+double RecordReader::parse_acceleration(std::string_view word) const {
+  ScannedNumber given = scan_fortran_number(word);
+  if (given.fault == NumberFault::out_of_range) {
+    given.value = HUGE_VAL;
+  } else if (given.fault != NumberFault::none) {
+    refuse_word(word, explanation(given.fault));
+  }
+  const double value = given.value * options_->scale / units_per_g_;
+  const double largest = options_->clock.largest_load();
+  if (given.value != 0 && !(std::isnormal(value) && std::abs(value) <= largest)) {
+    refuse_word(word, fmt::format("is out of range: in g it must be 0 or have a magnitude from "
+                                  "2.2e-308 to {:.3g}",
+                                  largest));
+  }
+  return value;
+}
+
+std::string step_bounds(const RecordClock& clock) {
+  return fmt::format("must be from {:.3g} to {:.3g} {}", clock.shortest(), clock.latest(),
+                     clock.unit);
+}
+
+}  // namespace stillpoint::records

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/records/record_file.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::records {
+
+/// The lines of a record file one after the other, the numbers in them, and the errors that name
+/// them. Lines end with LF or CR LF; a byte order mark at the beginning is left out. A copy reads
+/// ahead.
+class RecordReader {
+ public:
+  /// All three must outlive this. Throws FileError if the text is empty or binary.
+  RecordReader(std::string_view text, const std::string& path, const RecordOptions& options);
+
+  /// Goes to the next line. After the last line it stays there and returns false.
+  bool next();
+
+  [[nodiscard]] std::string_view line() const { return line_; }
+  /// Counted from 1; 0 before the first `next`.
+  [[nodiscard]] std::size_t number() const { return number_; }
+  [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
+  [[nodiscard]] const std::string& path() const { return *path_; }
+  [[nodiscard]] const RecordOptions& options() const { return *options_; }
+
+  /// Each throws FileError: for this line, for the place of `word` in it, for line `number`.
+  [[noreturn]] void refuse(std::string_view message) const { refuse(number_, message); }
+  [[noreturn]] void refuse_word(std::string_view word, std::string_view message) const;
+  [[noreturn]] void refuse(std::size_t number, std::string_view message) const;
+  /// If the options have a step, for a file that has its own: `line` is where, `what` is which.
+  void refuse_step(std::size_t line, std::string_view what) const;
+
+  /// The number that `word`, a part of this line, stands for. Refuses anything else.
+  [[nodiscard]] double parse_number(std::string_view word) const;
+
+  /// The units of the accelerations, from here on.
+  void set_units(RecordUnits units);
+  /// The acceleration in g that `word` stands for, scaled. In g with the scale 1 no bit changes.
+  [[nodiscard]] double parse_acceleration(std::string_view word) const;
+
+ private:
+  const std::string* path_;
+  const RecordOptions* options_;
+  double units_per_g_{1};
+  std::string_view rest_;
+  std::string_view line_;
+  std::size_t number_{0};
+};
+
+/// The bound of a step, as messages give it.
+[[nodiscard]] std::string step_bounds(const RecordClock& clock);
+
+}  // namespace stillpoint::records

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/sweep/quantity.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::sweep {
+
+class LineReader;
+
+enum class ListFormat { csv, jsonl };
+
+/// The entries of a list, one on each line: CSV with a header that names the columns, or JSON
+/// objects that all have the same keys. Blank lines are skipped. Columns are inputs of a sweep.
+/// What is wrong with a line throws records::FileError, with the number of the line.
+class List {
+ public:
+  /// Reads the header, or the first object. `path` "-" is standard input. Without a format the list
+  /// is JSON lines if its first character other than a blank is "{".
+  explicit List(const std::string& path, std::optional<ListFormat> format = {});
+  List(const List&) = delete;
+  List& operator=(const List&) = delete;
+  List(List&&) = delete;
+  List& operator=(List&&) = delete;
+  ~List();
+
+  [[nodiscard]] const std::vector<Quantity>& columns() const { return columns_; }
+  [[nodiscard]] bool has(Quantity column) const;
+  [[nodiscard]] ListFormat format() const { return format_; }
+  /// "standard input", or the path.
+  [[nodiscard]] const std::string& source() const;
+
+  /// The values of the next entry, one for each column; false at the end and after a stop.
+  [[nodiscard]] bool next(std::vector<double>& values, const std::stop_token& stop = {});
+  /// The line of the entry that was read last, from 1.
+  [[nodiscard]] std::int64_t line() const;
+
+  /// Throws FileError about line `line`.
+  [[noreturn]] void refuse(std::int64_t line, std::string_view what) const;
+
+ private:
+  [[nodiscard]] bool next_line(std::string_view& line, const std::stop_token& stop);
+  void read_header(std::string_view line);
+  void read_row(std::string_view line, std::vector<double>& values);
+  void read_object(std::string_view line, std::vector<double>& values);
+  [[noreturn]] void refuse(std::string_view what) const;
+
+  std::unique_ptr<LineReader> lines_;
+  ListFormat format_{ListFormat::csv};
+  std::vector<Quantity> columns_;
+  std::optional<std::vector<double>> first_;  ///< read with the keys, not yet given
+};
+
+}  // namespace stillpoint::sweep

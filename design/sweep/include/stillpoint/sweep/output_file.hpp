@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::sweep {
+
+/// Throws records::FileError "FIELD PATH: cannot be written: ..." for an errno.
+[[noreturn]] void refuse_writing(std::string_view field, const std::string& path, int error);
+
+/// Throws InputError if `path` is empty or "-", and FileError if it is a directory.
+void require_file_name(std::string_view field, const std::string& path);
+
+/// Writes everything; 0 or the error.
+[[nodiscard]] int write_all(int descriptor, std::string_view text);
+
+/// Whether the path leads to what standard output is.
+[[nodiscard]] bool is_standard_output(const std::string& path);
+
+/// Whether the path leads to something other than a regular file: a device, a pipe.
+[[nodiscard]] bool is_special_file(const std::string& path);
+
+/// Where a chain of links leads; that file need not exist.
+[[nodiscard]] std::filesystem::path behind_links(std::filesystem::path path);
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace stillpoint::sweep {
+
+/// What a sweep varies and what it computes: the columns of its output, in their order. A grid
+/// varies its axes in this order too, the last one fastest.
+enum class Quantity : std::uint8_t {
+  v0,
+  p,
+  x0,
+  beta,
+  feasible,
+  f,
+  delta,
+  tolerance,
+  peak_amplitude,
+  half_cycles,
+  outcome,
+  stop_position,
+  stop_time,
+  end_time,
+  final_position,
+  final_velocity,
+  sticks,
+  stick_time,
+};
+
+/// How a quantity is written. In memory all are doubles.
+enum class Form : std::uint8_t {
+  number,   ///< NaN: does not exist; infinite: never happens. Both are empty in CSV
+  outcome,  ///< see outcome.hpp; its name in CSV
+  truth,    ///< 0 or 1
+};
+
+struct QuantityForm {
+  Quantity quantity;
+  std::string_view name;  ///< as in the reports and as an option
+  Form form{Form::number};
+};
+
+inline constexpr std::array quantity_forms{
+    QuantityForm{Quantity::v0, "v0"},
+    QuantityForm{Quantity::p, "p"},
+    QuantityForm{Quantity::x0, "x0"},
+    QuantityForm{Quantity::beta, "beta"},
+    QuantityForm{Quantity::feasible, "feasible", Form::truth},
+    QuantityForm{Quantity::f, "f"},
+    QuantityForm{Quantity::delta, "delta"},
+    QuantityForm{Quantity::tolerance, "tolerance"},
+    QuantityForm{Quantity::peak_amplitude, "peak_amplitude"},
+    QuantityForm{Quantity::half_cycles, "half_cycles"},
+    QuantityForm{Quantity::outcome, "outcome", Form::outcome},
+    QuantityForm{Quantity::stop_position, "stop_position"},
+    QuantityForm{Quantity::stop_time, "stop_time"},
+    QuantityForm{Quantity::end_time, "end_time"},
+    QuantityForm{Quantity::final_position, "final_position"},
+    QuantityForm{Quantity::final_velocity, "final_velocity"},
+    QuantityForm{Quantity::sticks, "sticks"},
+    QuantityForm{Quantity::stick_time, "stick_time"},
+};
+
+inline constexpr std::size_t quantity_count = quantity_forms.size();
+
+constexpr std::size_t index(Quantity quantity) {
+  return static_cast<std::size_t>(quantity);
+}
+constexpr std::string_view name(Quantity quantity) {
+  return quantity_forms[index(quantity)].name;
+}
+constexpr Form form(Quantity quantity) {
+  return quantity_forms[index(quantity)].form;
+}
+
+/// '-' and '_' are the same.
+[[nodiscard]] std::optional<Quantity> find_quantity(std::string_view name);
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/sweep/state.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::sweep {
+
+struct SweepSpec;
+
+/// The rows of a sweep that ended early.
+struct LeftRows {
+  std::int64_t count{0};
+  std::string file{};  ///< where they wait to be resumed; empty if they are written for good
+};
+
+/// Where the rows of a sweep go.
+class RowSink {
+ public:
+  RowSink() = default;
+  RowSink(const RowSink&) = delete;
+  RowSink& operator=(const RowSink&) = delete;
+  RowSink(RowSink&&) = delete;
+  RowSink& operator=(RowSink&&) = delete;
+  virtual ~RowSink() = default;
+
+  /// What an interrupted sweep had written.
+  [[nodiscard]] virtual const SweepState& found() const = 0;
+  /// Nothing is left to do but `finish`.
+  [[nodiscard]] virtual bool complete() const { return false; }
+
+  /// This and the next two throw records::FileError if the rows cannot be written.
+  virtual void write(std::string_view bytes) = 0;
+  /// What was written makes up `state`, from where a sweep can be resumed.
+  virtual void reached(const SweepState& state) = 0;
+  /// Everything is written. `header` replaces the beginning, and is as long as what is there.
+  virtual void finish(const SweepState& state, std::string_view header) = 0;
+
+  /// The sweep ends early: keeps what can be resumed. Further calls change nothing.
+  virtual LeftRows leave() = 0;
+};
+
+/// Another sweep left files, or is still writing them, and this sweep must not touch them.
+class LeftoverError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The file of the sweep, or standard output. Throws FileError if it cannot be written,
+/// LeftoverError if another sweep left a part of it that this one does not or cannot resume, and
+/// InputError if the format needs a file or the spec is not valid.
+[[nodiscard]] std::unique_ptr<RowSink> open_rows(const SweepSpec& spec);
+
+/// Whether the rows go to standard output.
+[[nodiscard]] bool goes_to_standard_output(const SweepSpec& spec);
+
+}  // namespace stillpoint::sweep

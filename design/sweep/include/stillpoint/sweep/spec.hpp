@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/sweep/axis.hpp>
+#include <stillpoint/sweep/list.hpp>
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::sweep {
+
+enum class SweepKind {
+  free,    ///< each entry is a free motion
+  forced,  ///< each entry is a motion under the same excitation
+  design,  ///< each entry is a design problem
+};
+
+[[nodiscard]] std::string_view name(SweepKind kind) noexcept;
+
+enum class RowFormat { csv, npy };
+
+[[nodiscard]] std::string_view name(RowFormat format) noexcept;
+
+/// What a sweep is to compute, and where its rows go. Everything is dimensionless.
+struct SweepSpec {
+  SweepKind kind{SweepKind::free};
+  /// The values of each of inputs(kind), columns.hpp. The entries are all combinations; with a
+  /// list, an axis has one value and stands for an input that is not a column.
+  std::vector<SweepAxis> axes;
+  std::shared_ptr<List> list;     ///< empty for a grid; it is read once, from its beginning
+  std::vector<Quantity> columns;  ///< of the output; see default_columns
+  int threads{1};                 ///< no result depends on it
+
+  std::optional<double> half_cycle_limit;  ///< of motions, 1 to 1e15; empty: as in core
+  Excitation excitation;                   ///< of forced motions, as is
+  std::optional<double> t_end;             ///< required if the excitation never ends
+
+  design::Criterion criterion{design::Criterion::published};  ///< of design problems, as are
+  design::Limits limits;
+  design::SearchOptions search;
+
+  std::optional<std::string> output;  ///< a file; empty: standard output
+  RowFormat format{RowFormat::csv};
+  bool resume{false};  ///< continue what an interrupted sweep left of `output`
+  /// Everything that the rows depend on except the entries of a list, as a JSON object. A sweep is
+  /// resumed only if this is the same as when it began.
+  std::string identity{"{}"};
+};
+
+/// The number of entries of a grid; empty for a list. Throws InputError above 1e15.
+[[nodiscard]] std::optional<std::int64_t> entries(const SweepSpec& spec);
+
+/// Whether the input takes more than one value.
+[[nodiscard]] bool varies(const SweepSpec& spec, Quantity input);
+
+/// Whether every motion starts at x = 0.
+[[nodiscard]] bool from_zero(const SweepSpec& spec);
+
+/// Throws InputError for an input that is missing, given twice or wrong. Of a grid the corners are
+/// checked: what is wrong with a grid mostly shows there, before hours of it are done.
+void require_valid(const SweepSpec& spec);
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/sweep/list.hpp>
+
+#include "csv_line.hpp"
+#include "json_row.hpp"
+#include "line_reader.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+using records::longest_word;
+using records::printable;
+using records::trimmed;
+
+bool is_input(Quantity quantity) {
+  using enum Quantity;
+  return quantity == v0 || quantity == p || quantity == x0 || quantity == beta || quantity == f ||
+         quantity == delta;
+}
+
+std::string not_a(std::string_view what, std::string_view found) {
+  return fmt::format("\"{}\" is not a {} of a list, which may have v0, p, x0, beta, f and delta",
+                     printable(found, longest_word), what);
+}
+
+/// "1 value", "2 values"
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+List::List(const std::string& path, std::optional<ListFormat> format)
+    : lines_(std::make_unique<LineReader>(path)) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  std::string_view line;
+  if (!next_line(line, {})) {
+    lines_->refuse({}, "is empty: it must have a header, or JSON objects");
+  }
+  if (lines_->number() == 1 && line.starts_with(byte_order_mark)) {
+    line.remove_prefix(byte_order_mark.size());
+  }
+  format_ = format.value_or(trimmed(line).starts_with('{') ? ListFormat::jsonl : ListFormat::csv);
+  if (format_ == ListFormat::csv) {
+    read_header(line);
+  } else {
+    read_object(line, first_.emplace());
+  }
+}
+
+List::~List() = default;
+
+bool List::has(Quantity column) const {
+  return std::ranges::find(columns_, column) != columns_.end();
+}
+
+const std::string& List::source() const {
+  return lines_->source();
+}
+
+std::int64_t List::line() const {
+  return lines_->number();
+}
+
+void List::refuse(std::int64_t line, std::string_view what) const {
+  lines_->refuse(line, what);
+}
+
+void List::refuse(std::string_view what) const {
+  refuse(line(), what);
+}
+
+bool List::next_line(std::string_view& line, const std::stop_token& stop) {
+  while (lines_->next(line, stop)) {
+    if (!trimmed(line).empty()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void List::read_header(std::string_view line) {
+  CsvLine fields(line);
+  for (std::string_view field; fields.next(field);) {
+    const auto quantity = find_quantity(field);
+    if (fields.unclosed()) {
+      refuse("a quote is opened and not closed");
+    }
+    if (!quantity || !is_input(*quantity)) {
+      refuse(not_a("column", field));
+    }
+    if (has(*quantity)) {
+      refuse(fmt::format("the column {} is there twice", name(*quantity)));
+    }
+    columns_.push_back(*quantity);
+  }
+}
+
+void List::read_row(std::string_view line, std::vector<double>& values) {
+  values.clear();
+  std::size_t count = 0;
+  CsvLine fields(line);
+  for (std::string_view field; fields.next(field); ++count) {
+    if (fields.unclosed()) {
+      refuse("a quote is opened and not closed");
+    }
+    if (count < columns_.size()) {
+      try {
+        values.push_back(records::parse_number(name(columns_[count]), field));
+      } catch (const InputError& error) {
+        refuse(printable(error.what(), 4 * longest_word));
+      }
+    }
+  }
+  if (count != columns_.size()) {
+    refuse(fmt::format("has {}, but the header names {}", counted(count, "value"),
+                       counted(columns_.size(), "column")));
+  }
+}
+
+void List::read_object(std::string_view line, std::vector<double>& values) {
+  const JsonRow row = parse_json_row(line);
+  if (!row.error.empty()) {
+    refuse(row.error);
+  }
+  const bool is_first = columns_.empty();
+  values.resize(row.fields.size());
+  for (std::size_t i = 0; i < row.fields.size(); ++i) {
+    const auto& [key, value] = row.fields[i];
+    const auto quantity = find_quantity(key);
+    if (!quantity || !is_input(*quantity)) {
+      refuse(not_a("key", key));
+    }
+    const auto place = std::ranges::find(columns_, *quantity);
+    if (is_first && place == columns_.end()) {
+      columns_.push_back(*quantity);
+      values[i] = value;
+    } else if (is_first) {
+      refuse(fmt::format("the key {} is there twice", name(*quantity)));
+    } else if (place == columns_.end()) {
+      refuse(fmt::format("has the key {}, but the first object does not", name(*quantity)));
+    } else if (row.fields.size() == columns_.size()) {
+      values[static_cast<std::size_t>(place - columns_.begin())] = value;
+    }
+  }
+  if (row.fields.size() != columns_.size()) {
+    refuse(fmt::format("has {}, but the first object has {}", counted(row.fields.size(), "key"),
+                       columns_.size()));
+  }
+}
+
+bool List::next(std::vector<double>& values, const std::stop_token& stop) {
+  if (first_) {
+    values = *first_;
+    first_.reset();
+    return true;
+  }
+  std::string_view line;
+  if (!next_line(line, stop)) {
+    return false;
+  }
+  if (format_ == ListFormat::csv) {
+    read_row(line, values);
+  } else {
+    read_object(line, values);
+  }
+  return true;
+}
+
+}  // namespace stillpoint::sweep

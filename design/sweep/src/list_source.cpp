@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "source.hpp"
+
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/sweep/digest.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+using Eigen::Index;
+
+class ListSource : public SweepSource {
+ public:
+  ListSource(const SweepSpec& spec, std::stop_token stop)
+      : list_(spec.list), fixed_(spec.axes), stop_(std::move(stop)) {}
+
+  void fill(SweepBlock& block, Index most) override {
+    read(block, most);
+    for (const SweepAxis& one : fixed_) {
+      block[one.quantity].setConstant(block.size, one.axis[0]);
+    }
+  }
+
+  void skip(std::int64_t entries, std::uint64_t digest) override {
+    constexpr std::int64_t at_once = 4096;
+    SweepBlock block;
+    while (next_ < entries) {
+      read(block, std::min(at_once, entries - next_));
+      if (block.size == 0) {
+        break;
+      }
+    }
+    if (!stop_.stop_requested() && entries > 0 && (next_ != entries || digest_.value() != digest)) {
+      throw records::FileError(
+          {.kind = "list", .path = list_->source()},
+          fmt::format("its first {} entries are not those that the interrupted sweep had read",
+                      entries));
+    }
+  }
+
+  [[noreturn]] void refuse(const SweepBlock& block, Index i,
+                           const std::string& reason) const override {
+    list_->refuse(block.lines[static_cast<std::size_t>(i)], reason);
+  }
+
+ private:
+  void read(SweepBlock& block, Index most) {
+    if (wrong_) {
+      std::rethrow_exception(wrong_);
+    }
+    block.first = next_;
+    block.lines.clear();
+    block.digests.clear();
+    for (const Quantity column : list_->columns()) {
+      block[column].resize(most);
+    }
+    Index size = 0;
+    for (; size < most && has_next(size); ++size) {
+      block.lines.push_back(list_->line());
+      for (std::size_t i = 0; i < values_.size(); ++i) {
+        block[list_->columns()[i]][size] = values_[i];
+        digest_.add(values_[i]);
+      }
+      block.digests.push_back(digest_.value());
+    }
+    for (const Quantity column : list_->columns()) {
+      block[column].conservativeResize(size);
+    }
+    block.size = size;
+    next_ += size;
+  }
+
+  /// Reads the next entry. What is wrong with it is kept until the `size` entries before it in this
+  /// block have been given.
+  bool has_next(Index size) {
+    try {
+      return list_->next(values_, stop_);
+    } catch (const records::FileError&) {
+      if (size == 0) {
+        throw;
+      }
+      wrong_ = std::current_exception();
+      return false;
+    }
+  }
+
+  std::shared_ptr<List> list_;
+  std::vector<SweepAxis> fixed_;
+  std::stop_token stop_;
+  std::exception_ptr wrong_;
+  std::vector<double> values_;
+  Digest digest_;
+  std::int64_t next_{0};
+};
+
+}  // namespace
+
+std::unique_ptr<SweepSource> list_source(const SweepSpec& spec, std::stop_token stop) {
+  return std::make_unique<ListSource>(spec, std::move(stop));
+}
+
+}  // namespace stillpoint::sweep

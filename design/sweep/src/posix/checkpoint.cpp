@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "checkpoint.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
+#include <stillpoint/sweep/output_file.hpp>
+#include <stillpoint/sweep/sink.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+using nlohmann::ordered_json;
+using records::longest_word;
+using records::shortened;
+
+constexpr auto schema = "stillpoint/sweep-checkpoint/1";
+constexpr std::size_t largest = std::size_t{1} << 26U;  // a task holds axes, which may be long
+
+ordered_json task_of(const std::string& text) {
+  ordered_json task = ordered_json::parse(text, nullptr, false);
+  if (!task.is_object()) {
+    throw InputError("identity", text, "must be a JSON object");
+  }
+  return task;
+}
+
+ordered_json to_json(const Checkpoint& checkpoint) {
+  const SweepState& state = checkpoint.state;
+  return {{"schema", schema},           {"rows", state.rows},
+          {"bytes", checkpoint.bytes},  {"complete", checkpoint.complete},
+          {"digest", state.digest},     {"outcomes", state.outcomes},
+          {"feasible", state.feasible}, {"task", task_of(checkpoint.task)}};
+}
+
+Checkpoint from_json(const ordered_json& json) {
+  if (json.at("schema") != schema) {
+    throw std::runtime_error("not a checkpoint");
+  }
+  Checkpoint checkpoint;
+  checkpoint.task = json.at("task").dump();
+  json.at("rows").get_to(checkpoint.state.rows);
+  json.at("bytes").get_to(checkpoint.bytes);
+  json.at("complete").get_to(checkpoint.complete);
+  json.at("digest").get_to(checkpoint.state.digest);
+  json.at("outcomes").get_to(checkpoint.state.outcomes);
+  json.at("feasible").get_to(checkpoint.state.feasible);
+  return checkpoint;
+}
+
+std::string text(const ordered_json& task, const std::string& key) {
+  return task.contains(key) ? task.at(key).dump() : "nothing";
+}
+
+/// The library prints a value by recursion, so a deep one would exhaust the stack.
+bool is_flat(int depth, ordered_json::parse_event_t /*event*/, const ordered_json& /*parsed*/) {
+  constexpr int deepest = 16;  // a checkpoint has three levels
+  if (depth > deepest) {
+    throw std::runtime_error("not a checkpoint");
+  }
+  return true;
+}
+
+}  // namespace
+
+void require_task(const std::string& task) {
+  static_cast<void>(task_of(task));
+}
+
+std::optional<Checkpoint> read_checkpoint(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) {
+    return std::nullopt;
+  }
+  const std::string content = records::read_text_file("resume", path, largest);
+  try {
+    return from_json(ordered_json::parse(content, is_flat));
+  } catch (const std::exception&) {
+    throw LeftoverError(
+        fmt::format("resume {}: is not the checkpoint of a sweep: remove it to start again", path));
+  }
+}
+
+int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+  const std::string next = path + ".new";
+  // A file of our own, even if somebody has put a link under its name.
+  ::unlink(next.c_str());
+  const int descriptor = ::open(next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) {
+    return errno;
+  }
+  const int error = write_all(descriptor, to_json(checkpoint).dump(2) + "\n");
+  if (::close(descriptor) != 0 || error != 0) {
+    return error != 0 ? error : errno;
+  }
+  return std::rename(next.c_str(), path.c_str()) == 0 ? 0 : errno;
+}
+
+std::string difference(const std::string& old_task, const std::string& new_task) {
+  const ordered_json was = task_of(old_task);
+  const ordered_json is = task_of(new_task);
+  for (const ordered_json* const task : {&was, &is}) {
+    for (const auto& [key, value] : task->items()) {
+      if (text(was, key) != text(is, key)) {
+        return fmt::format("{} was {}, is {}", key, shortened(text(was, key), longest_word),
+                           shortened(text(is, key), longest_word));
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "../line_reader.hpp"
+
+#include <stillpoint/records/file_error.hpp>
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+constexpr std::size_t longest_line = std::size_t{1} << 16U;
+constexpr std::size_t buffer_size = 4 * longest_line;
+
+/// Waits until there is something to read; false after a stop.
+bool ready(int descriptor, const std::stop_token& stop) {
+  constexpr int between_looks_ms = 100;
+  pollfd watched{descriptor, POLLIN, 0};
+  while (!stop.stop_requested()) {
+    if (::poll(&watched, 1, between_looks_ms) > 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+LineReader::LineReader(const std::string& path)
+    : source_(path == "-" ? "standard input" : path),
+      descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
+      buffer_(buffer_size) {
+  if (descriptor_ < 0) {
+    refuse_unreadable(errno);
+  }
+}
+
+LineReader::~LineReader() {
+  if (descriptor_ > STDIN_FILENO) {
+    ::close(descriptor_);
+  }
+}
+
+void LineReader::refuse(std::optional<std::int64_t> line, std::string_view what) const {
+  records::FilePlace place{.kind = "list", .path = source_};
+  if (line) {
+    place.line = static_cast<std::size_t>(*line);
+  }
+  throw records::FileError(std::move(place), what);
+}
+
+void LineReader::refuse_unreadable(int error) const {
+  throw records::FileError::unreadable({.kind = "list", .path = source_}, error);
+}
+
+/// False if there is nothing more.
+bool LineReader::read_more(const std::stop_token& stop) {
+  if (begin_ > 0) {
+    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    end_ -= begin_;
+    begin_ = 0;
+  }
+  while (ready(descriptor_, stop)) {
+    const ssize_t count = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
+    if (count > 0) {
+      end_ += static_cast<std::size_t>(count);
+      return true;
+    }
+    if (count == 0) {
+      return false;
+    }
+    if (errno != EINTR) {
+      refuse_unreadable(errno);
+    }
+  }
+  return false;
+}
+
+bool LineReader::next(std::string_view& line, const std::stop_token& stop) {
+  std::size_t searched = 0;
+  for (;;) {
+    const char* const text = buffer_.data() + begin_;
+    const std::size_t length = end_ - begin_;
+    const void* const found = std::memchr(text + searched, '\n', length - searched);
+    const bool whole = found != nullptr || (ended_ && length > 0);
+    const auto size = found != nullptr
+                          ? static_cast<std::size_t>(static_cast<const char*>(found) - text)
+                          : length;
+    if (size > longest_line) {
+      refuse(number_ + 1, fmt::format("is longer than {} bytes", longest_line));
+    }
+    if (whole) {
+      ++number_;
+      begin_ += std::min(size + 1, length);
+      line = {text, size};
+      if (line.ends_with('\r')) {
+        line.remove_suffix(1);
+      }
+      return true;
+    }
+    if (ended_ || stop.stop_requested()) {
+      return false;
+    }
+    searched = length;
+    ended_ = !read_more(stop) && !stop.stop_requested();
+  }
+}
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "part_file.hpp"
+
+#include "../seconds.hpp"
+
+#include <stillpoint/sweep/output_file.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+constexpr double least_between_saves_s = 0.1;
+
+bool exists(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown);
+}
+
+}  // namespace
+
+PartFile::PartFile(OpenPart files)
+    : files_(std::move(files)),
+      found_(files_.saved.state),
+      state_(found_),
+      bytes_(files_.saved.bytes),
+      next_save_s_(seconds_now() + least_between_saves_s) {}
+
+void PartFile::write(std::string_view bytes) {
+  if (const int error = write_all(files_.descriptor.number(), bytes); error != 0) {
+    state_ = files_.saved.state;  // a full disk has no room for a later checkpoint either
+    refuse_writing("output", files_.part(), error);
+  }
+  bytes_ += static_cast<std::int64_t>(bytes.size());
+}
+
+void PartFile::reached(const SweepState& state) {
+  state_ = state;
+  if (seconds_now() >= next_save_s_) {
+    save();
+  }
+}
+
+void PartFile::synchronize() {
+  if (::fdatasync(files_.descriptor.number()) != 0) {
+    refuse_writing("output", files_.part(), errno);
+  }
+}
+
+void PartFile::save() {
+  constexpr double pause = 20;  // times as long as a save takes, so they take 5 % at most
+  const double begun = seconds_now();
+  Checkpoint& saved = files_.saved;
+  if (bytes_ > saved.bytes) {
+    synchronize();
+  }
+  saved.state = state_;
+  saved.bytes = bytes_;
+  if (const int error = write_checkpoint(files_.checkpoint(), saved); error != 0) {
+    refuse_writing("output", files_.checkpoint(), error);
+  }
+  const double ended = seconds_now();
+  next_save_s_ = ended + std::max(least_between_saves_s, pause * (ended - begun));
+}
+
+void PartFile::finish(const SweepState& state, std::string_view header) {
+  if (!files_.saved.complete) {
+    state_ = state;
+    if (::pwrite(files_.descriptor.number(), header.data(), header.size(), 0) !=
+        static_cast<ssize_t>(header.size())) {
+      refuse_writing("output", files_.part(), errno);
+    }
+    synchronize();
+    files_.saved.complete = true;
+    save();
+  }
+  if (exists(files_.part()) && std::rename(files_.part().c_str(), files_.target.c_str()) != 0) {
+    refuse_writing("output", files_.target, errno);
+  }
+  std::error_code ignored;
+  std::filesystem::remove(files_.checkpoint(), ignored);
+}
+
+LeftRows PartFile::leave() {
+  if (files_.saved.state.rows == 0 && state_.rows == 0) {
+    std::error_code ignored;
+    std::filesystem::remove(files_.checkpoint(), ignored);
+    std::filesystem::remove(files_.part(), ignored);
+    return {};
+  }
+  if (state_.rows > files_.saved.state.rows) {
+    save();
+  }
+  return {files_.saved.state.rows, files_.part()};
+}
+
+}  // namespace stillpoint::sweep

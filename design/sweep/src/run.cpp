@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/sweep/run.hpp>
+
+#include "block.hpp"
+#include "rows.hpp"
+#include "seconds.hpp"
+#include "source.hpp"
+#include "step.hpp"
+
+#include <stillpoint/core/for_each_entry.hpp>
+
+#include <algorithm>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+using Eigen::Index;
+
+/// How many entries are computed at once. A block takes some tenths of a second at most, so a stop
+/// is answered soon however long an entry takes.
+class BlockSize {
+ public:
+  [[nodiscard]] Index value() const { return value_; }
+
+  void learn(double seconds) {
+    constexpr double short_s = 0.05;
+    constexpr double long_s = 0.3;
+    constexpr Index least = 16;
+    constexpr Index most = 65'536;  // some 5 MB of columns
+    if (seconds < short_s) {
+      value_ = std::min(2 * value_, most);
+    } else if (seconds > long_s) {
+      value_ = std::max(value_ / 2, least);
+    }
+  }
+
+ private:
+  Index value_{256};
+};
+
+class Sweep {
+ public:
+  Sweep(const SweepSpec& spec, RowSink& sink, const SweepWatch& watch)
+      : spec_(spec),
+        sink_(sink),
+        watch_(watch),
+        source_(spec.list ? list_source(spec, watch.stop) : grid_source(spec)),
+        step_(spec, watch.stop),
+        rows_(spec),
+        state_(sink.found()) {}
+
+  /// False after a stop.
+  bool write_rows() {
+    if (!sink_.complete()) {
+      source_->skip(state_.rows, state_.digest);
+      while (next_block()) {
+      }
+    }
+    if (stopped()) {
+      sink_.leave();
+      return false;
+    }
+    if (state_.rows == 0) {
+      write_header();
+    }
+    sink_.finish(state_, rows_.header(state_.rows));
+    return true;
+  }
+
+  /// False after a stop.
+  bool complete_map() {
+    return watch_.map == nullptr || watch_.map->complete(spec_, step_, watch_.stop);
+  }
+
+  [[nodiscard]] const SweepState& state() const { return state_; }
+
+ private:
+  [[nodiscard]] bool stopped() const { return watch_.stop.stop_requested(); }
+
+  /// False at the end and after a stop.
+  bool next_block() {
+    const double begun = seconds_now();
+    source_->fill(block_, size_.value());
+    if (block_.size == 0 || stopped() || !compute()) {
+      return false;
+    }
+    write();
+    size_.learn(seconds_now() - begun);
+    if (watch_.progress) {
+      watch_.progress(state_);
+    }
+    return !stopped();
+  }
+
+  /// False after a stop: what is in the block then may have gaps. Of a block with an entry that is
+  /// refused, the rows before it are written.
+  bool compute() {
+    try {
+      step_(block_);
+    } catch (const EntryError& error) {
+      const SweepBlock refused = block_;
+      block_.cut(error.entry());
+      if (error.entry() > 0 && compute()) {
+        write();
+      }
+      source_->refuse(refused, error.entry(), error.what());
+    }
+    return !stopped();
+  }
+
+  void write() {
+    const auto& pieces = rows_.rows(block_);
+    if (state_.rows == 0) {
+      write_header();
+    }
+    for (const std::string& piece : pieces) {
+      sink_.write(piece);
+    }
+    if (watch_.map != nullptr) {
+      watch_.map->add(block_);
+    }
+    state_.add(block_);
+    sink_.reached(state_);
+  }
+
+  void write_header() { sink_.write(rows_.header(entries(spec_).value_or(0))); }
+
+  const SweepSpec& spec_;
+  RowSink& sink_;
+  const SweepWatch& watch_;
+  std::unique_ptr<SweepSource> source_;
+  SweepStep step_;
+  RowWriter rows_;
+  BlockSize size_;
+  SweepBlock block_;
+  SweepState state_;
+};
+
+}  // namespace
+
+SweepSummary run(const SweepSpec& spec, RowSink& sink, const SweepWatch& watch) {
+  const double begun = seconds_now();
+  require_valid(spec);
+  Sweep sweep(spec, sink, watch);
+  SweepSummary summary;
+  summary.resumed_at = sink.found().rows;
+  try {
+    summary.end = sweep.write_rows() ? SweepEnd::complete : SweepEnd::stopped;
+  } catch (...) {
+    sink.leave();
+    throw;
+  }
+  if (summary.end == SweepEnd::complete && !sweep.complete_map()) {
+    summary.end = SweepEnd::stopped_in_map;
+  }
+  summary.state = sweep.state();
+  summary.wall_time_s = seconds_now() - begun;
+  return summary;
+}
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "block.hpp"
+
+#include <stillpoint/sweep/spec.hpp>
+
+#include <stillpoint/core/batch.hpp>
+
+#include <stop_token>
+
+namespace stillpoint::sweep {
+
+/// The step of a sweep: from the inputs of a block of entries to their results. It takes one way
+/// for each kind of sweep: free_step.cpp, forced_step.cpp, design_step.cpp.
+class SweepStep {
+ public:
+  SweepStep(const SweepSpec& spec, std::stop_token stop);
+
+  /// After a stop the results may be incomplete. Throws EntryError for the first entry that is
+  /// refused.
+  void operator()(SweepBlock& block);
+
+ private:
+  void run_free(SweepBlock& block);
+  void run_free_one_by_one(SweepBlock& block) const;
+  void run_forced(SweepBlock& block) const;
+  void run_design(SweepBlock& block) const;
+  void for_each(const SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;
+
+  const SweepSpec& spec_;
+  std::stop_token stop_;
+  bool times_;
+  bool from_zero_;
+  bool one_v0_and_p_;
+  BatchResult batch_;
+};
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/sweep/columns.hpp>
+#include <stillpoint/sweep/spec.hpp>
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+bool contains(std::span<const Quantity> quantities, Quantity quantity) {
+  return std::ranges::find(quantities, quantity) != quantities.end();
+}
+
+/// Each input has one axis, or is a column of the list.
+void require_inputs(const SweepSpec& spec) {
+  for (const SweepAxis& swept : spec.axes) {
+    const std::string field(name(swept.quantity));
+    const auto refuse = [&](const std::string& bound) {
+      throw InputError(field, swept.axis.text(), bound);
+    };
+    if (!contains(inputs(spec.kind), swept.quantity)) {
+      refuse(fmt::format("is not an input of a {} sweep", name(spec.kind)));
+    }
+    if (std::ranges::count(spec.axes, swept.quantity, &SweepAxis::quantity) > 1) {
+      refuse("must not be given twice");
+    }
+    if (spec.list && spec.list->has(swept.quantity)) {
+      refuse("is a column of the list as well: give only one of them");
+    }
+    if (spec.list && swept.axis.size() > 1) {
+      refuse("must be one number beside a list");
+    }
+  }
+  for (const Quantity input : inputs(spec.kind)) {
+    const bool listed = spec.list && spec.list->has(input);
+    if (!listed && std::ranges::find(spec.axes, input, &SweepAxis::quantity) == spec.axes.end()) {
+      throw InputError::missing(
+          std::string(name(input)),
+          fmt::format("give a number, a range first:last:count, or numbers a,b,c{}",
+                      spec.list ? ", or make it a column of the list" : ""));
+    }
+  }
+}
+
+void require_columns(const SweepSpec& spec) {
+  if (spec.columns.empty()) {
+    throw InputError::missing("columns", "name at least one");
+  }
+  for (const Quantity column : spec.columns) {
+    if (!contains(inputs(spec.kind), column) && !contains(results(spec.kind), column)) {
+      throw InputError("columns", std::string(name(column)),
+                       fmt::format("is not a column of a {} sweep", name(spec.kind)));
+    }
+  }
+}
+
+using Corner = std::array<double, quantity_count>;
+
+void check(const Corner& corner, const SweepSpec& spec) {
+  const auto at = [&corner](Quantity quantity) { return corner[index(quantity)]; };
+  if (spec.kind == SweepKind::design) {
+    require_valid(design::Problem{.v0 = at(Quantity::v0),
+                                  .p = at(Quantity::p),
+                                  .beta = at(Quantity::beta),
+                                  .criterion = spec.criterion},
+                  spec.limits);
+    return;
+  }
+  const Oscillator oscillator{
+      .p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)};
+  const Start start{.x0 = at(Quantity::x0), .v0 = at(Quantity::v0)};
+  if (spec.kind == SweepKind::forced) {
+    require_valid(oscillator, start, spec.excitation, spec.t_end);
+  } else {
+    require_valid(oscillator, start);
+  }
+}
+
+void check_corners(const SweepSpec& spec) {
+  const std::size_t corners = std::size_t{1} << spec.axes.size();
+  for (std::size_t chosen = 0; chosen < corners; ++chosen) {
+    Corner corner{};
+    for (std::size_t i = 0; i < spec.axes.size(); ++i) {
+      const auto [least, most] = spec.axes[i].axis.ends();
+      corner[index(spec.axes[i].quantity)] = (chosen >> i & 1U) != 0 ? most : least;
+    }
+    check(corner, spec);
+  }
+}
+
+}  // namespace
+
+void require_valid(const SweepSpec& spec) {
+  require_inputs(spec);
+  require_columns(spec);
+  if (spec.threads < 1) {
+    throw InputError("threads", fmt::format("{}", spec.threads), "must be 1 or more");
+  }
+  if (spec.half_cycle_limit) {
+    require_within("half-cycle-limit", *spec.half_cycle_limit, 1, 1e15);
+  }
+  if (entries(spec)) {
+    check_corners(spec);
+  }
+}
+
+}  // namespace stillpoint::sweep

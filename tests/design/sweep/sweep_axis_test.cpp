@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/sweep/axis.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(sweep_axis_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::sweep;
+
+std::vector<double> values_of(const std::string& text) {
+  const Axis axis = parse_axis("f", text);
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < axis.size(); ++i) {
+    values.push_back(axis[i]);
+  }
+  return values;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(has_the_numbers_of_its_text) {
+  BOOST_TEST((values_of("3") == std::vector<double>{3}));
+  BOOST_TEST((values_of("3,-4,7e-1") == std::vector<double>{3, -4, 0.7}));
+  BOOST_TEST((values_of("0:1:5") == std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
+  BOOST_TEST((values_of("1:0:3") == std::vector<double>{1, 0.5, 0}));
+  BOOST_TEST((values_of("0.1:0.7:1") == std::vector<double>{0.1}));
+}
+
+BOOST_AUTO_TEST_CASE(logarithmic_range_has_equal_ratios_and_exact_ends) {
+  const std::vector<double> values = values_of("1e-3:1e1:5:log");
+  BOOST_TEST_REQUIRE(values.size() == 5U);
+  BOOST_TEST(values.front() == 1e-3);
+  BOOST_TEST(values.back() == 1e1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    // expl(logl()) errs by less than an ulp of a double, 2.2e-16 of the value.
+    BOOST_TEST(std::abs(values[i] / std::pow(10, static_cast<double>(i) - 3) - 1) < 3e-16);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(text_reads_back) {
+  for (const std::string text : {"3", "3,-4,0.7", "0:1:5", "0.001:0.35:3000", "1:10:7:log"}) {
+    BOOST_TEST(parse_axis("f", text).text() == text);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(knows_its_ends_and_spacing) {
+  const auto [least, most] = parse_axis("f", "3,-4,7").ends();
+  BOOST_TEST(least == -4);
+  BOOST_TEST(most == 7);
+  BOOST_TEST(!parse_axis("f", "3,4").spacing());
+  BOOST_TEST((parse_axis("f", "1:2:3").spacing() == Axis::Spacing::linear));
+  BOOST_TEST((parse_axis("f", "1:2:3:log").spacing() == Axis::Spacing::logarithmic));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_text_is_refused_with_the_field) {
+  for (const std::string text : {"", "a", "1:2", "1:2:0", "1:2:2.5", "1:2:3:cubic", "0:1:3:log",
+                                 "1,,2", "nan", "-1e308:1e308:3", "1:2:1e16"}) {
+    BOOST_CHECK_EXCEPTION(static_cast<void>(parse_axis("f", text)), InputError,
+                          [](const InputError& error) { return error.field() == "f"; });
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

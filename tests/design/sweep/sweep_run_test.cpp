@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "design/sweep/sweep_spec.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstring>
+
+BOOST_AUTO_TEST_SUITE(sweep_run_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::sweep;
+using namespace stillpoint::sweep_test;
+using enum Quantity;
+
+using Fields = std::vector<std::vector<std::string>>;
+
+Fields rows_of(const SweepSpec& spec) {
+  MemorySink sink;
+  const SweepSummary summary = run(spec, sink);
+  BOOST_TEST((summary.end == SweepEnd::complete));
+  BOOST_TEST(sink.finished);
+  BOOST_TEST(summary.state.rows == sink.rows);
+  return fields_of(sink.text);
+}
+
+/// Asserts that a field is the number, to the last bit; "" for none.
+void check_same(const std::string& field, const std::optional<double>& number) {
+  BOOST_TEST(field.empty() == !number);
+  if (number && !field.empty()) {
+    BOOST_TEST(std::stod(field) == *number);
+  }
+}
+
+void check_response(const std::vector<std::string>& row, std::size_t first,
+                    const Response& response) {
+  check_same(row.at(first), response.peak_amplitude);
+  check_same(row.at(first + 1), response.half_cycles);
+  BOOST_TEST(row.at(first + 2) == name(response.outcome));
+  check_same(row.at(first + 3), response.stop_position);
+  check_same(row.at(first + 4), response.stop_time);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(of_free_motions_has_the_rows_of_free_response) {
+  for (const double x0_value : {0.0, 0.5}) {  // computed as a batch and one by one
+    SweepSpec spec = free_spec(Axis(0, 0.4, 5, Axis::Spacing::linear), Axis({0, 0.03, 0.7}));
+    spec.axes[2].axis = Axis({x0_value});
+    const Fields rows = rows_of(spec);
+    BOOST_TEST_REQUIRE(rows.size() == 16U);
+    BOOST_TEST((rows[0] == std::vector<std::string>{"f", "delta", "peak_amplitude", "half_cycles",
+                                                    "outcome", "stop_position", "stop_time"}));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const Oscillator damped{.p = 1, .f = std::stod(rows[i][0]), .delta = std::stod(rows[i][1])};
+      BOOST_TEST(damped.f == spec.axes[3].axis[static_cast<std::int64_t>(i - 1) / 3]);
+      check_response(rows[i], 2, free_response(damped, {.x0 = x0_value, .v0 = 1}, {.times = true}));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_rows_of_forced_response) {
+  SweepSpec spec = free_spec(Axis({0.05, 0.3}), Axis({0, 0.1}));
+  spec.kind = SweepKind::forced;
+  spec.excitation = HalfSine{.k = 0.5, .lambda = 0.7};
+  spec.columns = default_columns(spec, true);
+  const Fields rows = rows_of(spec);
+  BOOST_TEST_REQUIRE(rows.size() == 5U);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Oscillator damped{.p = 1, .f = std::stod(rows[i][0]), .delta = std::stod(rows[i][1])};
+    const ForcedResponse response =
+        forced_response(damped, {.x0 = 0, .v0 = 1}, spec.excitation, ForcedOptions());
+    check_response(rows[i], 2, response);
+    check_same(rows[i].at(7), response.end_time);
+    check_same(rows[i].at(8), response.final_position);
+    check_same(rows[i].at(11), response.stick_time);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_search) {
+  SweepSpec spec;
+  spec.kind = SweepKind::design;
+  spec.axes = {{v0, Axis({1})}, {p, Axis({1})}, {beta, Axis({0.5, 0.8})}};
+  spec.limits.tolerance = 0.05;
+  spec.columns = default_columns(spec);
+  const Fields rows = rows_of(spec);
+  BOOST_TEST_REQUIRE(rows.size() == 3U);
+  BOOST_TEST((rows[1] == std::vector<std::string>{"0.5", "false", "", "", "", ""}));
+  const auto found = design::search({.v0 = 1, .p = 1, .beta = 0.8}, spec.limits, spec.search);
+  BOOST_TEST_REQUIRE(found.has_value());
+  BOOST_TEST(rows[2][1] == "true");
+  check_same(rows[2][2], found->point.f);
+  check_same(rows[2][3], found->point.delta);
+  check_same(rows[2][4], found->point.tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(does_not_depend_on_the_threads) {
+  SweepSpec spec =
+      free_spec(Axis(0, 0.3, 60, Axis::Spacing::linear), Axis(0, 0.5, 70, Axis::Spacing::linear));
+  MemorySink one;
+  const SweepSummary alone = run(spec, one);
+  spec.threads = 3;
+  MemorySink several;
+  BOOST_TEST((run(spec, several).state.outcomes == alone.state.outcomes));
+  BOOST_TEST((one.text == several.text));
+}
+
+BOOST_AUTO_TEST_CASE(as_npy_has_packed_records) {
+  SweepSpec spec = free_spec(Axis({0.1, 0.2}), Axis({0.7}));
+  spec.format = RowFormat::npy;
+  spec.columns = {f, outcome};
+  MemorySink sink;
+  run(spec, sink);
+  BOOST_TEST(sink.text.starts_with(std::string("\x93NUMPY\x01\x00", 8)));
+  const std::size_t header = sink.text.find('\n') + 1;
+  BOOST_TEST(header % 64 == 0U);
+  BOOST_TEST_REQUIRE(sink.text.size() == header + 2 * 9);
+  double value = 0;
+  std::memcpy(&value, sink.text.data() + header + 9, sizeof(value));
+  BOOST_TEST(value == 0.2);
+  // delta = 0.7 > v0^2 / 2 catches the mass at once: outcome 3.
+  BOOST_TEST(sink.text.back() == '\x03');
+}
+
+BOOST_AUTO_TEST_CASE(tells_its_progress_and_stops_when_asked) {
+  const SweepSpec spec = free_spec(Axis(1e-4, 1, 1'000'000, Axis::Spacing::linear),
+                                   Axis(1e-4, 1, 1'000'000, Axis::Spacing::linear));
+  MemorySink sink;
+  std::stop_source stop;
+  std::int64_t told = 0;
+  const auto progress = [&](const SweepState& state) {
+    BOOST_TEST(state.rows > told);
+    told = state.rows;
+    if (told > 1000) {
+      stop.request_stop();
+    }
+  };
+  const SweepSummary summary = run(spec, sink, {.stop = stop.get_token(), .progress = progress});
+  BOOST_TEST((summary.end == SweepEnd::stopped));
+  BOOST_TEST(summary.state.rows == told);
+  BOOST_TEST(static_cast<std::int64_t>(fields_of(sink.text).size()) == told + 1);  // and a header
+  BOOST_TEST(!sink.finished);
+}
+
+BOOST_AUTO_TEST_CASE(before_it_begins_may_be_stopped) {
+  MemorySink sink;
+  std::stop_source stop;
+  stop.request_stop();
+  const SweepSpec spec = free_spec(Axis({0.1}), Axis({0.2}));
+  BOOST_TEST((run(spec, sink, {.stop = stop.get_token()}).end == SweepEnd::stopped));
+  BOOST_TEST(sink.text.empty());
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_spec_that_is_not_valid) {
+  MemorySink sink;
+  BOOST_CHECK_THROW(run(free_spec(Axis({-1}), Axis({0})), sink), InputError);
+  BOOST_TEST(sink.text.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
