@@ -70,8 +70,8 @@ std::vector<Option> rows() {
           design | region, {.rivals = Rivals::stroke, .units = si}),
       row("period", number, "S", physical, "natural period without friction in s", in_metres,
           {.rivals = Rivals::stiffness, .units = si}),
-      row("stiffness", number, "N/M", physical, "instead of the period; give --mass as well",
-          in_metres, {.rivals = Rivals::stiffness, .units = si}),
+      row("stiffness", number, "N/M", physical, "instead of the period; needs --mass", in_metres,
+          {.rivals = Rivals::stiffness, .units = si}),
       row("mass", number, "KG", physical, "adds forces and energies to the report", in_metres,
           {.units = si}),
       row("gravity", number, "M/S2", physical, "default 9.80665", in_metres, {.units = si}),
@@ -104,8 +104,7 @@ std::vector<Option> rows() {
       row("k", number, "K", shaking, "peak of the excitation or pulse in g",
           design | of_excitations),
       row("lambda", number, "L", shaking,
-          "angular frequency, dimensionless; with physical input too, as L/p times the natural "
-          "one. "
+          "dimensionless angular frequency, with physical input too: L/p times the natural one; "
           "half-sine and rectangle last pi/L, full-sine 2 pi/L",
           design | of_excitations),
       row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
@@ -138,7 +137,7 @@ std::vector<Option> rows() {
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
       row("threads", integer, "N", sweeping, "default: all. No result depends on it", sweep,
           {.role = Role::execution}),
-      row("resume", flag, "", sweeping, "go on with what an interrupted sweep left", sweep,
+      row("resume", flag, "", sweeping, "continue an interrupted sweep", sweep,
           {.role = Role::execution}),
 
       row("max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate,
