@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A design: an isolator in metres and seconds in, a checked damper out.
 
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design.hpp>
 
 #include <iostream>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One motion: what comes of a damper, and where the mass is at any instant.
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <iostream>
 
@@ -11,7 +10,8 @@ int main() {
   const stillpoint::Start push{.x0 = 0, .v0 = 1};
 
   const stillpoint::Response motion = stillpoint::free_response(damper, push);
-  std::cout << "outcome      " << name(motion.outcome) << '\n'
+  std::cout << summary(motion) << "\n\n"
+            << "outcome      " << name(motion.outcome) << '\n'
             << "peak         " << motion.peak_amplitude << '\n';
   if (motion.stop_time && motion.half_cycles) {  // a motion without friction has neither
     std::cout << "stop time    " << *motion.stop_time << '\n'

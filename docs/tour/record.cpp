@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A forced run: an isolator under a recorded acceleration. The argument is the record's file.
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/physical.hpp>
+#include <stillpoint/core.hpp>
+#include <stillpoint/design.hpp>
 
 #include <fstream>
 #include <iostream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A region: which dampers stop the mass on its first return, and how one of them stands.
 
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <iostream>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A sweep: a million dampers at once, and what share of them stops the mass at x = 0.
 
-#include <stillpoint/core/batch.hpp>
+#include <stillpoint/core.hpp>
 
 #include <iostream>
 

@@ -17,10 +17,13 @@ namespace stillpoint::design {
 
 namespace {
 
+// The stopping rules of NloptBudget. Larger ones would show in the digits of a report; smaller ones
+// ask for steps that rounding swallows, and SLSQP then ends in roundoff instead of convergence.
 constexpr double xtol_rel = 1e-10;
 constexpr double xtol_abs = 1e-11;
+/// Anything above 0 lets NLopt end outside the region, where the project's own check refuses it.
 constexpr double constraint_tolerance = 0;
-constexpr unsigned long seed = 20'081;
+constexpr unsigned long seed = 20'081;  // any; fixed, so that every run repeats
 
 /// One function as NLopt calls it, and where to keep an exception that must not pass through NLopt.
 struct Callback {

@@ -64,6 +64,8 @@ Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& l
 
 /// V0/(sqrt(2) p), (10), as the least double that leaves an f between the rounded edges.
 double least_beta(Problem problem) {
+  // f2 and f3 are each rounded inwards by an ulp at most and an ulp of beta moves f2 by three, so the
+  // least beta is within an ulp or two of the quotient. A start above it would miss the least one.
   constexpr int ulps_below = 4;
   problem.beta = static_cast<double>(problem.v0 / (std::numbers::sqrt2_v<long double> * problem.p));
   for (int i = 0; i < ulps_below; ++i) {

@@ -12,6 +12,8 @@
 namespace stillpoint::design {
 
 DesignInterval design_interval(const Problem& problem, const Region& region) {
+  // Far above rounding, so that no edge is a matter of the last digits, and far below what can be
+  // built.
   constexpr double inset = 1e-9;
   assert(region.feasible);
   const double lower = *region.f_lower;

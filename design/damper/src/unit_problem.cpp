@@ -66,7 +66,7 @@ double stop_phase(double a) {
 
 double stop_phase_slope(double a) {
   assert(a >= 0 && a <= a3);
-  constexpr double steepest = 1e8;
+  constexpr double steepest = 1e8;  // of a square root 1e-16 before its end, where doubles stop
   const double s = radius(a);
   const double arc = s - 2 * a;
   // d/da asin(a / arc) with arc' = a/s - 2, and sqrt(arc^2 - a^2) = sqrt((s - a)(s - 3a)) = v_-.

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -151,7 +152,7 @@ BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none)
   for (const std::string& wrong : {std::string(), std::string("{}"), std::string("[]"),
                                    std::string("{\"schema\": 1}"), std::string("nonsense"), deep}) {
     write("rows.csv.part.json", wrong);
-    check_refused({}, {"rows.csv.part.json", "is not what a sweep leaves"});
+    check_refused({}, {"rows.csv.part.json", "is not the checkpoint of a sweep"});
   }
   write("rows.csv.part.json", text);
   BOOST_TEST(resume().exit_code == 0);
@@ -322,7 +323,10 @@ BOOST_AUTO_TEST_CASE(keeps_every_row_before_it) {
       BOOST_TEST(refused.exit_code == 2);
       BOOST_TEST(refused.err.find("line " + std::to_string(at + 1) + ": f = ") != std::string::npos,
                  refused.err);
-      const std::string kept = at == 2 ? "1 row is kept in" : "149 rows are kept in";
+      // The same command would only meet the same line again.
+      const std::string kept =
+          std::string(at == 2 ? "1 row is" : "149 rows are") +
+          " kept in rows.npy.part: correct the list, then give the same command with --resume";
       BOOST_TEST(refused.err.find(kept) != std::string::npos, refused.err);
       BOOST_TEST(json::parse(read("rows.npy.part.json"))["rows"] == at - 1);
       const ProgramRun mended = resume(*this, whole_list, {"--json"});
@@ -354,7 +358,7 @@ BOOST_AUTO_TEST_CASE(goes_on_with_one_that_just_began) {
 BOOST_AUTO_TEST_CASE(needs_a_file) {
   const ProgramRun answer = run(sweep({"--resume"}));
   BOOST_TEST(answer.exit_code == 2);
-  BOOST_TEST(answer.err.find("give --output FILE") != std::string::npos, answer.err);
+  BOOST_TEST(answer.err.find("needs an output file") != std::string::npos, answer.err);
 }
 
 BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
@@ -365,6 +369,39 @@ BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
           surroundings);
   BOOST_TEST(stopped.exit_code == 130);
   BOOST_TEST((stopped.out.empty() || stopped.out.ends_with('\n')));
+  BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
+}
+
+/// Hours of work are announced, once, to whoever reads the log.
+BOOST_AUTO_TEST_CASE(long_sweep_says_how_long_it_will_take_where_nobody_watches) {
+  Surroundings heard;
+  heard.interrupt_once_heard = true;
+  const ProgramRun stopped = run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-4:1:1000000",
+                                  "--delta", "1e-4:1:1000000", "--output", "/dev/null"},
+                                 heard);
+  BOOST_TEST(stopped.exit_code == 130);
+  const auto lines = stopped.err_lines();
+  BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
+  BOOST_TEST(lines[0].starts_with("stillpoint: "), lines[0]);
+  BOOST_TEST(lines[0].find(" of 1e+12 rows, 0 %, ") != std::string::npos, lines[0]);
+  BOOST_TEST(lines[0].find(" rows/s: some ") != std::string::npos, lines[0]);
+  BOOST_TEST(lines[0].ends_with(" minutes to go"), lines[0]);
+  BOOST_TEST(lines[1].starts_with("stillpoint: interrupted: "), lines[1]);
+}
+
+/// A list that comes slowly, and is never finished.
+BOOST_AUTO_TEST_CASE(interrupt_is_answered_while_a_list_is_waited_for) {
+  fs::path list = path("list");
+  BOOST_TEST_REQUIRE(::mkfifo(list.c_str(), 0600) == 0);
+  const int writer = ::open(list.c_str(), O_RDWR | O_CLOEXEC);
+  const std::string begun = "f,delta\n0.1,0.2\n";
+  BOOST_TEST(::write(writer, begun.data(), begun.size()) == static_cast<ssize_t>(begun.size()));
+  Surroundings surroundings;
+  surroundings.interrupt = true;
+  const ProgramRun stopped =
+      run({"sweep", "--v0", "1", "--p", "1", "--list", "list"}, surroundings);
+  ::close(writer);
+  BOOST_TEST(stopped.exit_code == 130);
   BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
 }
 

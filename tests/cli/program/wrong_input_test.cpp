@@ -524,9 +524,10 @@ const std::vector<Wrong> sweeps{
     forced("record_that_does_not_exist", {"--record", "none.txt"}, {"none.txt", "No such file"}),
     forced("wrong_format", {"--format", "xls"}, {"format = xls", "csv or npy"}),
     forced("unknown_column", {"--columns", "f,fast"}, {"columns", "\"fast\"", "peak_amplitude"}),
-    forced("column_of_another_kind", {"--columns", "sticks"}, {"columns", "\"sticks\"", "none"}),
+    forced("column_of_another_kind", {"--columns", "sticks"},
+           {"columns = \"sticks\"", "must be among"}),
     forced("no_columns", {"--columns", ""}, {"columns", "\"\""}),
-    forced("column_twice", {"--columns", "f,f"}, {"columns", "f stands twice"}),
+    forced("column_twice", {"--columns", "f,f"}, {"columns = f", "twice"}),
     forced("columns_and_times", {"--columns", "f", "--times"}, {"columns and times exclude"}),
     forced("no_threads", {"--threads", "0"}, {"threads = 0", "from 1 to 1024"}),
     forced("list_format_without_a_list", {"--list-format", "csv"}, {"give --list FILE"}),
@@ -537,7 +538,7 @@ const std::vector<Wrong> sweeps{
      "f,delta\n"},
     {"range_beside_a_list",
      {"sweep", "--v0", "1", "--p", "1,2", "--list", "-"},
-     {"list and p exclude each other"},
+     {"p = 1,2", "one number beside a list"},
      "f,delta\n1,1\n"},
     {"beta_column_and_f",
      sweep({"--f", "1", "--list", "-"}),
@@ -573,8 +574,8 @@ BOOST_AUTO_TEST_CASE(that_cannot_be) {
   };
   for (const auto& [more, says] : std::vector<std::pair<Arguments, Texts>>{
            {{"--json"}, {"json and the rows", "give --output FILE"}},
-           {{"--resume"}, {"resume is for a file"}},
-           {{"--output", ""}, {"output is empty"}},
+           {{"--resume"}, {"resume = true", "an output file"}},
+           {{"--output", ""}, {"output = \"\"", "name of a file"}},
            {{"--output", "-"}, {"output = -"}},
            {{"--output", "."}, {"output .", "directory"}},
            {{"--output", "no/where.csv"}, {"output no/where.csv", "No such file"}},
@@ -585,7 +586,8 @@ BOOST_AUTO_TEST_CASE(that_cannot_be) {
   check_refusal(run(entries({}), to_a_full_device), {"standard output", "No space left"});
   Surroundings list;
   list.input = "f,delta\n1,1\n";
-  check_refusal(run(sweep({"--list", "-", "--format", "npy"}), list), {"npy of a list", "a file"});
+  check_refusal(run(sweep({"--list", "-", "--format", "npy"}), list),
+                {"format = npy", "an output file for a list"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,13 +2,13 @@
 #include "random_source.hpp"
 #include "testing/printing.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/core.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 
 #include <optional>
+#include <string>
 
 BOOST_AUTO_TEST_SUITE(design_test)
 
@@ -93,6 +93,43 @@ BOOST_AUTO_TEST_CASE(wrong_input_of_a_design_is_an_input_error) {
   request.limits.tolerance = 0;
   request.search.algorithm = "BEST";
   BOOST_CHECK_THROW((void)design::design(request), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_design_in_one_line) {
+  // Where amplitude does not bind, the best tolerance by the published criterion is 0.36336.
+  DesignRequest request;
+  request.problem = {1, 1, 0.9, Criterion::published};
+  DesignResult result = design::design(request);
+  const std::string line = summary(result);
+  BOOST_TEST(line.starts_with("f = 0."), line);
+  BOOST_TEST(line.find(" within 36.3 %: stops at x = 0 at tau = ") != std::string::npos, line);
+  BOOST_TEST(line.find(" after 1 half-cycle, peak 0.") != std::string::npos, line);
+  BOOST_TEST(!line.ends_with("the cross-check failed"), line);
+  result.finding->cross_check.passed = false;
+  BOOST_TEST(summary(result) == line + "; the cross-check failed");
+  request.problem.beta = 0.5;
+  result = design::design(request);
+  BOOST_TEST(summary(result) == "no damper: " + result.reason);
+}
+
+BOOST_AUTO_TEST_CASE(each_name_leads_back_to_its_enumerator) {
+  for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
+    BOOST_TEST((parse_criterion(name(criterion)) == criterion), name(criterion));
+  }
+  for (const auto warning : {PulseWarning::pulse_not_short, PulseWarning::friction_not_small}) {
+    BOOST_TEST((parse_pulse_warning(name(warning)) == warning), name(warning));
+  }
+  for (const std::string_view each : objective_names()) {
+    BOOST_TEST(name(parse_objective(each).value()) == each);
+  }
+  for (const Objective objective :
+       {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+    BOOST_TEST((parse_objective(name(objective)) == objective), name(objective));
+  }
+  BOOST_TEST(objective_names().size() == 4U);
+  BOOST_TEST(!parse_criterion("Exact").has_value());
+  BOOST_TEST(!parse_objective("").has_value());
+  BOOST_TEST(!parse_pulse_warning("none").has_value());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

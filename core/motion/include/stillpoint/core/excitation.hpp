@@ -66,7 +66,7 @@ using Excitation = std::variant<NoExcitation, Harmonic, HalfSine, FullSine, Rect
 /// lose their digits.
 inline constexpr double largest_phase = 1e15;
 
-/// The excitation is 0 from here on; empty where it never ends.
+/// The excitation is 0 from here on; empty if it never ends.
 [[nodiscard]] std::optional<double> duration(const Excitation& excitation);
 
 /// Throws InputError, naming the field ("lambda", "record value 17", ...), unless
