@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The requests of design and region, which share their task.
 
-#include "choices.hpp"
 #include "excitation_input.hpp"
 #include "motion_input.hpp"
 #include "request.hpp"
@@ -54,11 +53,13 @@ Task task(const Settings& settings, Command command, bool pulse) {
 }  // namespace
 
 design::Criterion criterion(const Settings& settings) {
-  return settings.chosen("criterion", criteria);
+  const auto wanted = settings.known("criterion");
+  return wanted ? *design::parse_criterion(*wanted) : design::Problem().criterion;
 }
 
 design::Objective objective(const Settings& settings) {
-  return settings.chosen("objective", objectives);
+  const auto wanted = settings.known("objective");
+  return wanted ? *design::parse_objective(*wanted) : design::SearchOptions().objective;
 }
 
 DesignInput design_input(const Settings& settings) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "excitation_input.hpp"
 
-#include "choices.hpp"
 #include "excitation_kinds.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -42,8 +41,8 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
                        double gravity) {
   records::RecordOptions options;
   options.step = settings.number("record-step");
-  if (settings.has("record-units")) {
-    options.units = settings.chosen("record-units", record_units);
+  if (const auto units = settings.known("record-units")) {
+    options.units = records::parse_record_units(*units);
   }
   options.scale = settings.number("record-scale").value_or(1);
   options.gravity_m_per_s2 = gravity;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 
-#include "choices.hpp"
 #include "excitation_kinds.hpp"
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search.hpp>
+#include <stillpoint/records/record_file.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,6 +44,16 @@ constexpr CommandSet drawn = design | region | simulate | sweep;
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
 
+std::vector<std::string_view> criterion_names() {
+  using enum design::Criterion;
+  return {name(published), name(exact)};
+}
+
+std::vector<std::string_view> record_unit_names() {
+  using enum records::RecordUnits;
+  return {name(g), name(m_per_s2), name(cm_per_s2)};
+}
+
 Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
            std::string_view group, std::string help, CommandSet commands,
            OptionTraits traits = {}) {
@@ -50,6 +63,7 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
 /// In `help`, {} stands for the values.
 std::vector<Option> rows() {
   const auto algorithms = design::algorithm_names();
+  const auto objectives = design::objective_names();
   return {
       // name, kind, placeholder, group, help, commands, traits
       row("v0", number, "V", motion, "initial velocity", every,
@@ -85,7 +99,7 @@ std::vector<Option> rows() {
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
           region | motions, {.rivals = Rivals::point_friction, .units = si}),
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
-          {.values = names(criteria), .first_is_default = true}),
+          {.values = criterion_names(), .first_is_default = true}),
       row("tolerance", number, "R", damper,
           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
@@ -95,7 +109,7 @@ std::vector<Option> rows() {
           {.rivals = Rivals::point_friction_limit, .units = si}),
 
       row("objective", text, "NAME", searching, "{}", design | sweep,
-          {.values = names(objectives), .first_is_default = true}),
+          {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           {.values = {algorithms.begin(), algorithms.end()}}),
 
@@ -115,7 +129,7 @@ std::vector<Option> rows() {
           "accelerations: PEER .AT2 or columns; times in s with physical input, else in tau",
           of_excitations, {.file = FileUse::read}),
       row("record-units", text, "UNITS", shaking, "{}", of_excitations,
-          {.values = names(record_units), .first_is_default = true}),
+          {.values = record_unit_names(), .first_is_default = true}),
       row("record-step", number, "DT", shaking, "between values that have no time column",
           of_excitations),
       row("record-scale", number, "X", shaking, "factor on every value", of_excitations),

@@ -6,7 +6,6 @@
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -48,14 +47,6 @@ class Settings {
 
   /// A text that must be one of the option's values. Throws InputError.
   [[nodiscard]] std::optional<std::string> known(std::string_view name) const;
-
-  /// The one of `choices` that the option names, else the first. Throws InputError.
-  template <class Choices>
-  [[nodiscard]] auto chosen(std::string_view option, const Choices& choices) const {
-    const auto wanted = known(option);
-    return wanted ? *std::ranges::find(choices, *wanted, [](auto one) { return name(one); })
-                  : choices.front();
-  }
 
   void drop(std::string_view name) { values_.erase(name); }
 

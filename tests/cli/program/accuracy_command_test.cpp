@@ -171,7 +171,7 @@ const std::vector<Wrong> wrong_scenes{
      joined(Arguments(s4.begin(), s4.end() - 1), {"1e9"}),
      {"t-end = 1000000000", "too long for 50 digits"}},
     {"f_missing", {"accuracy", "--v0", "1", "--p", "1", "--delta", "0"}, {"f is missing"}},
-    {"trajectory", joined(s1, {"--trajectory", "t.csv"}), {"--trajectory", "no option of"}},
+    {"trajectory", joined(s1, {"--trajectory", "t.csv"}), {"--trajectory", "not an option of"}},
 };
 
 }  // namespace

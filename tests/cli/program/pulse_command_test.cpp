@@ -185,7 +185,7 @@ const std::vector<Wrong> wrong_pulses{
     {"with_velocity",
      {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--period", "2",
       "--max-displacement", "0.05", "--velocity", "1"},
-     {"velocity and pulse exclude each other"}},
+     {"pulse and velocity exclude each other"}},
     {"k_without_pulse",
      {"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--k", "1"},
      {"k is for a pulse", "--pulse"}},
@@ -194,7 +194,7 @@ const std::vector<Wrong> wrong_pulses{
      {"lambda is for a pulse", "--pulse"}},
     {"of_region",
      {"region", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--p", "1", "--beta", "1"},
-     {"--pulse", "no option of region"}},
+     {"--pulse", "not an option of region"}},
 };
 
 }  // namespace
