@@ -2,7 +2,6 @@
 #pragma once
 
 #include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/search.hpp>
 #include <stillpoint/records/record_file.hpp>
 
 #include <algorithm>
@@ -14,10 +13,8 @@
 namespace stillpoint::cli {
 
 // The enumerations that an option chooses from by name, in the order of --help; the first is the
-// default.
+// default. The objectives are design::objectives().
 inline constexpr std::array criteria{design::Criterion::published, design::Criterion::exact};
-inline constexpr std::array objectives{design::Objective::robust, design::Objective::amplitude,
-                                       design::Objective::time, design::Objective::acceleration};
 inline constexpr std::array record_units{records::RecordUnits::g, records::RecordUnits::m_per_s2,
                                          records::RecordUnits::cm_per_s2};
 

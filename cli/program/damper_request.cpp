@@ -58,7 +58,7 @@ design::Criterion criterion(const Settings& settings) {
 }
 
 design::Objective objective(const Settings& settings) {
-  return settings.chosen("objective", objectives);
+  return settings.chosen("objective", design::objectives());
 }
 
 DesignInput design_input(const Settings& settings) {

@@ -4,6 +4,8 @@
 #include "choices.hpp"
 #include "excitation_kinds.hpp"
 
+#include <stillpoint/design/search.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -95,7 +97,7 @@ std::vector<Option> rows() {
           {.rivals = Rivals::point_friction_limit, .units = si}),
 
       row("objective", text, "NAME", searching, "{}", design | sweep,
-          {.values = names(objectives), .first_is_default = true}),
+          {.values = names(design::objectives()), .first_is_default = true}),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           {.values = {algorithms.begin(), algorithms.end()}}),
 

@@ -38,9 +38,9 @@ constexpr std::array rows{
     Row{Objective::acceleration, "acceleration", peak_acceleration},
 };
 
-constexpr std::array names = [] {
-  std::array<std::string_view, rows.size()> list;
-  std::ranges::transform(rows, list.begin(), &Row::name);
+constexpr std::array all = [] {
+  std::array<Objective, rows.size()> list{};
+  std::ranges::transform(rows, list.begin(), &Row::objective);
   return list;
 }();
 
@@ -66,8 +66,8 @@ std::optional<Objective> parse_objective(std::string_view name) noexcept {
   return row != rows.end() ? std::optional(row->objective) : std::nullopt;
 }
 
-std::span<const std::string_view> objective_names() {
-  return names;
+std::span<const Objective> objectives() {
+  return all;
 }
 
 double objective_value(Objective objective, double given) {

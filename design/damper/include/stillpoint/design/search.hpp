@@ -25,7 +25,7 @@ enum class Objective {
 /// The objective of that name; empty where there is none.
 [[nodiscard]] std::optional<Objective> parse_objective(std::string_view name) noexcept;
 /// All of them, `robust` first.
-[[nodiscard]] std::span<const std::string_view> objective_names();
+[[nodiscard]] std::span<const Objective> objectives();
 
 /// A damper and how far it may be off.
 struct DesignPoint {
