@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(no_event_is_beyond_the_horizon) {
   for (int i = 0; i < 200; ++i) {  // p tau / p may be an ulp more than tau
     const double p = 0.3 + 0.037 * i;
     const HalfSine pulse{0.2, 0.7 + 0.01 * i};
-    const double end = duration(pulse);
+    const double end = duration(pulse).value();
     const ForcedTrajectory path({p, 0.05, 0.01}, {0, 0.5}, pulse, {end});
     for (const ForcedEvent& event : path.events()) {
       BOOST_TEST(event.state.tau <= end);

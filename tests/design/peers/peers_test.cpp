@@ -143,8 +143,8 @@ BOOST_AUTO_TEST_CASE(peers_give_up_when_told) {
     BOOST_TEST(result.end_time > 0);
     BOOST_TEST(result.end_time < long_one.t_end);
   }
-  // Held for long by friction under a fast load: checks of the load are effort too.
-  const Scene held = with(Harmonic{0.05, 1000}, {1, 0.1, 0}, {0, 0}, 1000);
+  // Held for long by friction under a fast load that ends: checks of the load are effort too.
+  const Scene held = with(Harmonic{0.05, 1000, 0, 900}, {1, 0.1, 0}, {0, 0}, 1000);
   BOOST_TEST(!runge_kutta4(held, 1e-2, most).finished);
   BOOST_TEST(runge_kutta4(held, 1e-2).finished);
 }
@@ -278,7 +278,7 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
 // k < f: the mass comes to rest for good although the load never ends.
 BOOST_AUTO_TEST_CASE(a_rest_that_a_harmonic_load_cannot_end_is_final) {
   const Comparison found = compare(with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60));
-  BOOST_TEST(found.exact.rounded.outcome == Outcome::stopped_at_zero);
+  BOOST_TEST(found.exact.rounded.outcome != Outcome::running);
   for (const MethodRow& row : found.rows) {
     const bool fine = row.name != "dopri5" || row.setting < 1e-6;
     BOOST_TEST((row.counts_right || !fine), row.name << ' ' << row.setting);
