@@ -70,9 +70,14 @@ Simulation watched(const SimulationRequest& request) {
   const double end = request.t_end.value_or(0);
   Progress progress(progress_in_tau(end), end);
   double reached = 0;
+  // A trajectory up to t_end comes first. It is too long for its limit before it takes minutes.
+  bool traced = !(request.t_end && request.samples);
   Simulation answer = simulate(request, [&](double tau) {
+    traced = traced || tau < reached;
     reached = tau;
-    progress.announce_minutes(tau);
+    if (traced) {
+      progress.announce_minutes(tau);
+    }
     return progress.goes_on(tau);
   });
   if (Progress::interrupted()) {

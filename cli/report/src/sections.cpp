@@ -140,10 +140,10 @@ void add_emptiness(Document& document, const std::string& reason,
   document.tone = Tone::bad;
   Section& section = document.section("What would make it feasible");
   if (joint) {
-    section.line(
-        format("No single change does: whatever beta and the limits are, no damper has a tolerance "
-               "above {}. The smallest changes of two inputs that do:",
-               limit_digits(joint->largest_tolerance, false)));
+    section.line(format(
+        "No single change does: no damper has a tolerance above {}, whatever beta and the limits "
+        "are. The smallest changes of two inputs that do:",
+        limit_digits(joint->largest_tolerance, false)));
   } else if (mends.empty()) {
     section.line("No change of a single input makes it feasible.");
   } else {
