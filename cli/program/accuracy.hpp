@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "request.hpp"
+#include "settings.hpp"
 
-#include <stillpoint/peers/comparison.hpp>
-
-#include <string>
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/peers/scene.hpp>
 
 namespace stillpoint::cli {
 
-/// How each method does on one scene.
-struct AccuracyAnswer {
-  peers::Comparison comparison;
-  std::string why;  ///< simulate uses the first
-};
-
-/// Throws UsageError for a motion that never stops and one that is too long for 50 digits.
-[[nodiscard]] AccuracyAnswer compare_methods(const SimulateInput& input);
+/// What the methods are compared on. Throws UsageError for a motion that never stops and one that
+/// is too long for 50 digits.
+[[nodiscard]] peers::Scene comparison_scene(const SimulationRequest& request);
 
 }  // namespace stillpoint::cli

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.hpp"
 
-#include "version.hpp"
-
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -88,7 +87,8 @@ struct Collected {
 void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
   app.set_help_flag("-h,--help", "print this text");
   app.add_flag_callback(
-         "--version", [] { throw CLI::CallForVersion(version_line(), 0); }, "print the version")
+         "--version", [] { throw CLI::CallForVersion(report::version_line(), 0); },
+         "print the version")
       ->configurable(false);
   app.add_option("scene", collected.scene, "scene file in JSON, or - for standard input")
       ->type_name("");
@@ -190,7 +190,7 @@ std::string_view program_about() {
 Invocation parse_command_line(int argc, const char* const* argv) {
   CLI::App app{std::string(about), "stillpoint"};
   app.set_help_flag("-h,--help", "print this text");
-  app.set_version_flag("--version", version_line())->description("print the version");
+  app.set_version_flag("--version", report::version_line())->description("print the version");
   app.allow_extras();
   app.footer(std::string(epilogue));
   std::array<Collected, command_helps.size()> collected;

@@ -2,38 +2,43 @@
 #include "commands.hpp"
 
 #include "accuracy.hpp"
-#include "accuracy_report.hpp"
-#include "json_report.hpp"
-#include "pictures.hpp"
+#include "pages.hpp"
 #include "progress.hpp"
 #include "request.hpp"
-#include "text_report.hpp"
-#include "trajectory_csv.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/simulation.hpp>
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/region_answer.hpp>
+#include <stillpoint/report/report.hpp>
+#include <stillpoint/report/trajectory_csv.hpp>
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <string>
 #include <utility>
 
 namespace stillpoint::cli {
 
 namespace {
 
-/// The JSON report where it was asked for, else the one for people. Either is made only if wanted.
-template <class Json, class Text>
-void report(const Settings& settings, const Json& json, const Text& text, Output& output) {
+/// The page where it was asked for.
+template <class Report>
+void write_page_of(const Report& report, Command command, const Settings& settings,
+                   Output& output) {
+  if (wants_page(settings)) {
+    write_page(settings, command, page(report), output);
+  }
+}
+
+/// JSON where it was asked for, else the document. Either is made only if wanted.
+template <class Report>
+void print_report(const Report& report, const Settings& settings, Output& output) {
   constexpr int indent = 2;
   const auto path = settings.text("output");
   const bool print_json = settings.flag("json");
-  const std::string report = print_json || path ? json().dump(indent) + "\n" : std::string();
-  output.print(print_json ? report : text(settings.text("title"), style_for_standard_output()));
+  const std::string written = print_json || path ? json(report).dump(indent) + "\n" : "";
+  output.print(print_json ? written : shown(document(report), settings));
   if (path) {
-    output.write_file("output", *path, report);
+    output.write_file("output", *path, written);
   }
 }
 
@@ -65,9 +70,14 @@ Simulation watched(const SimulationRequest& request) {
   const double end = request.t_end.value_or(0);
   Progress progress(progress_in_tau(end), end);
   double reached = 0;
+  // A trajectory up to t_end comes first. It is too long for its limit before it takes minutes.
+  bool traced = !(request.t_end && request.samples);
   Simulation answer = simulate(request, [&](double tau) {
+    traced = traced || tau < reached;
     reached = tau;
-    progress.announce_minutes(tau);
+    if (traced) {
+      progress.announce_minutes(tau);
+    }
     return progress.goes_on(tau);
   });
   if (Progress::interrupted()) {
@@ -86,55 +96,41 @@ ExitCode exit_code(const design::DesignResult& result) {
 }
 
 ExitCode run_design(const Settings& settings, Output& output) {
-  const DesignInput input = design_input(settings);
-  const design::DesignResult result = design::design(input.request);
-  if (wants_pictures(settings)) {
-    write_pictures(settings, Command::design, design_page(input, result), output);
-  }
-  report(
-      settings, [&] { return design_json(input, result); },
-      [&](const auto& title, Style style) { return design_text(input, result, title, style); },
-      output);
-  return exit_code(result);
+  DesignInput input = design_input(settings);
+  const report::DesignReport report{design::design(input.request), input.physical};
+  write_page_of(report, Command::design, settings, output);
+  print_report(report, settings, output);
+  return exit_code(report.result);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {
   const RegionInput input = region_input(settings);
-  const design::RegionAnswer answer = design::answer(input.request);
-  if (wants_pictures(settings)) {
-    write_pictures(settings, Command::region, region_page(input, answer), output);
-  }
-  report(
-      settings, [&] { return region_json(input, answer); },
-      [&](const auto& title, Style style) { return region_text(input, answer, title, style); },
-      output);
-  return answer.region.feasible ? exit_done : exit_infeasible;
+  const report::RegionReport report{input.request, design::answer(input.request), input.physical};
+  write_page_of(report, Command::region, settings, output);
+  print_report(report, settings, output);
+  return report.answer.region.feasible ? exit_done : exit_infeasible;
 }
 
 ExitCode run_simulate(const Settings& settings, Output& output) {
-  const SimulateInput input = simulate_input(settings);
-  const Simulation answer = watched(input.request);
+  SimulateInput input = simulate_input(settings);
+  Simulation answer = watched(input.request);
+  const report::MotionReport report{std::move(input.request), std::move(answer), input.record,
+                                    input.physical};
   if (input.trajectory) {
     output.write_file("trajectory", *input.trajectory,
-                      trajectory_csv(answer.trajectory, input.physical));
+                      report::trajectory_csv(report.answer.trajectory, report.physical));
   }
-  if (wants_pictures(settings)) {
-    write_pictures(settings, Command::simulate, simulate_page(input, answer), output);
-  }
-  report(
-      settings, [&] { return simulate_json(input, answer); },
-      [&](const auto& title, Style style) { return simulate_text(input, answer, title, style); },
-      output);
+  write_page_of(report, Command::simulate, settings, output);
+  print_report(report, settings, output);
   return exit_done;
 }
 
 ExitCode run_accuracy(const Settings& settings, Output& output) {
   const SimulateInput input = simulate_input(settings);
-  const AccuracyAnswer answer = compare_methods(input);
-  report(
-      settings, [&] { return accuracy_json(input, answer); },
-      [&](const auto& title, Style style) { return accuracy_text(input, answer, title, style); },
-      output);
+  print_report(
+      report::AccuracyReport{input.request, peers::compare(comparison_scene(input.request)),
+                             input.record, input.physical},
+      settings, output);
   return exit_done;
 }
 

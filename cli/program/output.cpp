@@ -39,7 +39,19 @@ mode_t permissions_for_new_files() {
   return static_cast<mode_t>(0666) & ~mask;
 }
 
+bool coloured() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool refused = no_color != nullptr && *no_color != '\0';
+  const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  return !refused && !dumb && ::isatty(STDOUT_FILENO) == 1;
+}
+
 }  // namespace
+
+std::string shown(const report::Document& document, const Settings& settings) {
+  return text(document, {.title = settings.text("title").value_or(""), .coloured = coloured()});
+}
 
 Output::~Output() {
   for (const Staged& file : staged_) {

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "settings.hpp"
+
+#include <stillpoint/report/document.hpp>
+
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace stillpoint::cli {
+
+/// The document as text, under the title of the settings; in colour only where standard output is a
+/// terminal, NO_COLOR is not set (or empty) and TERM is not "dumb".
+[[nodiscard]] std::string shown(const report::Document& document, const Settings& settings);
 
 /// What a command wants written. All of it appears, or none: files are written beside their place
 /// and moved there by `commit` after standard output has taken its part. A target that is no

@@ -3,12 +3,13 @@
 
 #include "command_line.hpp"
 #include "commands.hpp"
-#include "page.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
 #include "scene_and_flags.hpp"
 #include "sweep.hpp"
 #include "written_files.hpp"
+
+#include <stillpoint/report/document.hpp>
 
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ namespace stillpoint::cli {
 namespace {
 
 void say(const std::string& text) {
-  fmt::print(stderr, "stillpoint: {}\n", spelled_out(text));
+  fmt::print(stderr, "stillpoint: {}\n", report::spelled_out(text));
 }
 
 /// A scene may serve several commands; what this one does not use is said, not passed over.

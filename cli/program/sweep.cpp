@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sweep.hpp"
 
-#include "pictures.hpp"
+#include "pages.hpp"
 #include "progress.hpp"
-#include "sweep_report.hpp"
 #include "sweep_request.hpp"
 
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/run.hpp>
 
 #include <fmt/format.h>
@@ -87,7 +87,7 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
                     left.file.empty() ? "" : ", continue with the same command and --resume"));
   }
   if (summary.end == SweepEnd::stopped_in_map) {
-    throw Interrupted("interrupted: the rows are complete, the pictures are not written");
+    throw Interrupted("interrupted: the rows are complete, the page is not written");
   }
 }
 
@@ -101,20 +101,20 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     throw UsageError("json and the rows would both go to standard output: give --output FILE");
   }
   std::optional<sweep::SweepMap> map;
-  if (wants_pictures(settings)) {
+  if (wants_page(settings)) {
     map.emplace(spec);
-    prepare_pictures(settings);
+    prepare_page(settings);
   }
   const std::unique_ptr<sweep::RowSink> sink = sweep::open_rows(spec);
   const SweepSummary summary = run_watched(spec, *sink, map ? &*map : nullptr);
   require_complete(summary, *sink);
   if (map) {
-    write_pictures(settings, Command::sweep, sweep_page(spec, summary, *map), output);
+    write_page(settings, Command::sweep, report::page(spec, summary, *map), output);
   }
   if (!rows_on_standard_output) {
-    output.print(
-        json ? sweep_json(spec, summary)
-             : sweep_text(spec, summary, settings.text("title"), style_for_standard_output()));
+    constexpr int indent = 2;
+    output.print(json ? report::json(spec, summary).dump(indent) + "\n"
+                      : shown(report::document(spec, summary), settings));
   }
   return exit_done;
 }

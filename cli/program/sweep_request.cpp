@@ -3,11 +3,11 @@
 
 #include "excitation_input.hpp"
 #include "request.hpp"
-#include "version.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/columns.hpp>
 #include <stillpoint/sweep/digest.hpp>
 
@@ -156,7 +156,7 @@ std::uint64_t record_digest(const Excitation& excitation) {
 /// SweepSpec::identity: the options that decide the rows, as they were given.
 std::string identity(const Settings& settings, const SweepSpec& spec) {
   nlohmann::ordered_json result;
-  result["version"] = program_version();
+  result["version"] = report::program_version();
   result["kind"] = name(spec.kind);
   result["format"] = name(spec.format);
   for (const Quantity column : spec.columns) {

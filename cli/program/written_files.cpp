@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "written_files.hpp"
 
-#include "pictures.hpp"
+#include "pages.hpp"
 
 #include <stillpoint/sweep/output_file.hpp>
 

@@ -15,9 +15,9 @@ constexpr double region_samples = 2.5;        // pixels from a point of a curve 
 constexpr double motion_samples = 12;         // the same, of 60 samples a period
 constexpr double hundredth_of_a_unit = 1e-3;  // two decimals of some 300 units, of values near 1
 
-/// "at 0 after 7–15" for instance, of 15 half-cycles and a rest at x = 0.
+/// "centred after 7–15" for instance, of 15 half-cycles and a rest at x = 0.
 bool is_named(const MapRow& row, const std::string& name) {
-  static const std::regex form(R"((at|off) 0 after (\d+)(–(\d+)| or more)?)");
+  static const std::regex form(R"((centred|off centre) after (\d+)(–(\d+)| or more)?)");
   std::smatch parts;
   if (!std::regex_match(name, parts, form)) {
     return false;
@@ -26,7 +26,7 @@ bool is_named(const MapRow& row, const std::string& name) {
   const double last = parts[4].matched   ? std::stod(parts[4])
                       : parts[3].matched ? std::numeric_limits<double>::infinity()
                                          : first;
-  return (parts[1] == "at") == (row.outcome == "stopped_at_zero") && first <= row.half_cycles &&
+  return (parts[1] == "centred") == (row.outcome == "stopped_at_zero") && first <= row.half_cycles &&
          row.half_cycles <= last;
 }
 

@@ -23,13 +23,14 @@ h1{font-size:22px;margin:4px 0;overflow-wrap:anywhere}h2{font-size:17px;margin:2
 .readout button{font:inherit;margin-left:8px}
 .wide{overflow-x:auto;break-inside:avoid}
 table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left;white-space:nowrap}
-td{font-variant-numeric:tabular-nums}
+td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666}.rows td{white-space:normal;min-width:12em}
+.key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
 pre{overflow-x:auto;font:13px/1.4 "DejaVu Sans Mono",monospace;background:#f4f4f4;padding:10px}
 footer{margin-top:24px;font-size:13px;color:#666}
 )";
 
 constexpr std::string_view dark_page_style = R"(
-body{color:#ddd;background:#14181d}td,th{border-color:#444}pre{background:#1d232a}footer{color:#aaa}
+body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}footer{color:#aaa}
 )";
 
 constexpr std::string_view print_style = R"(
@@ -46,21 +47,6 @@ std::string figures(const std::vector<Figure>& list) {
   return text + "</div>\n";
 }
 
-std::string table(const HtmlTable& table) {
-  std::string text = format("<h2>{}</h2>\n<div class=\"wide\"><table>\n", escaped(table.heading));
-  bool head = true;
-  for (const auto& row : table.rows) {
-    text += "<tr>";
-    for (const std::string& cell : row) {
-      const std::string_view tag = head ? "th" : "td";
-      text += format("<{0}>{1}</{0}>", tag, escaped(cell));
-    }
-    text += "</tr>\n";
-    head = false;
-  }
-  return text + "</table></div>\n";
-}
-
 }  // namespace
 
 std::string html(const HtmlPage& page) {
@@ -71,20 +57,7 @@ std::string html(const HtmlPage& page) {
       "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>{}</p>\n",
       escaped(page.title), page_style, figure_style(), dark_page_style, dark_figure_style(),
       print_style, escaped(page.title), escaped(page.verdict));
-  text += figures(page.figures);
-  for (const HtmlTable& now : page.tables) {
-    text += table(now);
-  }
-  if (!page.report.empty()) {
-    text += format("<h2>Report</h2>\n<pre>{}</pre>\n", escaped(page.report));
-  }
-  if (!page.scene.empty()) {
-    text += format(
-        "<h2>Input</h2>\n<p>Save this as <code>scene.json</code>; <code>stillpoint {} scene.json "
-        "--html "
-        "page.html</code> then makes this page again.</p>\n<pre>{}</pre>\n",
-        escaped(page.command), escaped(page.scene));
-  }
+  text += figures(page.figures) + page.body;
   text += format("<footer>{}</footer>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",
                  escaped(page.footer), html_script());
   return text;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
-#include "version.hpp"
+
+#include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
 
@@ -121,7 +122,7 @@ std::string man_page() {
   return fmt::format(
              ".TH STILLPOINT 1 \"\" \"stillpoint {0}\" \"User Commands\"\n"
              ".SH NAME\nstillpoint \\- design friction dampers\n",
-             program_version()) +
+             report::program_version()) +
          synopsis() + ".SH DESCRIPTION\n" + roff(program_about()) + "\n" + commands() +
          option_entries() + std::string(scenes) + std::string(exit_status) +
          std::string(environment);

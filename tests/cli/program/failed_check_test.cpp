@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "json_report.hpp"
 #include "report_fields.hpp"
-#include "text_report.hpp"
 
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/prediction.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -17,17 +16,17 @@ namespace {
 using namespace stillpoint;
 using cli_test::check_fields;
 
-cli::DesignInput plain_input() {
-  cli::DesignInput input;
-  input.request.problem = {1, 1, 0.8, design::Criterion::published};
-  return input;
+design::DesignRequest plain_request() {
+  design::DesignRequest request;
+  request.problem = {1, 1, 0.8, design::Criterion::published};
+  return request;
 }
 
 /// The design, but checked against a prediction that `spoil` has changed.
 template <class Spoil>
-design::DesignResult checked_against(const cli::DesignInput& input, const Spoil& spoil) {
-  const design::Problem& problem = input.request.problem;
-  design::DesignResult result = design::design(input.request);
+design::DesignResult checked_against(const design::DesignRequest& request, const Spoil& spoil) {
+  const design::Problem& problem = request.problem;
+  design::DesignResult result = design::design(request);
   const design::DesignPoint point = result.finding.value().point;
   design::Prediction prediction = design::predict(problem, point.f);
   spoil(prediction);
@@ -35,54 +34,51 @@ design::DesignResult checked_against(const cli::DesignInput& input, const Spoil&
   return result;
 }
 
-void check_failure(const cli::DesignInput& input, const design::DesignResult& result) {
+void check_failure(const design::DesignResult& result) {
   BOOST_TEST(cli::exit_code(result) == 4);
-  const nlohmann::ordered_json report = cli::design_json(input, result);
-  BOOST_TEST(report["cross_check"]["passed"] == false);
-  check_fields(report, {"design:object", "response:object", "search:object", "cross_check:object"});
+  const nlohmann::ordered_json json = report::json(report::DesignReport{result});
+  BOOST_TEST(json["cross_check"]["passed"] == false);
+  check_fields(json, {"design:object", "response:object", "search:object", "cross_check:object"});
   bool disagrees = false;
-  for (const auto& method : report["cross_check"]["methods"]) {
+  for (const auto& method : json["cross_check"]["methods"]) {
     disagrees = disagrees || method["passed"] == false;
   }
   BOOST_TEST(disagrees);
-  const std::string text = cli::design_text(input, result, {}, cli::Style(false));
+  const std::string text = report::text(document(report::DesignReport{result}));
   BOOST_TEST(text.find("DISAGREES") != std::string::npos);
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(right_prediction_passes) {
-  const cli::DesignInput input = plain_input();
-  const auto result = checked_against(input, [](design::Prediction&) {});
+  const design::DesignRequest request = plain_request();
+  const auto result = checked_against(request, [](design::Prediction&) {});
   BOOST_TEST(cli::exit_code(result) == 0);
-  BOOST_TEST(cli::design_json(input, result)["cross_check"]["passed"] == true);
+  BOOST_TEST(report::json(report::DesignReport{result})["cross_check"]["passed"] == true);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_peak_is_exit_code_4_with_a_report) {
-  const cli::DesignInput input = plain_input();
-  check_failure(input, checked_against(input, [](design::Prediction& prediction) {
-                  prediction.peak_amplitude *= 1 + 1e-6;
-                }));
+  const design::DesignRequest request = plain_request();
+  check_failure(checked_against(
+      request, [](design::Prediction& prediction) { prediction.peak_amplitude *= 1 + 1e-6; }));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_stop_time_is_exit_code_4_with_a_report) {
-  const cli::DesignInput input = plain_input();
-  check_failure(input, checked_against(input, [](design::Prediction& prediction) {
-                  prediction.stop_time *= 1 - 1e-6;
-                }));
+  const design::DesignRequest request = plain_request();
+  check_failure(checked_against(
+      request, [](design::Prediction& prediction) { prediction.stop_time *= 1 - 1e-6; }));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_number_of_half_cycles_is_exit_code_4_with_a_report) {
-  const cli::DesignInput input = plain_input();
-  check_failure(input, checked_against(input, [](design::Prediction& prediction) {
-                  prediction.half_cycles = 2;
-                }));
+  const design::DesignRequest request = plain_request();
+  check_failure(
+      checked_against(request, [](design::Prediction& prediction) { prediction.half_cycles = 2; }));
 }
 
 BOOST_AUTO_TEST_CASE(no_design_is_exit_code_3) {
-  cli::DesignInput input = plain_input();
-  input.request.problem.beta = 0.6;
-  BOOST_TEST(cli::exit_code(design::design(input.request)) == 3);
+  design::DesignRequest request = plain_request();
+  request.problem.beta = 0.6;
+  BOOST_TEST(cli::exit_code(design::design(request)) == 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

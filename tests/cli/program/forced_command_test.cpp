@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
   const ProgramRun sticking = run(s4);
   BOOST_TEST(sticking.exit_code == 0);
   for (const char* part : {"Forced motion", "harmonic, k = 0.2, lambda = 0.35",
-                           "goes on at the end", "22 sticks", "tau = 200, x = 0.078877"}) {
+                           "is still moving at the end", "22 sticks", "tau = 200, x = 0.078877"}) {
     BOOST_TEST(sticking.out.find(part) != std::string::npos,
                "no " << part << " in " << sticking.out);
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 #include "run_program.hpp"
-#include "version.hpp"
+
+#include <stillpoint/report/version.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -130,7 +131,7 @@ BOOST_AUTO_TEST_CASE(wins_over_wrong_input) {
 }
 
 BOOST_AUTO_TEST_CASE(version_is_one_line) {
-  const std::string expected = "stillpoint " + stillpoint::cli::program_version();
+  const std::string expected = "stillpoint " + stillpoint::report::program_version();
   for (const Arguments& arguments : std::vector<Arguments>{{"--version"},
                                                            {"design", "--version"},
                                                            {"region", "--version"},

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
     BOOST_TEST(!tree.get<std::string>("svg.title").empty());
     BOOST_TEST(!tree.get<std::string>("svg.desc").empty());
   }
-  for (const char* part : {"Constraints", "Checks: they agree", "scene.json", "Δ₁ published",
+  for (const char* part : {"Constraints", "Cross-check: agrees", "scene.json", "Δ₁ published",
                            "Δ₁ exact", "amplitude: f ≥ f₂", "tolerance ±"}) {
     BOOST_TEST(contains(page, part), part);
   }
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
   write("scene.json", scene);
   const ProgramRun again = run({"design", "scene.json", "--html", "two.html"});
   BOOST_TEST(again.exit_code == 0, again.err);
-  const auto figures = [](const std::string& text) { return text.substr(0, text.find("<h2>Che")); };
+  const auto figures = [](const std::string& text) { return text.substr(0, text.find("<h2>Cross")); };
   BOOST_TEST(figures(read("two.html")) == figures(page));
 }
 
@@ -204,8 +204,8 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
   check_offline(page);
   parsed(page);
   BOOST_TEST(page.size() < 1'000'000U);
-  for (const char* part : {"Δ₁ exact", "return: f ≤ f₃", "start: Δ ≤ Δ₂", "at 0 after 1",
-                           "off 0 after 2", "does not move", "4000000"}) {
+  for (const char* part : {"Δ₁ exact", "return: f ≤ f₃", "start: Δ ≤ Δ₂", "centred after 1",
+                           "off centre after 2", "does not move", "4000000"}) {
     BOOST_TEST(contains(page, part), part);
   }
   BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);

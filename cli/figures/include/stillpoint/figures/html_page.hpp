@@ -9,21 +9,14 @@
 
 namespace stillpoint::figures {
 
-struct HtmlTable {
-  std::string heading;
-  std::vector<std::vector<std::string>> rows;  ///< the first has the headings of the columns
-};
-
 /// A page of figures, as data.
 struct HtmlPage {
   std::string title;
   std::string verdict;  ///< a sentence below the title
   std::vector<Figure> figures;
-  std::vector<HtmlTable> tables;
-  std::string report;   ///< plain text; empty: there is none
-  std::string command;  ///< "design"
-  std::string scene;    ///< the input that makes this page again; empty: not shown
-  std::string footer;   ///< which program wrote it
+  std::string body;    ///< HTML below them; its tables may have the class rows, its text key, good,
+                       ///< bad, faint
+  std::string footer;  ///< which program wrote it
 };
 
 /// One file that needs no other.

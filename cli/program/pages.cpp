@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "pages.hpp"
+
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/report/report.hpp>
+#include <stillpoint/report/sweep.hpp>
+#include <stillpoint/report/version.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <filesystem>
+#include <system_error>
+#include <type_traits>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using fmt::format;
+
+constexpr std::size_t longest_title = 400;
+
+/// The options that make the numbers, as a scene.
+std::string scene_of(const Settings& settings, Command command) {
+  nlohmann::ordered_json scene = nlohmann::ordered_json::object();
+  settings.for_each([&](std::string_view option, const Settings::Value& value) {
+    const bool for_the_trajectory =
+        option == "t-end" && !settings.has("excitation") && !settings.has("record");
+    if (!is_echoed(option) || for_the_trajectory || !find_option(option)->serves(command)) {
+      return;
+    }
+    std::visit(
+        [&](const auto& plain) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
+            scene[std::string(option)] = plain.text();
+          } else {
+            scene[std::string(option)] = plain;
+          }
+        },
+        value);
+  });
+  constexpr int indent = 2;
+  return scene.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string input_section(Command command, const std::string& scene) {
+  return format(
+      "<h2>Input</h2>\n<p>As <code>scene.json</code>; <code>stillpoint {} scene.json --html "
+      "page.html</code> gives this page again.</p>\n<pre>{}</pre>\n",
+      name(command), figures::escaped(scene));
+}
+
+void make_directory(const std::string& path) {
+  if (path.empty()) {
+    throw UsageError("svg: the name of the directory is empty");
+  }
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) {
+    throw UsageError(format("svg {}: {}", path, error.message()));
+  }
+}
+
+}  // namespace
+
+std::span<const std::string_view> figure_names(Command command) {
+  switch (command) {
+    case Command::design:
+      return report::design_figures;
+    case Command::region:
+      return report::region_figures;
+    case Command::simulate:
+      return report::motion_figures;
+    case Command::sweep:
+      return report::sweep_figures;
+    case Command::accuracy:
+      break;
+  }
+  return {};
+}
+
+std::string svg_path(const std::string& directory, std::string_view figure) {
+  return (std::filesystem::path(directory) / format("{}.svg", figure)).string();
+}
+
+bool wants_page(const Settings& settings) {
+  return settings.has("html") || settings.has("svg");
+}
+
+void prepare_page(const Settings& settings) {
+  if (const auto directory = settings.text("svg")) {
+    make_directory(*directory);
+  }
+  if (const auto path = settings.text("html")) {
+    const std::filesystem::path folder = std::filesystem::path(*path).parent_path();
+    std::error_code unknown;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, unknown)) {
+      throw UsageError(format("html {}: there is no directory {}", *path, folder.string()));
+    }
+  }
+}
+
+void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output) {
+  if (const auto title = settings.text("title")) {
+    page.title += ": " + records::printable(*title, longest_title);
+  }
+  page.body += input_section(command, scene_of(settings, command));
+  page.footer = report::version_line();
+  const auto directory = settings.text("svg");
+  if (directory) {
+    make_directory(*directory);
+  }
+  if (const auto path = settings.text("html")) {
+    output.write_file("html", *path, html(page));
+  }
+  for (const figures::Figure& figure : page.figures) {
+    if (directory) {
+      assert(std::ranges::count(figure_names(command), figure.id) == 1);
+      output.write_file("svg", svg_path(*directory, figure.id), svg(figure, figures::Frame::alone));
+    }
+  }
+}
+
+}  // namespace stillpoint::cli

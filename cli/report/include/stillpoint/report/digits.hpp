@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Numbers as people read them.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::report {
+
+/// Six significant digits: "0.259325", "1.2e-09".
+[[nodiscard]] std::string digits(double value);
+/// The same, or "none".
+[[nodiscard]] std::string digits(const std::optional<double>& value);
+/// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN".
+[[nodiscard]] std::string with_unit(double value, std::string_view unit);
+/// Ten digits, rounded up or down so that an input set to them meets the limit.
+[[nodiscard]] std::string limit_digits(double value, bool upwards);
+/// A count: every digit up to 2^53, six of a larger one; or "none".
+[[nodiscard]] std::string whole(const std::optional<double>& count);
+/// "1 turning point", "2 turning points".
+[[nodiscard]] std::string plural(const std::optional<double>& count, std::string_view one);
+
+}  // namespace stillpoint::report

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A report for people, as data. It is described once, and rendered as text and as HTML.
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace stillpoint::report {
+
+enum class Tone { plain, heading, good, bad, faint };
+
+struct Row {
+  std::string label;  ///< empty: goes on from the row above
+  std::string text;
+  Tone tone{Tone::plain};
+};
+
+/// A paragraph.
+struct Line {
+  std::string text;
+  Tone tone{Tone::plain};
+};
+
+struct TableRow {
+  std::vector<std::string> cells;
+  Tone tone{Tone::plain};  ///< of the last cell
+};
+
+struct Table {
+  std::vector<std::string> head;
+  std::vector<TableRow> rows;
+};
+
+struct Section {
+  std::string heading;
+  std::vector<std::variant<Row, Line, Table>> parts;
+
+  void row(std::string label, std::string text, Tone tone = Tone::plain);
+  void line(std::string text, Tone tone = Tone::plain);
+};
+
+struct Document {
+  std::string title;
+  std::string verdict;     ///< what the reader wants to know, in a sentence
+  Tone tone{Tone::plain};  ///< of the verdict
+  std::vector<Section> sections;
+
+  /// A new section at the end; the reference is good until the next one.
+  Section& section(std::string heading);
+};
+
+struct TextOptions {
+  std::string title{};   ///< the scene's own, behind that of the document
+  bool coloured{false};  ///< for a terminal
+};
+
+/// For a terminal or a file: headed sections of aligned columns. Control characters in the title
+/// are spelled out.
+[[nodiscard]] std::string text(const Document& document, const TextOptions& options = {});
+
+/// The sections as HTML, without a page around them.
+[[nodiscard]] std::string html(const Document& document);
+
+/// Control characters, which could break a line or play tricks with a terminal, as \\xNN.
+[[nodiscard]] std::string spelled_out(std::string_view text);
+
+}  // namespace stillpoint::report

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What there is to report of each answer, and the three ways to do it: a document for people, a
+// page of figures for a browser, JSON for programs.
+
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/physical_input.hpp>
+#include <stillpoint/design/region_answer.hpp>
+#include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/peers/comparison.hpp>
+#include <stillpoint/report/document.hpp>
+#include <stillpoint/report/record_origin.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace stillpoint::report {
+
+/// Where an input was given in metres and seconds, `physical` has it, and reports are in both.
+struct DesignReport {
+  design::DesignResult result;
+  std::optional<design::PhysicalInput> physical{};
+};
+
+struct RegionReport {
+  design::RegionRequest request;
+  design::RegionAnswer answer;
+  std::optional<design::PhysicalInput> physical{};
+};
+
+struct MotionReport {
+  SimulationRequest request;
+  Simulation answer;
+  std::optional<RecordOrigin> record{};  ///< where the excitation comes from
+  std::optional<design::PhysicalInput> physical{};
+};
+
+/// The motion of `request` by each method.
+struct AccuracyReport {
+  SimulationRequest request;
+  peers::Comparison comparison;
+  std::optional<RecordOrigin> record{};
+  std::optional<design::PhysicalInput> physical{};
+};
+
+[[nodiscard]] Document document(const DesignReport& report);
+[[nodiscard]] Document document(const RegionReport& report);
+[[nodiscard]] Document document(const MotionReport& report);
+[[nodiscard]] Document document(const AccuracyReport& report);
+
+/// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
+/// not exist is null; a number that is not finite is an assertion.
+[[nodiscard]] nlohmann::ordered_json json(const DesignReport& report);
+[[nodiscard]] nlohmann::ordered_json json(const RegionReport& report);
+[[nodiscard]] nlohmann::ordered_json json(const MotionReport& report);
+[[nodiscard]] nlohmann::ordered_json json(const AccuracyReport& report);
+
+/// The figures above the document. Whoever writes the page adds title, input and footer.
+[[nodiscard]] figures::HtmlPage page(const DesignReport& report);
+[[nodiscard]] figures::HtmlPage page(const RegionReport& report);
+[[nodiscard]] figures::HtmlPage page(const MotionReport& report);
+
+/// The ids of the figures that a page may have.
+inline constexpr std::array<std::string_view, 5> design_figures{"region", "motion", "phase",
+                                                                "energy", "pulse"};
+inline constexpr std::array<std::string_view, 1> region_figures{"region"};
+inline constexpr std::array<std::string_view, 4> motion_figures{"motion", "phase", "energy",
+                                                                "excitation"};
+
+}  // namespace stillpoint::report

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "json_parts.hpp"
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <fmt/format.h>
+
+#include <variant>
+
+namespace stillpoint::report {
+
+using fmt::format;
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string counts(const peers::Result& result) {
+  return format("{}, {}, {}", result.passages, result.turns, result.sticks);
+}
+
+std::string microseconds(double seconds) {
+  return format("{:.3g} us", 1e6 * seconds);
+}
+
+std::string exponent(double error) {
+  return error == 0 ? "0" : format("{:.1e}", error);
+}
+
+/// As --json has it.
+std::string_view not_run(peers::Run run) {
+  return run == peers::Run::nothing_moves ? "nothing_moves" : "too_long";
+}
+
+/// "tolerance 1e-09"; "" where it has none.
+std::string setting(const peers::MethodRow& now) {
+  return now.knob.empty() ? "" : format("{} {:.3g}", now.knob, now.setting);
+}
+
+ordered_json method_json(const peers::MethodRow& now, bool used) {
+  ordered_json json{
+      {"name", now.name},         {"setting", setting(now)},   {"used_by_simulate", used},
+      {"wall_time_s", nullptr},   {"peak_error", nullptr},     {"end_error", nullptr},
+      {"zero_passages", nullptr}, {"turning_points", nullptr}, {"sticks", nullptr},
+      {"counts_right", nullptr},  {"not_run", nullptr}};
+  if (now.run != peers::Run::done) {
+    json["not_run"] = not_run(now.run);
+  } else {
+    json["wall_time_s"] = now.time.median;
+    json["peak_error"] = now.peak_error;
+    json["end_error"] = now.end_error;
+    json["zero_passages"] = now.result.passages;
+    json["turning_points"] = now.result.turns;
+    json["sticks"] = now.result.sticks;
+    json["counts_right"] = now.counts_right;
+  }
+  return json;
+}
+
+/// Why simulate uses the first method.
+std::string_view reason(const SimulationRequest& request) {
+  const auto& [p, f, delta] = request.oscillator;
+  if (!is_forced(request)) {
+    return f > 0 && delta > 0
+               ? "the half-cycle map is exact from peak to peak, one square root each, and has no "
+                 "step or tolerance to choose"
+               : "one friction alone ends in a closed form, an exact remainder, however many "
+                 "half-cycles it takes";
+  }
+  return std::holds_alternative<Record>(request.excitation)
+             ? "between samples the motion is a closed form with constant coefficients, and each "
+               "interval is proved to hold no event or searched for it"
+             : "between events the motion is a closed form, and the first event is found by a "
+               "bound that cannot step over it";
+}
+
+}  // namespace
+
+ordered_json json(const AccuracyReport& report) {
+  const peers::Result& truth = report.comparison.exact.rounded;
+  const bool stops = truth.outcome != Outcome::running;
+  ordered_json methods = ordered_json::array();
+  for (const peers::MethodRow& now : report.comparison.rows) {
+    methods.push_back(method_json(now, methods.empty()));
+  }
+  return {{"schema", "stillpoint/accuracy-report/1"},
+          {"program", program_json()},
+          {"input", motion_input_json(report.request, report.record)},
+          {"reference",
+           {{"digits", 50},
+            {"outcome", name(truth.outcome)},
+            {"peak_amplitude", truth.peak},
+            {"end_time", truth.end_time},
+            {"final_position", truth.x},
+            {"final_velocity", stops ? 0 : truth.v},
+            {"zero_passages", truth.passages},
+            {"turning_points", truth.turns},
+            {"sticks", truth.sticks}}},
+          {"methods", methods},
+          {"why", reason(report.request)}};
+}
+
+namespace {
+
+void add_truth(Document& document, const peers::Result& truth, bool stops) {
+  Section& section = document.section("In 50 digits");
+  section.row("peak", format("{:.17g}", truth.peak));
+  section.row(stops ? "rests at tau" : "ends at tau", format("{:.17g}", truth.end_time));
+  section.row("x there", format("{:.17g}", truth.x));
+  if (!stops) {
+    section.row("v there", format("{:.17g}", truth.v));
+  }
+  section.row("counts", counts(truth) + " (passages, turning points, sticks)");
+}
+
+TableRow method_row(const peers::MethodRow& now) {
+  if (now.run != peers::Run::done) {
+    return {{std::string(now.name), setting(now), "", "", "", "",
+             now.run == peers::Run::nothing_moves ? "not run: nothing moves" : "not run: too long"},
+            Tone::faint};
+  }
+  return {
+      {std::string(now.name), setting(now), microseconds(now.time.median), exponent(now.peak_error),
+       exponent(now.end_error), counts(now.result), now.counts_right ? "right" : "wrong"},
+      now.counts_right ? Tone::good : Tone::bad};
+}
+
+}  // namespace
+
+Document document(const AccuracyReport& report) {
+  const auto& [p, f, delta] = report.request.oscillator;
+  const Start& start = report.request.start;
+  const peers::Result& truth = report.comparison.exact.rounded;
+  const bool stops = truth.outcome != Outcome::running;
+  Document document;
+  document.title = "Accuracy";
+  Section& scene = document.section("Scene");
+  scene.row("dimensionless",
+            format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}   f = {:.6g}   delta = {:.6g}", start.v0,
+                   p, start.x0, f, delta));
+  if (is_forced(report.request)) {
+    add_excitation(scene, report.request.excitation, report.record, report.physical);
+  }
+  add_truth(document, truth, stops);
+  Table table{{"", "setting", "time", "error of peak", stops ? "of rest" : "of end", "counts", ""},
+              {}};
+  for (const peers::MethodRow& now : report.comparison.rows) {
+    table.rows.push_back(method_row(now));
+  }
+  Section& methods = document.section("Methods");
+  methods.parts.emplace_back(std::move(table));
+  methods.line(
+      stops ? "Errors of the peak and of the place of rest are relative to the peak, of the "
+              "stop time to itself."
+            : "Errors of the peak and of x are relative to the peak, of v to p times the peak.");
+  methods.line(format("simulate uses stillpoint: {}.", reason(report.request)));
+  return document;
+}
+
+}  // namespace stillpoint::report

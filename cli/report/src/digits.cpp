@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace stillpoint::report {
+
+std::string digits(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+std::string digits(const std::optional<double>& value) {
+  return value ? digits(*value) : "none";
+}
+
+std::string with_unit(double value, std::string_view unit) {
+  struct Prefix {
+    double factor;
+    std::string_view sign;
+  };
+  static constexpr std::array prefixes{Prefix{1e9, "G"}, Prefix{1e6, "M"},  Prefix{1e3, "k"},
+                                       Prefix{1, ""},    Prefix{1e-3, "m"}, Prefix{1e-6, "u"}};
+  const double magnitude = std::abs(value);
+  const bool in_range = magnitude >= 1e-6 && magnitude < 1e12;
+  if (in_range) {
+    for (const Prefix& prefix : prefixes) {
+      const bool unusual = unit == "m" && prefix.factor > 1;  // no kilometres
+      if (magnitude >= prefix.factor && !unusual) {
+        return fmt::format("{:.5g} {}{}", value / prefix.factor, prefix.sign, unit);
+      }
+    }
+  }
+  return fmt::format("{:.5g} {}", value, unit);
+}
+
+std::string limit_digits(double value, bool upwards) {
+  constexpr int shown = 10;
+  const double last_digit = std::pow(10.0, std::floor(std::log10(value)) + 1 - shown);
+  std::string text = fmt::format("{:.{}g}", value, shown);
+  for (double nudge = 0.5; (upwards ? std::stod(text) < value : std::stod(text) > value);
+       nudge += 0.5) {
+    text = fmt::format("{:.{}g}", value + (upwards ? nudge : -nudge) * last_digit, shown);
+  }
+  return text;
+}
+
+std::string whole(const std::optional<double>& count) {
+  constexpr double exact = 9007199254740992;  // 2^53
+  if (!count) {
+    return "none";
+  }
+  return *count <= exact ? fmt::format("{:.0f}", *count) : digits(*count);
+}
+
+std::string plural(const std::optional<double>& count, std::string_view one) {
+  return fmt::format("{} {}{}", whole(count), one, count == 1.0 ? "" : "s");
+}
+
+}  // namespace stillpoint::report

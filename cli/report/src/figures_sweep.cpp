@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "figures_sweep.hpp"
+
+#include "figures_region.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace stillpoint::report {
+
+using figures::Figure;
+using figures::FigureAxis;
+using figures::Scale;
+
+namespace {
+
+using fmt::format;
+using sweep::Axis;
+using sweep::MapAxis;
+using sweep::Quantity;
+using sweep::SweepAxis;
+using sweep::SweepClass;
+using sweep::SweepKind;
+using sweep::SweepMap;
+using sweep::SweepSpec;
+
+constexpr std::array<const char*, SweepClass::count> palette{
+    "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
+    "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
+    "#555555", "#000000", "#cc79a7", "#009e73"};
+
+std::string class_name(std::size_t index) {
+  constexpr std::size_t ranges = SweepClass::ranges;
+  if (index >= 2 * ranges) {
+    constexpr std::array<const char*, 4> others{
+        "does not move", "never stops", "not known to have stopped", "too many half-cycles"};
+    return others.at(index - 2 * ranges);
+  }
+  const std::size_t range = index % ranges;
+  const int first = SweepClass::first_half_cycles.at(range);
+  const std::string where = index < ranges ? "centred" : "off centre";
+  if (range + 1 == ranges) {
+    return format("{} after {} or more", where, first);
+  }
+  const int last = SweepClass::first_half_cycles.at(range + 1) - 1;
+  return first < last ? format("{} after {}–{}", where, first, last)
+                      : format("{} after {}", where, first);
+}
+
+/// From the edge of the first cell to that of the last.
+FigureAxis figure_axis(std::string label, const MapAxis& swept) {
+  const bool linear = swept.spacing() == Axis::Spacing::linear;
+  const FigureAxis middles{label, swept.value(0), swept.value(swept.cells() - 1),
+                           linear ? Scale::linear : Scale::logarithmic};
+  const double half = 0.5 / static_cast<double>(swept.cells() - 1);
+  return {std::move(label), middles.value(-half), middles.value(1 + half), middles.scale};
+}
+
+/// The classes that the map has, in the order of the palette.
+std::array<std::int64_t, SweepClass::count> class_counts(const sweep::SweepMap& map) {
+  std::array<std::int64_t, SweepClass::count> counts{};
+  for (const std::uint8_t cell : map.cells()) {
+    ++counts.at(cell);
+  }
+  return counts;
+}
+
+double only_value(const sweep::SweepSpec& spec, Quantity quantity) {
+  return std::ranges::find(spec.axes, quantity, &SweepAxis::quantity)->axis[0];
+}
+
+}  // namespace
+
+Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
+  const FigureUnits units({});
+  const auto counts = class_counts(map);
+  Figure figure;
+  figure.id = "map";
+  figure.title = "How the motions end, after how many half-cycles";
+  figure.x = figure_axis("constant friction f", map.f());
+  figure.y = figure_axis(units.delta_label, map.delta());
+  figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}};
+  figure.description =
+      "The plane of f and Δ. Centred is a rest at x = 0, off centre one in the dead zone.";
+  for (std::size_t i = 0; i < SweepClass::count; ++i) {
+    figure.map.palette.emplace_back(palette.at(i));
+    figure.map.names.push_back(counts.at(i) > 0 ? class_name(i) : "");
+    if (counts.at(i) > 0) {
+      figure.description += format(
+          " {}: {:.3g} %.", class_name(i),
+          100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
+    }
+  }
+  const double v0 = std::abs(only_value(spec, Quantity::v0));
+  const double p = only_value(spec, Quantity::p);
+  if (spec.kind == SweepKind::free && from_zero(spec) && v0 > 0 && p > 0) {
+    add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
+  }
+  return figure;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/figures/figure.hpp>
+#include <stillpoint/report/document.hpp>
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace stillpoint::report {
+
+namespace {
+
+using figures::escaped;
+using fmt::format;
+
+/// The class that the page's style knows.
+std::string_view look_of(Tone tone) {
+  switch (tone) {
+    case Tone::plain:
+      break;
+    case Tone::heading:
+      return " class=\"key\"";
+    case Tone::good:
+      return " class=\"good\"";
+    case Tone::bad:
+      return " class=\"bad\"";
+    case Tone::faint:
+      return " class=\"faint\"";
+  }
+  return "";
+}
+
+std::string cells(const TableRow& row, std::string_view tag) {
+  std::string text = "<tr>";
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const bool last = i + 1 == row.cells.size();
+    text += format("<{0}{1}>{2}</{0}>", tag, last ? look_of(row.tone) : "", escaped(row.cells[i]));
+  }
+  return text + "</tr>\n";
+}
+
+/// Renders the parts of a section. Rows that follow each other are one table.
+class Parts {
+ public:
+  void operator()(const Row& row) {
+    if (!in_rows_) {
+      text_ += "<div class=\"wide\"><table class=\"rows\">\n";
+      in_rows_ = true;
+    }
+    text_ += format("<tr><th>{}</th><td{}>{}</td></tr>\n", escaped(row.label), look_of(row.tone),
+                    escaped(row.text));
+  }
+
+  void operator()(const Line& line) {
+    end_rows();
+    text_ += format("<p{}>{}</p>\n", look_of(line.tone), escaped(line.text));
+  }
+
+  void operator()(const Table& table) {
+    end_rows();
+    text_ += "<div class=\"wide\"><table>\n" + cells({table.head}, "th");
+    for (const TableRow& row : table.rows) {
+      text_ += cells(row, "td");
+    }
+    text_ += "</table></div>\n";
+  }
+
+  std::string text() {
+    end_rows();
+    return std::move(text_);
+  }
+
+ private:
+  void end_rows() {
+    text_ += in_rows_ ? "</table></div>\n" : "";
+    in_rows_ = false;
+  }
+
+  std::string text_;
+  bool in_rows_{false};
+};
+
+}  // namespace
+
+std::string html(const Document& document) {
+  std::string text;
+  for (const Section& section : document.sections) {
+    Parts parts;
+    for (const auto& part : section.parts) {
+      std::visit(parts, part);
+    }
+    text += format("<h2>{}</h2>\n{}", escaped(section.heading), parts.text());
+  }
+  return text;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "json_parts.hpp"
+#include "physical_values.hpp"
+
+#include <stillpoint/report/report.hpp>
+
+namespace stillpoint::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
+  task["pulse"] = pulse ? ordered_json(design::name(*pulse)) : ordered_json(nullptr);
+  task["k"] = pulse ? number(design::peak_load(*pulse)) : ordered_json(nullptr);
+  task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
+}
+
+ordered_json design_point_json(const design::Problem& problem, const design::DesignPoint& point) {
+  return {{"f", number(point.f)},
+          {"delta", number(point.delta)},
+          {"tolerance", number(point.tolerance)},
+          {"delta1_published", number(design::delta1_published(problem, point.f))},
+          {"delta1_exact", number(design::delta1_exact(problem, point.f))}};
+}
+
+ordered_json search_json(const design::SearchRecord& search) {
+  return {{"library", "NLopt"},
+          {"library_version", design::nlopt_version()},
+          {"algorithm", search.algorithm},
+          {"status", search.status},
+          {"evaluations", search.evaluations},
+          {"wall_time_s", number(search.wall_time_s)}};
+}
+
+ordered_json cross_check_json(const design::CrossCheck& check) {
+  ordered_json methods = ordered_json::array();
+  for (const design::CheckMethod& method : check.methods) {
+    methods.push_back({{"name", method.name},
+                       {"tolerance", number(method.tolerance)},
+                       {"peak_amplitude", number(method.peak_amplitude)},
+                       {"peak_acceleration", number(method.peak_acceleration)},
+                       {"stop_time", number(method.stop_time)},
+                       {"arrival_speed", number(method.arrival_speed)},
+                       {"half_cycles", count(method.half_cycles)},
+                       {"stop_position", number(method.stop_position)},
+                       {"relative_error", number(method.relative_error)},
+                       {"wall_time_s", number(method.wall_time_s)},
+                       {"decided", method.decided},
+                       {"passed", method.passed}});
+  }
+  return {{"passed", check.passed}, {"methods", methods}};
+}
+
+/// How the design stands under its pulse.
+ordered_json pulse_check_json(const design::PulseCheck& check) {
+  ordered_json warnings = ordered_json::array();
+  for (const design::PulseWarning warning : check.warnings) {
+    warnings.push_back(name(warning));
+  }
+  return {{"shortness", number(check.shortness)},
+          {"friction_ratio", number(check.friction_ratio)},
+          {"equivalent_v0", number(check.start.speed)},
+          {"equivalent_start", number(check.start.tau)},
+          {"peak_error", number(check.peak_error)},
+          {"stop_time_error", number(check.stop_time_error)},
+          {"warnings", warnings},
+          {"response", forced_json(check.response)}};
+}
+
+}  // namespace
+
+ordered_json json(const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  const auto& [problem, limits, search, pulse] = result.request;
+  ordered_json task = task_json(problem, limits);
+  add_pulse(task, pulse);
+  task["objective"] = name(search.objective);
+  task["algorithm"] = text_or_null(search.algorithm);
+  ordered_json json{
+      {"schema", "stillpoint/design-report/1"},
+      {"program", program_json()},
+      {"input", task},
+      {"region", region_fields(result.region, result.reason, result.mends, result.joint_mend)},
+      {"design", nullptr},
+      {"constraints", ordered_json::array()},
+      {"response", nullptr},
+      {"search", nullptr},
+      {"cross_check", nullptr},
+      {"pulse", nullptr},
+      {"physical", physical_json(report)}};
+  if (result.finding) {
+    const design::Finding& finding = *result.finding;
+    json["design"] = design_point_json(problem, finding.point);
+    json["constraints"] = constraints_json(finding.constraints);
+    json["response"] = response_json(finding.response);
+    json["search"] = search_json(finding.search);
+    json["cross_check"] = cross_check_json(finding.cross_check);
+    if (finding.pulse) {
+      json["pulse"] = pulse_check_json(*finding.pulse);
+    }
+  }
+  return json;
+}
+
+ordered_json json(const RegionReport& report) {
+  const auto& [problem, limits, f, delta] = report.request;
+  const design::RegionAnswer& answer = report.answer;
+  ordered_json task = task_json(problem, limits);
+  task["f"] = number(f);
+  task["delta"] = number(delta);
+  return {
+      {"schema", "stillpoint/region-report/1"},
+      {"program", program_json()},
+      {"input", task},
+      {"region", region_fields(answer.region, answer.reason, answer.mends, answer.joint_mend)},
+      {"delta1_published", number(answer.delta1_published)},
+      {"delta1_exact", number(answer.delta1_exact)},
+      {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},
+      {"tolerance", number(answer.tolerance)},
+      {"constraints", constraints_json(answer.constraints)},
+      {"physical", physical_json(report)}};
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The parts of which the JSON reports are made.
+
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/report/record_origin.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stillpoint::report {
+
+/// Null where it does not exist; a number that is not finite is an assertion.
+[[nodiscard]] nlohmann::ordered_json number(double value);
+[[nodiscard]] nlohmann::ordered_json number(const std::optional<double>& value);
+/// A count: an integer as long as a double holds it exactly.
+[[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
+/// Null where it is empty.
+[[nodiscard]] nlohmann::ordered_json text_or_null(const std::string& value);
+
+/// The part of `input` that design and region share.
+[[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
+                                               const design::Limits& limits);
+[[nodiscard]] nlohmann::ordered_json region_fields(const design::Region& region,
+                                                   const std::string& reason,
+                                                   const std::vector<design::Mend>& mends,
+                                                   const std::optional<design::JointMend>& joint);
+[[nodiscard]] nlohmann::ordered_json constraints_json(
+    std::span<const design::Constraint> constraints);
+[[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
+[[nodiscard]] nlohmann::ordered_json forced_json(const ForcedResponse& forced);
+/// The input of a motion.
+[[nodiscard]] nlohmann::ordered_json motion_input_json(const SimulationRequest& request,
+                                                       const std::optional<RecordOrigin>& record);
+[[nodiscard]] nlohmann::ordered_json program_json();
+
+}  // namespace stillpoint::report

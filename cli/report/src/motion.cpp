@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+namespace {
+
+std::string arrival(const HalfCycle& half_cycle, Outcome outcome) {
+  if (half_cycle.arrival_speed) {
+    return digits(*half_cycle.arrival_speed);
+  }
+  const bool stops = outcome == Outcome::stopped_in_dead_zone;
+  return format("{} at {}", stops ? "rests" : "is", digits(half_cycle.end_position));
+}
+
+/// The first dozen.
+void add_half_cycles(Document& document, const Simulation& answer) {
+  constexpr std::size_t most_listed = 12;
+  if (answer.half_cycles.empty()) {
+    return;
+  }
+  Table table{{"", "starts", "leaves at", "peak at", "peak", "ends", "arrives at"}, {}};
+  const std::size_t listed = std::min(most_listed, answer.half_cycles.size());
+  for (std::size_t i = 0; i < listed; ++i) {
+    const HalfCycle& now = answer.half_cycles[i];
+    table.rows.push_back(
+        {{format("{}", now.index), digits(now.start_time), digits(now.departure_speed),
+          digits(now.peak_time), digits(now.side * now.peak), digits(now.end_time),
+          arrival(now, answer.response.outcome)}});
+  }
+  Section& section = document.section("Half-cycles");
+  section.parts.emplace_back(std::move(table));
+  if (answer.response.half_cycles.value_or(HUGE_VAL) > static_cast<double>(listed)) {
+    section.line("... the JSON report lists more, see --max-half-cycles", Tone::faint);
+  }
+}
+
+std::string verdict(const MotionReport& report) {
+  const Response& response = report.answer.response;
+  std::string text = format("It {}", outcome_phrase(response.outcome));
+  if (response.stop_time && *response.stop_time > 0) {
+    text += format(", after tau = {:.6g}{}", *response.stop_time,
+                   in_seconds(report.physical, *response.stop_time));
+  }
+  return format("{}. Its peak is {:.6g}{}.", text, response.peak_amplitude,
+                in_metres(report.physical, response.peak_amplitude));
+}
+
+}  // namespace
+
+Document document(const MotionReport& report) {
+  const auto& [p, f, delta] = report.request.oscillator;
+  const Start& start = report.request.start;
+  Document document;
+  document.title = is_forced(report.request) ? "Forced motion" : "Free motion";
+  document.verdict = verdict(report);
+  Section& scene = document.section("Scene");
+  if (report.physical) {
+    add_physical_input(scene, *report.physical);
+  }
+  scene.row("dimensionless",
+            format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", start.v0, p, start.x0));
+  scene.row("damper",
+            format("f = {:.6g}   delta = {:.6g}{}", f, delta, in_metres(report.physical, delta)));
+  add_damper_physics(scene, report.physical, f, delta);
+  if (is_forced(report.request)) {
+    add_excitation(scene, report.request.excitation, report.record, report.physical);
+  }
+  Section& motion = document.section("Motion");
+  if (report.answer.forced) {
+    add_response(motion, *report.answer.forced, report.physical);
+  } else {
+    add_response(motion, report.answer.response, report.physical);
+  }
+  add_half_cycles(document, report.answer);
+  return document;
+}
+
+}  // namespace stillpoint::report

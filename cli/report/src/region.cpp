@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <fmt/format.h>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+namespace {
+
+void add_point(Section& section, const RegionReport& report) {
+  const auto& [problem, limits, f, delta] = report.request;
+  const design::RegionAnswer& answer = report.answer;
+  section.row("delta", digits(*delta) + in_metres(report.physical, *delta));
+  section.row("the point is", *answer.admissible ? "admissible" : "not admissible",
+              *answer.admissible ? Tone::good : Tone::bad);
+  if (answer.tolerance) {
+    section.row("tolerance",
+                format("+-{:.4g} % of f and delta at once{}", 100 * *answer.tolerance,
+                       limits.tolerance > *answer.tolerance
+                           ? format(", less than the {:.4g} % asked for", 100 * limits.tolerance)
+                           : ""));
+  }
+}
+
+}  // namespace
+
+Document document(const RegionReport& report) {
+  const auto& [problem, limits, f, delta] = report.request;
+  const design::RegionAnswer& answer = report.answer;
+  Document document;
+  document.title = "Admissible region";
+  add_problem(document, problem, limits, report.physical);
+  add_region(document, answer.region, report.physical);
+  if (answer.region.feasible) {
+    document.verdict =
+        format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
+    document.tone = Tone::good;
+  } else {
+    add_emptiness(document, answer.reason, answer.mends, answer.joint_mend, report.physical);
+  }
+  if (f) {
+    Section& section = document.section(format("At f = {:.6g}", *f));
+    section.row("Delta1 published", digits(answer.delta1_published));
+    section.row("Delta1 exact", answer.delta1_exact ? digits(*answer.delta1_exact)
+                                                    : "none: f > f3, the motion does not return");
+    add_damper_physics(section, report.physical, *f, delta.value_or(0));
+    if (delta) {
+      add_point(section, report);
+      document.verdict +=
+          format(" The point (f, delta) is {}admissible.", *answer.admissible ? "" : "not ");
+      add_constraints(document, answer.constraints);
+    }
+  }
+  return document;
+}
+
+}  // namespace stillpoint::report

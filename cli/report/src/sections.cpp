@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+void add_physical_input(Section& section, const design::PhysicalInput& physical) {
+  const design::Scales& scales = physical.scales;
+  std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
+  if (scales.mass_kg) {
+    isolator += format(", mass {:.6g} kg, stiffness {}", *scales.mass_kg,
+                       with_unit(*scales.stiffness_n_per_m(), "N/m"));
+  }
+  section.row("isolator", isolator);
+  section.row("velocity", format("{:.6g} m/s", physical.velocity_m_per_s));
+  if (physical.max_displacement_m) {
+    section.row("max displacement", with_unit(*physical.max_displacement_m, "m"));
+  }
+  section.row("units",
+              format("length H = {}, time {}, gravity {:.6g} m/s2", with_unit(scales.length_m, "m"),
+                     with_unit(scales.time_s, "s"), scales.gravity_m_per_s2));
+}
+
+void add_damper_physics(Section& section, const Physical& physical, double f, double delta) {
+  if (!physical) {
+    return;
+  }
+  if (const auto force = physical->scales.friction_force_n(f)) {
+    section.row("friction force", with_unit(*force, "N"));
+  }
+  if (const auto energy = physical->scales.energy_per_passage_j(delta);
+      energy && std::isfinite(*energy)) {
+    section.row("passage energy", with_unit(*energy, "J"));
+  }
+}
+
+void add_excitation(Section& section, const Excitation& excitation,
+                    const std::optional<RecordOrigin>& record, const Physical& physical) {
+  std::string what(name(excitation));
+  std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.lambda; }) {
+          what += format(", k = {:.6g}, lambda = {:.6g}{}", kind.k, kind.lambda,
+                         in_rad_per_s(physical, kind.lambda));
+        } else if constexpr (requires { kind.values; }) {
+          const auto [least, most] = std::ranges::minmax(kind.values);
+          what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least + 0.0,
+                         most + 0.0);  // no -0
+        }
+        if constexpr (requires { kind.phase; }) {
+          what += format(", phase {:.6g}", kind.phase);
+        }
+      },
+      excitation);
+  section.row("excitation", what);
+  if (record) {
+    section.row("record", spelled_out(record->file));
+    if (!record->description.empty()) {
+      section.row("", spelled_out(record->description));
+    }
+  }
+  if (const auto lasts = duration(excitation)) {
+    section.row("duration", format("{:.6g}{}", *lasts, in_seconds(physical, *lasts)));
+  }
+}
+
+Section& add_problem(Document& document, const design::Problem& problem,
+                     const design::Limits& limits, const Physical& physical) {
+  Section& section = document.section("Task");
+  if (physical) {
+    add_physical_input(section, *physical);
+  }
+  section.row("dimensionless", format("v0 = {:.6g}   p = {:.6g}   beta = {:.6g}", problem.v0,
+                                      problem.p, problem.beta));
+  section.row("criterion", format("{} Delta1", name(problem.criterion)));
+  std::string limit;
+  const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
+  if (limits.f_max) {
+    add(format("f <= {:.6g}", *limits.f_max));
+  }
+  if (limits.delta_max) {
+    add(format("delta <= {:.6g}{}", *limits.delta_max, in_metres(physical, *limits.delta_max)));
+  }
+  if (limits.tolerance > 0) {
+    add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
+  }
+  if (!limit.empty()) {
+    section.row("limits", limit);
+  }
+  return section;
+}
+
+void add_region(Document& document, const design::Region& region, const Physical& physical) {
+  Section& section = document.section("Admissible region");
+  section.row("amplitude",
+              format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
+  section.row("return", format("f <= f3 = {:.6g}", region.f3));
+  section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
+  section.row("start", format("delta <= delta2 = {:.6g}{}", region.delta2,
+                              in_metres(physical, region.delta2)));
+  section.row("smallest beta",
+              format("{:.6g}{}", region.beta_min, in_metres(physical, region.beta_min)));
+  if (region.feasible) {
+    section.row("feasible f", format("{:.6g} to {:.6g}", *region.f_lower, *region.f_upper));
+  }
+}
+
+namespace {
+
+std::string bound(double value, bool upwards) {
+  return format("at {} {}", upwards ? "least" : "most", limit_digits(value, upwards));
+}
+
+/// "at most 0.34", of a physical input in its unit as well.
+void add_mend(Section& section, const design::Mend& mend, const Physical& physical) {
+  std::string text = bound(mend.value, mend.upwards);
+  if (physical) {
+    if (const auto now = physical_mend(*physical, mend)) {
+      text += format("   ({} {} {})", now->name, bound(now->value, now->upwards), now->unit);
+    }
+  }
+  section.row(std::string(mend.field), text);
+}
+
+}  // namespace
+
+void add_emptiness(Document& document, const std::string& reason,
+                   const std::vector<design::Mend>& mends,
+                   const std::optional<design::JointMend>& joint, const Physical& physical) {
+  document.verdict = format("No admissible design: {}.", reason);
+  document.tone = Tone::bad;
+  Section& section = document.section("What would make it feasible");
+  if (joint) {
+    section.line(format(
+        "No single change does: no damper has a tolerance above {}, whatever beta and the limits "
+        "are. The smallest changes of two inputs that do:",
+        limit_digits(joint->largest_tolerance, false)));
+  } else if (mends.empty()) {
+    section.line("No change of a single input makes it feasible.");
+  } else {
+    section.line(
+        "Changing any one of these makes it feasible; each value is the nearest that does:");
+  }
+  for (const design::Mend& mend : joint ? joint->mends : mends) {
+    add_mend(section, mend, physical);
+  }
+}
+
+void add_constraints(Document& document, std::span<const design::Constraint> constraints) {
+  Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
+  for (const design::Constraint& now : constraints) {
+    table.rows.push_back({{std::string(now.name), std::string(now.variable), digits(now.value),
+                           std::string(now.relation), digits(now.limit), digits(now.slack),
+                           now.satisfied ? "met" : "violated"},
+                          now.satisfied ? Tone::good : Tone::bad});
+  }
+  document.section("Constraints").parts.emplace_back(std::move(table));
+}
+
+std::string outcome_phrase(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::stopped_at_zero:
+      return "stops at x = 0";
+    case Outcome::stopped_in_dead_zone:
+      return "stops off x = 0, in the dead zone";
+    case Outcome::never_stops:
+      return "never stops: there is no friction";
+    case Outcome::caught_at_start:
+      return "never starts: v0^2 < 2 delta, the notch holds it";
+    case Outcome::running:
+      return "is still moving at the end of the run";
+  }
+  return {};
+}
+
+namespace {
+
+void add_metrics(Section& section, const Response& response, const Physical& physical) {
+  section.row("outcome", outcome_phrase(response.outcome));
+  section.row("peak", format("{:.6g}{}", response.peak_amplitude,
+                             in_metres(physical, response.peak_amplitude)));
+  section.row("peak acceleration",
+              physical ? format("{:.6g} g = {:.5g} m/s2", response.peak_acceleration,
+                                response.peak_acceleration * physical->scales.gravity_m_per_s2)
+                       : digits(response.peak_acceleration));
+  if (response.stop_time) {
+    section.row("stop time",
+                format("{:.6g}{}", *response.stop_time, in_seconds(physical, *response.stop_time)));
+    section.row("stop position", format("{:.6g}{}", *response.stop_position,
+                                        in_metres(physical, *response.stop_position)));
+  }
+  if (response.arrival_speed) {
+    section.row("arrival speed", format("{:.6g}, the last at x = 0", *response.arrival_speed));
+  }
+  if (response.half_cycles) {
+    section.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
+                                 plural(response.zero_passages, "passage"),
+                                 plural(response.turning_points, "turning point")));
+  }
+}
+
+/// The two motions' margins are not one quantity: docs/theory.md section 6, docs/forced.md section
+/// 7.
+void add_margin(Section& section, const Response& response, std::string_view meaning) {
+  if (response.decision_margin) {
+    section.row("decision margin",
+                format("{:.2g} %: {}", 100 * *response.decision_margin, meaning));
+  }
+}
+
+}  // namespace
+
+void add_response(Section& section, const Response& response, const Physical& physical) {
+  add_metrics(section, response, physical);
+  add_margin(section, response, "the outcome could change if all inputs shift by about this much");
+}
+
+void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
+  add_metrics(section, response, physical);
+  add_margin(section, response, "the closest decision was this far from the other outcome");
+  if (response.sticks > 0) {
+    section.row("sticks", format("{}, {:.6g}{} in all", plural(response.sticks, "stick"),
+                                 response.stick_time, in_seconds(physical, response.stick_time)));
+  }
+  if (response.end_time && response.outcome == Outcome::running) {
+    section.row("at the end",
+                format("tau = {:.6g}{}, x = {:.6g}{}, v = {:.6g}", *response.end_time,
+                       in_seconds(physical, *response.end_time), *response.final_position,
+                       in_metres(physical, *response.final_position), *response.final_velocity));
+  }
+  if (response.left_notch_from_rest) {
+    section.row("note", "it started from rest at x = 0: the notch acts from the first return on");
+  }
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The sections that several documents share.
+
+#include "units.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/report/document.hpp>
+#include <stillpoint/report/record_origin.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stillpoint::report {
+
+void add_physical_input(Section& section, const design::PhysicalInput& physical);
+/// Force and energy of a damper, where there is a mass.
+void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
+void add_excitation(Section& section, const Excitation& excitation,
+                    const std::optional<RecordOrigin>& record, const Physical& physical);
+
+/// The section of the task.
+Section& add_problem(Document& document, const design::Problem& problem,
+                     const design::Limits& limits, const Physical& physical);
+void add_region(Document& document, const design::Region& region, const Physical& physical);
+/// Why there is no admissible design, which is the verdict, and what would make it feasible.
+void add_emptiness(Document& document, const std::string& reason,
+                   const std::vector<design::Mend>& mends,
+                   const std::optional<design::JointMend>& joint, const Physical& physical);
+void add_constraints(Document& document, std::span<const design::Constraint> constraints);
+
+void add_response(Section& section, const Response& response, const Physical& physical);
+/// With what a forced motion has beyond a free one.
+void add_response(Section& section, const ForcedResponse& response, const Physical& physical);
+
+/// "stops at x = 0" and so on.
+[[nodiscard]] std::string outcome_phrase(Outcome outcome);
+
+}  // namespace stillpoint::report

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/sweep.hpp>
+
+#include "figures_sweep.hpp"
+#include "json_parts.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace stillpoint::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+using sweep::Quantity;
+using sweep::sweep_outcome_count;
+using sweep::sweep_outcome_name;
+using sweep::SweepKind;
+using sweep::SweepMap;
+using sweep::SweepSpec;
+using sweep::SweepState;
+using sweep::SweepSummary;
+
+double rate(const SweepSummary& summary) {
+  constexpr double least_s = 1e-6;
+  return static_cast<double>(summary.state.rows - summary.resumed_at) /
+         std::max(summary.wall_time_s, least_s);
+}
+
+constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
+    "stop at x = 0",   "stop in dead zone", "never stop",
+    "caught at start", "running",           "over the limit"};
+
+ordered_json outcomes_json(const SweepState& state) {
+  ordered_json counts;
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    counts[std::string(sweep_outcome_name(i))] = state.outcomes[i];
+  }
+  return counts;
+}
+
+}  // namespace
+
+ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
+  const bool design = spec.kind == SweepKind::design;
+  ordered_json columns = ordered_json::array();
+  for (const Quantity column : spec.columns) {
+    columns.push_back(name(column));
+  }
+  const SweepState& state = summary.state;
+  return {{"schema", "stillpoint/sweep-report/1"},
+          {"program", program_json()},
+          {"kind", name(spec.kind)},
+          {"output", {{"file", *spec.output}, {"format", name(spec.format)}, {"columns", columns}}},
+          {"rows", state.rows},
+          {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
+          {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
+          {"resumed_at", summary.resumed_at},
+          {"threads", spec.threads},
+          {"wall_time_s", summary.wall_time_s},
+          {"rows_per_s", rate(summary)}};
+}
+
+Document document(const SweepSpec& spec, const SweepSummary& summary) {
+  const SweepState& state = summary.state;
+  Document document;
+  document.title = "Sweep";
+  Section& rows = document.section("Rows");
+  rows.row("file", *spec.output);
+  rows.row("rows", fmt::format("{}", state.rows));
+  if (summary.resumed_at > 0) {
+    rows.row("resumed at", fmt::format("{}", summary.resumed_at));
+  }
+  rows.row("time", fmt::format("{:.4g} s, {:.3g} rows/s on {} thread{}", summary.wall_time_s,
+                               rate(summary), spec.threads, spec.threads == 1 ? "" : "s"));
+  if (spec.kind == SweepKind::design) {
+    Section& designs = document.section("Designs");
+    designs.row("feasible", fmt::format("{}", state.feasible));
+    designs.row("infeasible", fmt::format("{}", state.rows - state.feasible));
+    return document;
+  }
+  Section& outcomes = document.section("Outcomes");
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    if (state.outcomes[i] > 0) {
+      outcomes.row(std::string(outcome_labels[i]), fmt::format("{}", state.outcomes[i]));
+    }
+  }
+  return document;
+}
+
+figures::HtmlPage page(const SweepSpec& spec, const SweepSummary& summary, const SweepMap& map) {
+  figures::HtmlPage page;
+  page.title = "Sweep";
+  page.verdict = fmt::format(
+      "{} motions. Blue stops centred (at x = 0), orange off centre (in the dead zone); the number "
+      "counts half-cycles.",
+      summary.state.rows);
+  if (spec.output) {
+    page.body = html(document(spec, summary));
+  }
+  page.figures = {sweep_figure(spec, map)};
+  return page;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/trajectory_csv.hpp>
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace stillpoint::report {
+
+std::string trajectory_csv(const std::vector<State>& states,
+                           const std::optional<design::PhysicalInput>& physical) {
+  std::string text = physical ? "tau,x,v,t_s,x_m,v_m_per_s\n" : "tau,x,v\n";
+  auto end = std::back_inserter(text);
+  for (const State& state : states) {
+    fmt::format_to(end, "{},{},{}", state.tau, state.x, state.v);
+    if (physical) {
+      const design::Scales& scales = physical->scales;
+      fmt::format_to(end, ",{},{},{}", state.tau * scales.time_s, state.x * scales.length_m,
+                     state.v * scales.velocity_m_per_s);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace stillpoint::report

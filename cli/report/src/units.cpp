@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "units.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+std::string in_metres(const Physical& physical, double length) {
+  return physical && length != 0
+             ? format(" = {}", with_unit(length * physical->scales.length_m, "m"))
+             : "";
+}
+
+std::string in_seconds(const Physical& physical, double tau) {
+  return physical ? format(" = {}", with_unit(tau * physical->scales.time_s, "s")) : "";
+}
+
+std::string in_rad_per_s(const Physical& physical, double lambda) {
+  return physical ? format(" = {:.5g} rad/s", lambda / physical->scales.time_s) : "";
+}
+
+FigureUnits::FigureUnits(const Physical& physical) {
+  if (!physical) {
+    return;
+  }
+  const design::Scales& scales = physical->scales;
+  const bool large = scales.length_m > 10;
+  length = scales.length_m * (large ? 1 : 1e3);
+  time = scales.time_s;
+  velocity = scales.velocity_m_per_s;
+  energy = scales.velocity_m_per_s * scales.velocity_m_per_s * scales.mass_kg.value_or(1);
+  const std::string unit = large ? "m" : "mm";
+  delta_label += ", " + unit;
+  x_label += ", " + unit;
+  time_label = "time, s";
+  velocity_label = "velocity, m/s";
+  energy_label += scales.mass_kg ? ", J" : ", J/kg";
+}
+
+}  // namespace stillpoint::report

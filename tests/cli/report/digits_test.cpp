@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/digits.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <optional>
+#include <random>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(digits_test)
+
+using namespace stillpoint::report;
+
+BOOST_AUTO_TEST_CASE(six_digits_or_none) {
+  BOOST_TEST(digits(0.2593254) == "0.259325");
+  BOOST_TEST(digits(1.2e-9) == "1.2e-09");
+  BOOST_TEST(digits(std::optional<double>()) == "none");
+}
+
+BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {
+  BOOST_TEST(with_unit(0.0121, "m") == "12.1 mm");
+  BOOST_TEST(with_unit(-0.0121, "m") == "-12.1 mm");
+  BOOST_TEST(with_unit(3460, "N") == "3.46 kN");
+  BOOST_TEST(with_unit(1, "s") == "1 s");
+  BOOST_TEST(with_unit(2e-6, "J") == "2 uJ");
+}
+
+BOOST_AUTO_TEST_CASE(there_are_no_kilometres_and_no_prefix_beyond_giga) {
+  BOOST_TEST(with_unit(3460, "m") == "3460 m");
+  BOOST_TEST(with_unit(2e12, "N") == "2e+12 N");
+  BOOST_TEST(with_unit(2e-7, "m") == "2e-07 m");
+  BOOST_TEST(with_unit(0, "m") == "0 m");
+}
+
+/// Whatever the value, the printed limit lies on the side that meets it, within 1.5 of the tenth
+/// digit.
+BOOST_AUTO_TEST_CASE(a_printed_limit_is_on_the_safe_side) {
+  constexpr double tenth_digit = 1.5e-9;  // relative, of a value that begins with 1
+  std::mt19937 random(20'261'121);
+  std::uniform_real_distribution<double> exponents(-20, 20);
+  for (int i = 0; i < 2000; ++i) {
+    const double value = std::pow(10, exponents(random));
+    const double least = std::stod(limit_digits(value, true));
+    const double most = std::stod(limit_digits(value, false));
+    BOOST_TEST(least >= value);
+    BOOST_TEST(most <= value);
+    BOOST_TEST(least - most <= 2 * tenth_digit * value, value);
+  }
+  BOOST_TEST(limit_digits(0.5, true) == "0.5");
+  BOOST_TEST(limit_digits(1.0 / 3, true) == "0.3333333334");
+  BOOST_TEST(limit_digits(1.0 / 3, false) == "0.3333333333");
+}
+
+BOOST_AUTO_TEST_CASE(counts_are_whole_as_long_as_they_are_exact) {
+  BOOST_TEST(whole(9007199254740992.0) == "9007199254740992");  // 2^53
+  BOOST_TEST(whole(1e17) == "1e+17");
+  BOOST_TEST(whole({}) == "none");
+  BOOST_TEST(plural(1.0, "turning point") == "1 turning point");
+  BOOST_TEST(plural(0.0, "passage") == "0 passages");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/document.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <sstream>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(document_test)
+
+using namespace stillpoint::report;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Document sample() {
+  Document document;
+  document.title = "Trial";
+  document.verdict = "It holds.";
+  Section& first = document.section("Rows");
+  first.row("mass", "1 kg");
+  first.row("", "of steel", Tone::good);
+  Section& second = document.section("Table");
+  second.parts.emplace_back(
+      Table{{"", "size", "is"}, {{{"a", "1", "met"}, Tone::good}, {{"long", "22", ""}}}});
+  second.line("A note.");
+  return document;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
+  BOOST_TEST(text(sample()) ==
+             "Trial\n"
+             "  It holds.\n"
+             "\n"
+             "Rows\n"
+             "  mass              1 kg\n"
+             "                    of steel\n"
+             "\n"
+             "Table\n"
+             "         size   is\n"
+             "  a         1   met\n"
+             "  long     22\n"
+             "  A note.\n");
+}
+
+BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
+  BOOST_TEST(html(sample()) ==
+             "<h2>Rows</h2>\n"
+             "<div class=\"wide\"><table class=\"rows\">\n"
+             "<tr><th>mass</th><td>1 kg</td></tr>\n"
+             "<tr><th></th><td class=\"good\">of steel</td></tr>\n"
+             "</table></div>\n"
+             "<h2>Table</h2>\n"
+             "<div class=\"wide\"><table>\n"
+             "<tr><th></th><th>size</th><th>is</th></tr>\n"
+             "<tr><td>a</td><td>1</td><td class=\"good\">met</td></tr>\n"
+             "<tr><td>long</td><td>22</td><td></td></tr>\n"
+             "</table></div>\n"
+             "<p>A note.</p>\n");
+}
+
+/// Whatever text gets into a document, it brings no markup and no control character.
+BOOST_AUTO_TEST_CASE(is_escaped) {
+  Document document;
+  document.section("<b>").row("&", "\"<script>\"");
+  document.sections.back().line("<p>");
+  document.sections.back().parts.emplace_back(Table{{"<i>"}, {{{"<td>"}}}});
+  const std::string page = html(document);
+  for (const char* markup : {"<b>", "<script>", "<p><p>", "<i>", "<td><td>"}) {
+    BOOST_TEST(!contains(page, markup), page);
+  }
+  BOOST_TEST(contains(page, "&lt;script&gt;"), page);
+  BOOST_TEST(text(sample(), {.title = "\x1b[2J"}).starts_with("Trial: \\x1b[2J\n"));
+}
+
+BOOST_AUTO_TEST_CASE(is_coloured_only_when_asked) {
+  BOOST_TEST(!contains(text(sample()), "\x1b"));
+  const std::string coloured = text(sample(), {.coloured = true});
+  BOOST_TEST(contains(coloured, "\x1b[32mof steel\x1b[0m"), coloured);
+}
+
+BOOST_AUTO_TEST_CASE(long_lines_break_at_spaces) {
+  Document document;
+  std::string words;
+  for (int i = 0; i < 60; ++i) {
+    words += "word ";
+  }
+  document.section("Long").line(words + std::string(200, 'x'));
+  std::istringstream lines(text(document));
+  std::string all;
+  for (std::string line; std::getline(lines, line);) {
+    BOOST_TEST((line.size() <= 98 || !contains(line, "word")), line);
+    all += line.substr(line.find_first_not_of(' ') == std::string::npos ? 0 : 2) + " ";
+  }
+  BOOST_TEST(contains(all, words + std::string(200, 'x')), all);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

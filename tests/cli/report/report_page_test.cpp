@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/digits.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(report_page_test)
+
+using namespace stillpoint;
+using namespace stillpoint::report;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+DesignReport isolator() {
+  design::PhysicalIsolator isolator;
+  isolator.period_s = 2.8;
+  isolator.mass_kg = 1e5;
+  const design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
+  design::DesignRequest request;
+  const double p = physical.scales.p;
+  request.problem = {.v0 = p, .p = p, .beta = 0.84};
+  return {design::design(request), physical};
+}
+
+MotionReport free_motion() {
+  SimulationRequest request;
+  request.oscillator = {1, 0.1, 0.1};
+  request.start = {0, 1};
+  return {request, simulate(request)};
+}
+
+}  // namespace
+
+/// The three ways tell one story: the numbers of JSON are in the text and on the page.
+BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
+  const DesignReport report = isolator();
+  const auto data = json(report);
+  const std::string plain = text(document(report));
+  const figures::HtmlPage made = page(report);
+  for (const double value :
+       {data["design"]["f"].get<double>(), data["design"]["delta"].get<double>(),
+        data["response"]["peak_amplitude"].get<double>(), data["region"]["f3"].get<double>()}) {
+    BOOST_TEST(contains(plain, digits(value)), plain);
+    BOOST_TEST(contains(made.body, digits(value)), made.body);
+  }
+  BOOST_TEST(contains(plain, with_unit(data["physical"]["peak_m"], "m")), plain);
+  BOOST_TEST(contains(plain, made.verdict.substr(0, 40)), plain);
+  for (const auto& constraint : data["constraints"]) {
+    BOOST_TEST(contains(made.body, constraint["name"].get<std::string>()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pages_have_the_figures_that_they_announce) {
+  for (const figures::Figure& figure : page(isolator()).figures) {
+    BOOST_TEST(std::ranges::count(design_figures, figure.id) == 1, figure.id);
+  }
+  for (const figures::Figure& figure : page(free_motion()).figures) {
+    BOOST_TEST(std::ranges::count(motion_figures, figure.id) == 1, figure.id);
+  }
+}
+
+/// beta = 0.6 < 1/sqrt(2): the verdict is the reason, and every mend has a row.
+BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_mend_it) {
+  const design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 0.6}};
+  const RegionReport report{request, design::answer(request)};
+  const Document made = document(report);
+  BOOST_TEST((made.tone == Tone::bad));
+  BOOST_TEST(contains(made.verdict, report.answer.reason), made.verdict);
+  BOOST_TEST_REQUIRE(!report.answer.mends.empty());
+  for (const design::Mend& mend : report.answer.mends) {
+    BOOST_TEST(contains(text(made), limit_digits(mend.value, mend.upwards)), text(made));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_mass_at_rest_has_no_figures) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.1, 1};
+  request.start = {0, 0.1};  // v0^2 < 2 delta
+  const figures::HtmlPage made = page(MotionReport{request, simulate(request)});
+  BOOST_TEST(made.figures.empty());
+  BOOST_TEST(contains(made.verdict, "Nothing moves"), made.verdict);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

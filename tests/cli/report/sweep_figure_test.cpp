@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/columns.hpp>
+#include <stillpoint/sweep/run.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(sweep_figure_test)
+
+BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
+  using namespace stillpoint;
+  using sweep::Quantity;
+  sweep::SweepSpec spec;
+  spec.axes = {{Quantity::v0, sweep::Axis({1})},
+               {Quantity::p, sweep::Axis({1})},
+               {Quantity::x0, sweep::Axis({0})},
+               {Quantity::f, sweep::parse_axis("f", "0.1:0.4:4")},
+               {Quantity::delta, sweep::parse_axis("delta", "0.01:1:3:log")}};
+  spec.columns = sweep::default_columns(spec);
+  spec.output = "/dev/null";
+  sweep::SweepMap map(spec);
+  const auto summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &map});
+  const figures::Figure figure = report::page(spec, summary, map).figures.at(0);
+  BOOST_TEST(figure.x.least == 0.05, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(figure.x.most == 0.45, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(figure.y.position(0.1) == 0.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(figure.y.position(0.01) == 1 / 6.0, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "testing/checks.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/simulation.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(simulation_test)
+
+using namespace stillpoint;
+
+namespace {
+
+SimulationRequest forced() {
+  SimulationRequest request;
+  request.oscillator = {1, 0.1, 0.01};
+  request.excitation = Harmonic{0.5, 0.7, 0, 20};
+  return request;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_free_motion_is_traced_to_its_end) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.1, 0.1};
+  request.start = {0, 1};
+  request.samples = 50;
+  const Simulation motion = simulate(request);
+  BOOST_TEST(!motion.forced.has_value());
+  BOOST_TEST(motion.half_cycles.back().last);
+  BOOST_TEST(motion.half_cycles.back().end_time == motion.response.stop_time.value());
+  BOOST_TEST(motion.trajectory.back().tau == motion.response.stop_time.value());
+  BOOST_TEST(motion.trajectory.size() > 50U);  // the events as well
+}
+
+BOOST_AUTO_TEST_CASE(without_friction_ten_periods_are_traced) {
+  SimulationRequest request;
+  request.oscillator = {2, 0, 0};
+  request.start = {1, 0};
+  request.samples = 2;
+  const double ten_periods = 10 * 3.14159265358979323846;  // pi each
+  test::near("end", simulate(request).trajectory.back().tau, ten_periods, 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(a_forced_run_ends_at_t_end) {
+  SimulationRequest request = forced();
+  request.t_end = 7;
+  request.samples = 2;
+  const Simulation motion = simulate(request);
+  BOOST_TEST(motion.horizon == 7);
+  BOOST_TEST(motion.trajectory.back().tau == 7);
+  BOOST_TEST(motion.half_cycles.back().end_time == 7);
+  BOOST_TEST((motion.response.outcome == Outcome::running));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_says_so) {
+  SimulationRequest request = forced();
+  request.excitation = Harmonic{0.5, 0.7, 0};
+  request.t_end = 1e6;
+  const Simulation motion = simulate(request, [](double) { return false; });
+  BOOST_TEST(motion.cancelled);
+  BOOST_TEST(motion.half_cycles.empty());
+}
+
+/// p tau is at most 1e15: with so little friction the rest lies far beyond.
+BOOST_AUTO_TEST_CASE(a_rest_too_late_to_be_listed_is_refused) {
+  SimulationRequest request = forced();
+  request.oscillator = {1, 1e-17, 0};
+  try {
+    static_cast<void>(simulate(request));
+    BOOST_ERROR("nothing was thrown");
+  } catch (const InputError& error) {
+    BOOST_TEST(error.field() == "t_end", error.what());
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
