@@ -28,7 +28,7 @@ struct SmoothLoad {
 
 /// In order, from tau = 0 without end.
 inline std::vector<SmoothLoad> smooth_loads(const AnyExcitation<double>& excitation) {
-  constexpr double for_ever = std::numeric_limits<double>::infinity();
+  static constexpr double for_ever = std::numeric_limits<double>::infinity();
   const auto nothing = [](double /*t*/) { return 0.0; };
   std::vector<SmoothLoad> list;
   const auto wave = [&](double k, double lambda, double phase, double lasts) {
