@@ -174,7 +174,9 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
   write("scene.json", scene);
   const ProgramRun again = run({"design", "scene.json", "--html", "two.html"});
   BOOST_TEST(again.exit_code == 0, again.err);
-  const auto figures = [](const std::string& text) { return text.substr(0, text.find("<h2>Cross")); };
+  const auto figures = [](const std::string& text) {
+    return text.substr(0, text.find("<h2>Cross"));
+  };
   BOOST_TEST(figures(read("two.html")) == figures(page));
 }
 
@@ -228,10 +230,11 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_run
   const Arguments sweep{"sweep",    "--v0",     "1",      "--p",      "1",
                         "--output", "rows.csv", "--html", "page.html"};
   for (const auto& [more, word] : std::vector<std::pair<Arguments, std::string>>{
-           {{"--f", "0.1,0.2", "--delta", "0:1:5"}, "--f as first:last:count"},
-           {{"--f", "0:0.3:5", "--delta", "0.1"}, "--delta as first:last:count"},
-           {{"--f", "0:0.3:5", "--delta", "0.1:0.1:5"}, "--delta as first:last:count"},
-           {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "one value of x0"},
+           {{"--f", "0.1,0.2", "--delta", "0:1:5"},
+            "f = 0.1,0.2: must be a range first:last:count"},
+           {{"--f", "0:0.3:5", "--delta", "0.1"}, "delta = 0.1: must be a range"},
+           {{"--f", "0:0.3:5", "--delta", "0.1:0.1:5"}, "delta = 0.1:0.1:5: must be a range"},
+           {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "x0 = 0,1: must be one number"},
            {{"--beta", "0.75:0.95:5"}, "design problems"},
            {{"--list", "list.csv"}, "a list"}}) {
     const ProgramRun answer = run(joined(sweep, more));
