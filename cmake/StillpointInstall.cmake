@@ -1,6 +1,6 @@
 # Installs two parts. "program": the program, its manual page, completions, schemas and scenes.
-# "development": the two libraries, their headers, the CMake package "stillpoint", which gives the
-# targets stillpoint::core and stillpoint::design, and the same for pkg-config.
+# "development": the libraries of core and design, their headers, the CMake package "stillpoint" with
+# the targets stillpoint::core and stillpoint::design, and the same for pkg-config.
 
 include(CMakePackageConfigHelpers)
 
@@ -31,7 +31,7 @@ install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COM
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/stillpoint")
 target_compile_features(stillpoint_motion PUBLIC cxx_std_20)
 
-set(libraries motion core damper design)
+set(libraries motion records core damper sweep design)
 foreach(library IN LISTS libraries)
   set_target_properties(stillpoint_${library} PROPERTIES EXPORT_NAME ${library})
 endforeach()
@@ -41,7 +41,7 @@ install(TARGETS ${libraries}
         EXPORT stillpointTargets
         COMPONENT development
         INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-install(DIRECTORY core/motion/include/ design/damper/include/
+install(DIRECTORY core/motion/include/ core/records/include/ design/damper/include/ design/sweep/include/
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         COMPONENT development
         FILES_MATCHING PATTERN "*.hpp")

@@ -167,6 +167,7 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 [[noreturn]] void refuse_command(const CLI::App& app) {
   const std::vector<std::string> extras = app.remaining();
   std::vector<std::string_view> names;
+  names.reserve(command_helps.size());
   for (const CommandHelp& help : command_helps) {
     names.push_back(name(help.command));
   }

@@ -28,8 +28,6 @@ using sweep::Quantity;
 using sweep::SweepAxis;
 using sweep::SweepClass;
 using sweep::SweepKind;
-using sweep::SweepMap;
-using sweep::SweepSpec;
 
 constexpr std::array<const char*, SweepClass::count> palette{
     "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0

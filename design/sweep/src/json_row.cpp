@@ -13,7 +13,6 @@ namespace stillpoint::sweep {
 namespace {
 
 using nlohmann::json;
-using records::printable;
 
 /// What the parser calls for each part of the text; false ends it.
 class RowHandler {

@@ -40,7 +40,10 @@ inline void make_room(SweepBlock& block, std::initializer_list<Quantity> quantit
 
 /// What stands for a time that a motion does not have.
 inline double missing_time(Outcome outcome) {
-  return outcome == Outcome::never_stops ? never : absent;
+  if (outcome == Outcome::never_stops) {
+    return never;
+  }
+  return absent;
 }
 
 inline void set_response(SweepBlock& block, Eigen::Index i, const Response& response) {

@@ -19,7 +19,7 @@ using Named = std::pair<Enum, std::string_view>;
 template <class Enum, std::size_t size>
 class Names {
  public:
-  explicit constexpr Names(const std::array<Named<Enum>, size>& rows) : rows_(rows) {}
+  explicit constexpr Names(std::array<Named<Enum>, size> rows) : rows_(std::move(rows)) {}
 
   [[nodiscard]] constexpr std::string_view name(Enum value) const noexcept {
     const auto row = std::ranges::find(rows_, value, &Named<Enum>::first);
