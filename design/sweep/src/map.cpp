@@ -4,7 +4,7 @@
 #include "step.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/sweep/outcome.hpp>
+#include <stillpoint/sweep/quantity.hpp>
 
 #include <fmt/format.h>
 

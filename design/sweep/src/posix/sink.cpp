@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/sink.hpp>
 
-#include "descriptor.hpp"
 #include "part_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
