@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "box.hpp"
 #include "region_edges.hpp"
 #include "unit_problem.hpp"
 

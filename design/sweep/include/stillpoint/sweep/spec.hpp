@@ -6,7 +6,6 @@
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/list.hpp>
-#include <stillpoint/sweep/spec.hpp>
 
 #include <cstdint>
 #include <memory>
