@@ -7,7 +7,6 @@
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
-#include <string_view>
 
 namespace stillpoint::design {
 

@@ -2,7 +2,6 @@
 #include "region_edges.hpp"
 #include "unit_problem.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 

@@ -7,7 +7,6 @@
 #include <stillpoint/design/cross_check.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace stillpoint::design {
 

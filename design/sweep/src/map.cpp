@@ -6,10 +6,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 
 namespace stillpoint::sweep {
 

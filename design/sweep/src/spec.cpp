@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/quantity.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <string>
 
 namespace stillpoint::sweep {
 
@@ -121,11 +123,7 @@ std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
 std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind) {
   const std::vector<Quantity> all = all_columns(kind);
   std::vector<Quantity> columns;
-  for (bool more = true; more;) {
-    const std::size_t comma = names.find(',');
-    more = comma != std::string_view::npos;
-    const std::string_view wanted = names.substr(0, comma);
-    names.remove_prefix(more ? comma + 1 : names.size());
+  for (const std::string_view wanted : records::split(names, ',')) {
     const auto quantity = find_quantity(wanted);
     if (!quantity || !contains(all, *quantity)) {
       throw unknown_column(wanted, all);
@@ -136,6 +134,13 @@ std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind) {
     columns.push_back(*quantity);
   }
   return columns;
+}
+
+std::optional<Quantity> find_quantity(std::string_view name) {
+  std::string wanted(name);
+  std::ranges::replace(wanted, '-', '_');
+  const auto* const found = std::ranges::find(quantity_forms, wanted, &QuantityForm::name);
+  return found == quantity_forms.end() ? std::nullopt : std::optional(found->quantity);
 }
 
 }  // namespace stillpoint::sweep

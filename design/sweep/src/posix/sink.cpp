@@ -8,8 +8,6 @@
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
-#include <fmt/format.h>
-
 #include <fcntl.h>
 #include <unistd.h>
 
