@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "methods.hpp"
 
-#include <stillpoint/peers/kernel.hpp>
+#include <stillpoint/peers/methods.hpp>
 #include "gsl_peer.hpp"
 #ifdef STILLPOINT_BENCH_CVODE
 #include "cvode_peer.hpp"
 #endif
-
-#include <stillpoint/peers/methods.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hard_case.hpp"
 
-#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "settings.hpp"
 
-#include <stillpoint/design/physical_input.hpp>
+#include <stillpoint/design/physical.hpp>
 
 #include <optional>
 #include <string_view>

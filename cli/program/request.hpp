@@ -5,8 +5,8 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
-#include <stillpoint/design/physical_input.hpp>
-#include <stillpoint/design/region_answer.hpp>
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/region.hpp>
 #include <stillpoint/report/record_origin.hpp>
 
 #include <optional>

@@ -4,7 +4,6 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
-#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -8,8 +8,8 @@
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/report/version.hpp>
-#include <stillpoint/sweep/columns.hpp>
-#include <stillpoint/sweep/digest.hpp>
+#include <stillpoint/sweep/spec.hpp>
+#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -126,8 +126,7 @@ Document document(const DesignReport& report) {
   task.row("objective", std::string(name(search.objective)));
   add_region(document, report.result.region, physical);
   if (!report.result.finding) {
-    add_emptiness(document, report.result.reason, report.result.mends, report.result.joint_mend,
-                  physical);
+    add_emptiness(document, report.result, physical);
     return document;
   }
   const design::Finding& finding = *report.result.finding;

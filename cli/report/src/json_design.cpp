@@ -77,18 +77,17 @@ ordered_json json(const DesignReport& report) {
   add_pulse(task, pulse);
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);
-  ordered_json json{
-      {"schema", "stillpoint/design-report/1"},
-      {"program", program_json()},
-      {"input", task},
-      {"region", region_fields(result.region, result.reason, result.mends, result.joint_mend)},
-      {"design", nullptr},
-      {"constraints", ordered_json::array()},
-      {"response", nullptr},
-      {"search", nullptr},
-      {"cross_check", nullptr},
-      {"pulse", nullptr},
-      {"physical", physical_json(report)}};
+  ordered_json json{{"schema", "stillpoint/design-report/1"},
+                    {"program", program_json()},
+                    {"input", task},
+                    {"region", region_fields(result)},
+                    {"design", nullptr},
+                    {"constraints", ordered_json::array()},
+                    {"response", nullptr},
+                    {"search", nullptr},
+                    {"cross_check", nullptr},
+                    {"pulse", nullptr},
+                    {"physical", physical_json(report)}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
     json["design"] = design_point_json(problem, finding.point);
@@ -113,7 +112,7 @@ ordered_json json(const RegionReport& report) {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},
       {"input", task},
-      {"region", region_fields(answer.region, answer.reason, answer.mends, answer.joint_mend)},
+      {"region", region_fields(answer)},
       {"delta1_published", number(answer.delta1_published)},
       {"delta1_exact", number(answer.delta1_exact)},
       {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},

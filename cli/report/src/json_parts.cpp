@@ -70,11 +70,10 @@ ordered_json text_or_null(const std::string& value) {
   return value.empty() ? ordered_json(nullptr) : ordered_json(value);
 }
 
-ordered_json region_fields(const design::Region& region, const std::string& reason,
-                           const std::vector<design::Mend>& mends,
-                           const std::optional<design::JointMend>& joint) {
+ordered_json region_fields(const design::RegionVerdict& verdict) {
+  const design::Region& region = verdict.region;
   return {{"feasible", region.feasible},
-          {"reason", text_or_null(reason)},
+          {"reason", text_or_null(verdict.reason)},
           {"conflict", conflict_json(region.conflict)},
           {"f1", number(region.f1)},
           {"f2", number(region.f2)},
@@ -83,8 +82,8 @@ ordered_json region_fields(const design::Region& region, const std::string& reas
           {"f_upper", number(region.f_upper)},
           {"delta2", number(region.delta2)},
           {"beta_min", number(region.beta_min)},
-          {"mends", mends_json(mends)},
-          {"joint_mend", joint_json(joint)}};
+          {"mends", mends_json(verdict.mends)},
+          {"joint_mend", joint_json(verdict.joint_mend)}};
 }
 
 ordered_json constraints_json(std::span<const design::Constraint> constraints) {

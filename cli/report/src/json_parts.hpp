@@ -27,10 +27,7 @@ namespace stillpoint::report {
 /// The part of `input` that design and region share.
 [[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
                                                const design::Limits& limits);
-[[nodiscard]] nlohmann::ordered_json region_fields(const design::Region& region,
-                                                   const std::string& reason,
-                                                   const std::vector<design::Mend>& mends,
-                                                   const std::optional<design::JointMend>& joint);
+[[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 [[nodiscard]] nlohmann::ordered_json constraints_json(
     std::span<const design::Constraint> constraints);
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);

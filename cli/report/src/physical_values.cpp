@@ -106,11 +106,13 @@ ordered_json physical_json(const DesignReport& report) {
   if (!report.physical) {
     return nullptr;
   }
-  const auto& [request, region, reason, mends, finding, joint] = report.result;
+  const design::DesignResult& result = report.result;
+  const design::DesignRequest& request = result.request;
+  const auto& finding = result.finding;
   const design::Scales& scales = report.physical->scales;
   ordered_json json = scale_values(*report.physical, request.problem.v0 * scales.velocity_m_per_s);
-  add_region(json, *report.physical, region);
-  add_mends(json, *report.physical, mends);
+  add_region(json, *report.physical, result.region);
+  add_mends(json, *report.physical, result.mends);
   if (finding) {
     add_damper(json, scales, finding->point.f, finding->point.delta);
   } else {

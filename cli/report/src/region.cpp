@@ -41,7 +41,7 @@ Document document(const RegionReport& report) {
         format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
     document.tone = Tone::good;
   } else {
-    add_emptiness(document, answer.reason, answer.mends, answer.joint_mend, report.physical);
+    add_emptiness(document, answer, report.physical);
   }
   if (f) {
     Section& section = document.section(format("At f = {:.6g}", *f));

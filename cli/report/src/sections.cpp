@@ -133,9 +133,9 @@ void add_mend(Section& section, const design::Mend& mend, const Physical& physic
 
 }  // namespace
 
-void add_emptiness(Document& document, const std::string& reason,
-                   const std::vector<design::Mend>& mends,
-                   const std::optional<design::JointMend>& joint, const Physical& physical) {
+void add_emptiness(Document& document, const design::RegionVerdict& empty,
+                   const Physical& physical) {
+  const auto& [region, reason, mends, joint] = empty;
   document.verdict = format("No admissible design: {}.", reason);
   document.tone = Tone::bad;
   Section& section = document.section("What would make it feasible");

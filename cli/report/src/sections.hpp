@@ -29,9 +29,8 @@ Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical);
 void add_region(Document& document, const design::Region& region, const Physical& physical);
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
-void add_emptiness(Document& document, const std::string& reason,
-                   const std::vector<design::Mend>& mends,
-                   const std::optional<design::JointMend>& joint, const Physical& physical);
+void add_emptiness(Document& document, const design::RegionVerdict& empty,
+                   const Physical& physical);
 void add_constraints(Document& document, std::span<const design::Constraint> constraints);
 
 void add_response(Section& section, const Response& response, const Physical& physical);

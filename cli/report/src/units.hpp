@@ -3,7 +3,7 @@
 
 // Metres and seconds beside dimensionless numbers, where the input was given in those.
 
-#include <stillpoint/design/physical_input.hpp>
+#include <stillpoint/design/physical.hpp>
 
 #include <optional>
 #include <string>

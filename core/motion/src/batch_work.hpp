@@ -1,14 +1,48 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the free and the forced batch share: the checks of the arrays, and threads whose errors name
-// the array and the first entry at fault.
+// The one loop over threads: for_each_entry, and the batches, whose threads each keep something of
+// their own, draw their entries themselves, and name the array and the first entry at fault.
 
-#include "entry_threads.hpp"
+#include "batch_entries.hpp"
 
 #include <stillpoint/core/batch.hpp>
 
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <mutex>
+
 namespace stillpoint {
+
+/// The entries left to do, and the error of the first that failed.
+class EntryThreads {
+ public:
+  /// Hands out `block` entries at a time. `go_on`: as in for_each_entry; it must outlive this.
+  EntryThreads(std::ptrdiff_t size, std::ptrdiff_t block, const std::function<bool()>& go_on)
+      : size_(size), block_(block), go_on_(go_on) {}
+
+  /// A block for one thread; empty where none is left, one has failed, or go_on said no.
+  EntryRange next();
+
+  /// Runs `entry`, and keeps the error of the first entry that throws. Blocks are handed out in
+  /// order and finished once begun, so which one that is does not depend on the threads.
+  void guard(std::ptrdiff_t i, const std::function<void()>& entry);
+
+  /// Calls `worker` on that many threads (0: as many as the machine runs at once), but on no more
+  /// than there are blocks; then throws EntryError if an entry failed. InputError for threads < 0.
+  void run(int threads, const std::function<void()>& worker);
+
+ private:
+  std::ptrdiff_t size_;
+  std::ptrdiff_t block_;
+  const std::function<bool()>& go_on_;
+  std::atomic<std::ptrdiff_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  std::ptrdiff_t failed_entry_{0};
+  std::exception_ptr error_;
+};
 
 /// All of them with one v0 and one p, which must outlive the result.
 BatchEntries entries_of(const double& v0, const double& p, const BatchValues& f,

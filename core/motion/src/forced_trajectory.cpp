@@ -46,9 +46,8 @@ class ForcedTrajectory::Pieces {
 
   [[nodiscard]] State at(double tau) const {
     const double phase = p_ * tau;
-    const auto after = std::upper_bound(
-        pieces_.begin(), pieces_.end(), phase,
-        [](double instant, const Piece& later) { return instant < later.begin.high(); });
+    const auto after = std::ranges::upper_bound(
+        pieces_, phase, {}, [](const Piece& later) { return later.begin.high(); });
     assert(after != pieces_.begin());
     const Piece& piece = *std::prev(after);
     const double h = std::max(ExactSum<double>::product(p_, tau).minus(piece.begin), 0.0);
@@ -129,9 +128,8 @@ ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& st
 
 State ForcedTrajectory::at(double tau) const {
   require_within("tau", tau, 0, horizon_);
-  const auto event = std::upper_bound(
-      events_.begin(), events_.end(), tau,
-      [](double instant, const ForcedEvent& later) { return instant < later.state.tau; });
+  const auto event = std::ranges::upper_bound(
+      events_, tau, {}, [](const ForcedEvent& later) { return later.state.tau; });
   assert(event != events_.begin());
   const ForcedEvent& before = *std::prev(event);
   if (before.state.tau == tau) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kernel/half_cycle_steps.hpp"
-
 #include "kernel/phase_clock.hpp"
+
+#include <stillpoint/core/half_cycle_walk.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -122,6 +123,44 @@ Crest<double> HalfCycleSteps::next_crest(double left) const {
 
 double HalfCycleSteps::time() const {
   return (std::numbers::pi * half_turns_ + small_) / map_.p;
+}
+
+HalfCycleWalk::HalfCycleWalk(const Oscillator& oscillator, const Start& start)
+    : steps_(std::make_unique<HalfCycleSteps>(oscillator, start)) {}
+
+HalfCycleWalk::HalfCycleWalk(const HalfCycleWalk& other)
+    : steps_(std::make_unique<HalfCycleSteps>(*other.steps_)) {}
+
+HalfCycleWalk::HalfCycleWalk(HalfCycleWalk&& other) noexcept = default;
+
+HalfCycleWalk& HalfCycleWalk::operator=(const HalfCycleWalk& other) {
+  return *this = HalfCycleWalk(other);
+}
+
+HalfCycleWalk& HalfCycleWalk::operator=(HalfCycleWalk&& other) noexcept = default;
+
+HalfCycleWalk::~HalfCycleWalk() = default;
+
+std::optional<HalfCycle> HalfCycleWalk::next() {
+  return steps_->next();
+}
+
+double HalfCycleWalk::next_departure_speed() const {
+  return steps_->next_departure_speed();
+}
+
+std::vector<HalfCycle> first_half_cycles(const Oscillator& oscillator, const Start& start,
+                                         std::int64_t most) {
+  HalfCycleSteps walk(oscillator, start);
+  std::vector<HalfCycle> list;
+  while (static_cast<std::int64_t>(list.size()) < most) {
+    const std::optional<HalfCycle> next = walk.next();
+    if (!next) {
+      break;
+    }
+    list.push_back(*next);
+  }
+  return list;
 }
 
 }  // namespace stillpoint

@@ -109,18 +109,14 @@ Trajectory::Trajectory(const Oscillator& oscillator, const Start& start,
 
 State Trajectory::at(double tau) const {
   require_within("tau", tau, 0, horizon_);
-  const auto after = std::upper_bound(
-      events_.begin(), events_.end(), tau,
-      [](double instant, const Event& event) { return instant < event.state.tau; });
+  const auto after = std::ranges::upper_bound(events_, tau, {},
+                                              [](const Event& event) { return event.state.tau; });
   assert(after != events_.begin());
   const Event& before = *std::prev(after);
   if (before.state.tau == tau || before.kind == EventKind::rest || arcs_.empty()) {
     return {tau, before.state.x, before.state.v};
   }
-  const auto arc_after =
-      std::upper_bound(arcs_.begin(), arcs_.end(), tau,
-                       [](double instant, const Arc& arc) { return instant < arc.begin; });
-  const Arc& arc = *std::prev(arc_after);
+  const Arc& arc = *std::prev(std::ranges::upper_bound(arcs_, tau, {}, &Arc::begin));
   const double phase = p_ * (tau - arc.begin);
   const double sine = std::sin(phase);
   const double half_sine = std::sin(phase / 2);

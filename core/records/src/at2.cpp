@@ -5,7 +5,7 @@
 // NPTS in all; blank lines and text may follow.
 
 #include "at2_parts.hpp"
-#include "record_format.hpp"
+#include "record_reader.hpp"
 
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace stillpoint::records {
 

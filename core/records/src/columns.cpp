@@ -3,7 +3,7 @@
 // One or two columns between blanks, tabs or commas: time and value, or value alone. What follows a
 // # is a comment; blank lines are skipped.
 
-#include "record_format.hpp"
+#include "record_reader.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>

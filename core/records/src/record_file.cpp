@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "record_format.hpp"
+#include "record_reader.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
-#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 

@@ -54,4 +54,16 @@ class RecordReader {
 /// The bound of a step, as messages give it.
 [[nodiscard]] std::string step_bounds(const RecordClock& clock);
 
+/// A format of record files: one source file defines it, one row in record_file.cpp lists it.
+struct RecordFormat {
+  bool (*recognises)(RecordReader reader);  ///< may read ahead in its copy
+  RecordFile (*read)(RecordReader& reader);
+};
+
+/// Of the description of a record; more is cut off.
+inline constexpr std::size_t longest_description = 200;
+
+extern const RecordFormat at2_format;
+extern const RecordFormat columns_format;
+
 }  // namespace stillpoint::records

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <vector>
 
 namespace stillpoint::records {
 
@@ -74,6 +80,18 @@ std::vector<std::string_view> words_of(std::string_view text, std::string_view s
   }
 }
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) {
+      return parts;
+    }
+    text.remove_prefix(end + 1);
+  }
+}
+
 std::string upper_case(std::string_view text) {
   std::string result(text);
   std::ranges::transform(result, result.begin(), [](char c) {
@@ -107,6 +125,35 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 std::string quoted(std::string_view text) {
   return '"' + printable(text, longest_word) + '"';
+}
+
+std::string read_text_stream(std::string_view kind, std::string_view source, std::size_t largest,
+                             std::FILE* file) {
+  const FilePlace place{std::string(kind), std::string(source)};
+  std::string text;
+  std::vector<char> buffer(std::size_t{1} << 16U);
+  for (;;) {
+    const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file);
+    if (std::ferror(file) != 0) {
+      throw FileError::unreadable(place, errno);
+    }
+    text.append(buffer.data(), count);
+    if (text.size() > largest) {
+      throw FileError(place, fmt::format("is too large, must be at most {} bytes", largest));
+    }
+    if (count == 0) {
+      return text;
+    }
+  }
+}
+
+std::string read_text_file(std::string_view kind, const std::string& path, std::size_t largest) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) {
+    throw FileError::unreadable({std::string(kind), path}, errno);
+  }
+  return read_text_stream(kind, path, largest, file.get());
 }
 
 }  // namespace stillpoint::records

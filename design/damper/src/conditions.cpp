@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "box.hpp"
+#include "region_edges.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>

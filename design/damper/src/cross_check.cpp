@@ -1,18 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "judge.hpp"
 #include "runge_kutta.hpp"
-#include "timed.hpp"
+#include "unit_problem.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/region.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace stillpoint::design {
 
 namespace {
+
+/// (31): an error e of the arrival energy moves the stop phase by about e phi / w for phi >> w, and
+/// by sqrt(e) where w vanishes.
+double grazing_factor(const Prediction& prediction, const Problem& problem, double f,
+                      double tolerance) {
+  const double phi = f / problem.p;
+  const double w = std::max(prediction.arrival_speed, std::sqrt(tolerance) * phi);
+  return phi > w ? phi / w : 1;
+}
+
+double relative(double value, double expected) {
+  return std::abs(value - expected) / expected;
+}
 
 /// 2e-16 (2 + n) with n = 2 and some room.
 constexpr Quality map_quality{"half_cycle_map", 1e-12, 1e-15};
@@ -21,6 +37,41 @@ constexpr double integrator_tolerance = 1e-12;
 constexpr Quality runge_kutta_quality{"runge_kutta", 1e-9, 1000 * integrator_tolerance};
 
 }  // namespace
+
+Prediction predict(const Problem& problem, double f) {
+  require_within("f", f, 0, admissible_region(problem).f3);
+  const double a = std::min(f / problem.p / problem.v0, unit::a3);
+  Prediction prediction;
+  prediction.peak_amplitude = unit::peak(a) * problem.v0 / problem.p;
+  prediction.peak_acceleration = unit::radius(a) * problem.v0 * problem.p;
+  prediction.stop_time = unit::stop_phase(a) / problem.p;
+  prediction.arrival_speed = unit::arrival_speed(a) * problem.v0;
+  return prediction;
+}
+
+void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
+           const Problem& problem, double f, double margin) {
+  const bool same_end = method.half_cycles == prediction.half_cycles &&
+                        method.stop_position == prediction.stop_position;
+  method.name = quality.name;
+  method.tolerance = quality.tolerance * grazing_factor(prediction, problem, f, quality.tolerance);
+  method.decided = same_end || margin > quality.resolution;
+  method.relative_error = relative(method.peak_amplitude, prediction.peak_amplitude);
+  if (method.decided) {
+    const double acceleration =
+        quality.acceleration ? relative(method.peak_acceleration, prediction.peak_acceleration) : 0;
+    for (const double error :
+         {acceleration, relative(method.stop_time, prediction.stop_time),
+          std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
+          std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude}) {
+      // Not std::max: that may pass over a NaN.
+      if (std::isnan(error) || error > method.relative_error) {
+        method.relative_error = error;
+      }
+    }
+  }
+  method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
+}
 
 CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
                        double delta) {

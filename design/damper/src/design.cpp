@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "finding.hpp"
 
+#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
-#include <stillpoint/design/prediction.hpp>
-#include <stillpoint/design/pulse_design.hpp>
+
+#include <fmt/format.h>
 
 namespace stillpoint::design {
 
@@ -25,7 +26,7 @@ DesignResult design(const DesignRequest& request) {
         PulseRequest{{*pulse, problem.p, problem.beta, problem.criterion}, limits, options});
   }
   require_valid(options);
-  DesignResult result{request, admissible_region(problem, limits), {}, {}, {}};
+  DesignResult result{{admissible_region(problem, limits)}, request};
   const std::optional<SearchResult> found = search(problem, limits, options);
   if (!found) {
     if (result.region.feasible) {
@@ -40,6 +41,16 @@ DesignResult design(const DesignRequest& request) {
   }
   result.finding = finding_of(problem, limits, *found);
   return result;
+}
+
+std::string summary(const DesignResult& result) {
+  if (!result.finding) {
+    return "no damper: " + result.reason;
+  }
+  const Finding& found = *result.finding;
+  return fmt::format("f = {:.6g}, delta = {:.6g} within {:.3g} %: {}{}", found.point.f,
+                     found.point.delta, 100 * found.point.tolerance, summary(found.response),
+                     found.cross_check.passed ? "" : "; the cross-check failed");
 }
 
 }  // namespace stillpoint::design

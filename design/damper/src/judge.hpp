@@ -2,9 +2,9 @@
 #pragma once
 
 #include <stillpoint/design/cross_check.hpp>
-#include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/problem.hpp>
 
+#include <chrono>
 #include <string_view>
 
 namespace stillpoint::design {
@@ -22,5 +22,13 @@ struct Quality {
 /// predicted motion.
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
            const Problem& problem, double f, double margin);
+
+/// Runs it and returns how long that took, in seconds.
+template <class Run>
+double timed(const Run& run) {
+  const auto started = std::chrono::steady_clock::now();
+  run();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
 
 }  // namespace stillpoint::design

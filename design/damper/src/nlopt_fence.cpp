@@ -11,7 +11,6 @@
 #include <cassert>
 #include <cmath>
 #include <exception>
-#include <utility>
 
 namespace stillpoint::design {
 

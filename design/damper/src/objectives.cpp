@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "objectives.hpp"
+#include "search_space.hpp"
 
 #include "unit_problem.hpp"
 

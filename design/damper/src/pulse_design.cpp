@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "finding.hpp"
-#include "pulse_mends.hpp"
 #include "pulse_region.hpp"
 #include "settle.hpp"
-#include "under_pulse.hpp"
 
-#include <stillpoint/design/prediction.hpp>
-#include <stillpoint/design/pulse_design.hpp>
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/design.hpp>
 
 #include <boost/math/tools/minima.hpp>
 
@@ -157,8 +155,8 @@ Conflict as_asked(Conflict conflict, const FreeTask& task, const Limits& limits)
 DesignResult without_design(const PulseTask& task, const SearchOptions& options) {
   const Limits& limits = task.limits;
   const FreeTask free = task_of_box(task, highest_f(task), limits.tolerance, 0);
-  DesignResult result{{free.problem, limits, options, task.problem.pulse}, {}, {}, {}, {}};
-  result.region = admissible_region(free.problem, free.limits);
+  DesignResult result{{admissible_region(free.problem, free.limits)},
+                      {free.problem, limits, options, task.problem.pulse}};
   result.region.conflict = result.region.feasible ? Conflict::narrower_than_rounding
                                                   : as_asked(result.region.conflict, free, limits);
   result.region.feasible = false;
@@ -192,8 +190,7 @@ DesignResult design(const PulseRequest& request) {
   }
   const SearchResult found = search({task, options});
   const Problem reduced = problem_at(problem, found.point.f);
-  DesignResult result{
-      {reduced, limits, options, problem.pulse}, region_at(task, reduced), {}, {}, {}};
+  DesignResult result{{region_at(task, reduced)}, {reduced, limits, options, problem.pulse}};
   result.finding = finding_of(reduced, limits, found);
   result.finding->pulse = check_under_pulse(problem, *result.finding);
   return result;

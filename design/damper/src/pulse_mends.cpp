@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "pulse_mends.hpp"
+#include "pulse_region.hpp"
 
 #include "mend_list.hpp"
 #include "nearest_fit.hpp"
-#include "pulse_region.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
-#include <string_view>
 
 namespace stillpoint::design {
 

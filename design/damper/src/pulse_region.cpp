@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pulse_region.hpp"
 
-#include "box.hpp"
 #include "nearest_fit.hpp"
 #include "region_edges.hpp"
 

@@ -7,9 +7,11 @@
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -52,5 +54,10 @@ struct FreeTask {
 /// The largest tolerance of an admissible point; empty for any other point.
 [[nodiscard]] std::optional<double> largest_tolerance(const PulseTask& task, double f,
                                                       double delta);
+
+/// Like mends() of region.hpp, with k and lambda instead of v0.
+[[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
+[[nodiscard]] std::optional<JointMend> joint_mend(const PulseProblem& problem,
+                                                  const Limits& limits);
 
 }  // namespace stillpoint::design

@@ -64,8 +64,9 @@ Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& l
 
 /// V0/(sqrt(2) p), (10), as the least double that leaves an f between the rounded edges.
 double least_beta(Problem problem) {
-  // f2 and f3 are each rounded inwards by an ulp at most and an ulp of beta moves f2 by three, so the
-  // least beta is within an ulp or two of the quotient. A start above it would miss the least one.
+  // f2 and f3 are each rounded inwards by an ulp at most and an ulp of beta moves f2 by three, so
+  // the least beta is within an ulp or two of the quotient. A start above it would miss the least
+  // one.
   constexpr int ulps_below = 4;
   problem.beta = static_cast<double>(problem.v0 / (std::numbers::sqrt2_v<long double> * problem.p));
   for (int i = 0; i < ulps_below; ++i) {
@@ -175,6 +176,26 @@ std::optional<double> delta1_exact(const Problem& problem, double f) {
 double delta1(const Problem& problem, double f) {
   return problem.criterion == Criterion::published ? delta1_published(problem, f)
                                                    : delta1_exact(problem, f).value_or(0);
+}
+
+RegionAnswer answer(const RegionRequest& request) {
+  const auto& [problem, limits, f, delta] = request;
+  if (delta && !f) {
+    throw InputError::missing("f", "delta alone is no point of the region, give f as well");
+  }
+  const Region region = admissible_region(problem, limits);
+  RegionAnswer answer{{region, reason(region, problem, limits), mends(problem, limits),
+                       joint_mend(problem, limits)}};
+  if (f) {
+    answer.delta1_published = delta1_published(problem, *f);
+    answer.delta1_exact = delta1_exact(problem, *f);
+  }
+  if (f && delta) {
+    answer.constraints = constraints(problem, limits, *f, *delta);
+    answer.tolerance = largest_tolerance(problem, limits, *f, *delta);
+    answer.admissible = admissible(problem, limits, *f, *delta);
+  }
+  return answer;
 }
 
 }  // namespace stillpoint::design

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "nlopt_fence.hpp"
-#include "objectives.hpp"
 #include "region_edges.hpp"
 #include "search_space.hpp"
 #include "settle.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "search_space.hpp"
 
-#include "objectives.hpp"
 #include "unit_problem.hpp"
 
 #include <algorithm>

@@ -11,6 +11,8 @@
 //   stop       Delta1(a (1 - t)) / d_cap - y (1 - t) <= 0
 //
 // x and y are scaled by the caps, not by the width of the region, which may vanish.
+//
+// The objectives in the units of unit_problem.hpp, one row each in objectives.cpp.
 
 #include "nlopt_fence.hpp"
 
@@ -37,5 +39,11 @@ struct SearchSpace {
 /// value inside; `tolerance_at` gives the tolerance of a point inside.
 [[nodiscard]] NloptProblem penalised(const SearchSpace& space, double x, double y,
                                      const std::function<double(double x, double y)>& tolerance_at);
+
+/// The objective's value at `given` = f / (V0 p) for those that have a closed form, and its slope.
+/// All values are of order one, so that one set of stopping rules serves them. `robust` has none:
+/// its variable is the tolerance of the box.
+[[nodiscard]] double objective_value(Objective objective, double given);
+[[nodiscard]] double objective_slope(Objective objective, double given);
 
 }  // namespace stillpoint::design

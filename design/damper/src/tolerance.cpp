@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "box.hpp"
 #include "region_edges.hpp"
 #include "unit_problem.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
@@ -11,7 +9,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "under_pulse.hpp"
+#include "finding.hpp"
 
 #include "judge.hpp"
-#include "timed.hpp"
 
 #include <stillpoint/core/names.hpp>
-#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/cross_check.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace stillpoint::design {
 

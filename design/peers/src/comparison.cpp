@@ -4,7 +4,6 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/peers/kernel.hpp>
 #include <stillpoint/peers/methods.hpp>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/peers/kernel.hpp>
+#include <stillpoint/peers/methods.hpp>
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,21 +19,10 @@ namespace {
 
 using records::parse_integer;
 using records::parse_number;
+using records::split;
 
 /// Below 2^53, so a double counts them exactly.
 constexpr std::int64_t most_values = 1'000'000'000'000'000;
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) {
-      return parts;
-    }
-    text.remove_prefix(end + 1);
-  }
-}
 
 Axis parse_range(std::string_view field, std::string_view text) {
   const auto wrong = [&](std::string_view bound) {

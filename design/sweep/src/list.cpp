@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/list.hpp>
 
-#include "csv_line.hpp"
-#include "json_row.hpp"
 #include "line_reader.hpp"
+#include "list_line.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>

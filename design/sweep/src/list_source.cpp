@@ -2,7 +2,7 @@
 #include "source.hpp"
 
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/sweep/digest.hpp>
+#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
 

@@ -4,12 +4,9 @@
 #include "step.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/sweep/outcome.hpp>
-
-#include <fmt/format.h>
+#include <stillpoint/sweep/quantity.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace stillpoint::sweep {
 

@@ -2,23 +2,147 @@
 #include "rows.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/sweep/quantity.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstring>
 
 namespace stillpoint::sweep {
+
+namespace {
+
+using Eigen::Index;
+
+void append_number(double value, std::string& text) {
+  if (!std::isfinite(value)) {
+    return;
+  }
+  constexpr std::size_t longest = 32;  // -2.2250738585072014e-308 has 24
+  std::array<char, longest> digits{};
+  const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  text.append(digits.data(), written.ptr);
+}
+
+constexpr char byte_order = std::endian::native == std::endian::little ? '<' : '>';
+
+bool is_byte(Quantity column) {
+  return form(column) != Form::number;
+}
+
+std::size_t width(Quantity column) {
+  return is_byte(column) ? 1 : sizeof(double);
+}
+
+std::string description(const std::vector<Quantity>& columns, std::int64_t rows) {
+  std::string fields;
+  for (const Quantity column : columns) {
+    fields += form(column) == Form::truth ? fmt::format("('{}', '|b1'), ", name(column))
+              : is_byte(column)           ? fmt::format("('{}', '|u1'), ", name(column))
+                                : fmt::format("('{}', '{}f8'), ", name(column), byte_order);
+  }
+  fields.resize(fields.size() - 2);
+  return fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}", fields, rows);
+}
+
+/// The names of the columns, in one line.
+std::string csv_header(const std::vector<Quantity>& columns) {
+  std::string text;
+  for (const Quantity column : columns) {
+    text += name(column);
+    text += ',';
+  }
+  text.back() = '\n';
+  return text;
+}
+
+/// The entries begin <= i < end, a line each: numbers as the shortest decimals that read back to
+/// the same double, nothing for a value that does not exist or never comes.
+void append_csv(const SweepBlock& block, const std::vector<Quantity>& columns, Index begin,
+                Index end, std::string& text) {
+  for (Index i = begin; i < end; ++i) {
+    for (const Quantity column : columns) {
+      const double value = block[column][i];
+      switch (form(column)) {
+        case Form::number:
+          append_number(value, text);
+          break;
+        case Form::outcome:
+          text += sweep_outcome_name(static_cast<std::size_t>(value));
+          break;
+        case Form::truth:
+          text += value != 0 ? "true" : "false";
+          break;
+      }
+      text += ',';
+    }
+    text.back() = '\n';
+  }
+}
+
+/// The header of a NumPy file, version 1.0, of records with the columns as fields: 8-byte floats,
+/// but bytes for outcome and feasible. Its length does not depend on `rows`.
+std::string npy_header(const std::vector<Quantity>& columns, std::int64_t rows) {
+  constexpr std::size_t alignment = 64;
+  constexpr std::int64_t most_rows = 1'000'000'000'000'000'000;
+  using namespace std::string_literals;
+  const std::string start = "\x93NUMPY\x01\x00"s;
+  const std::size_t longest = start.size() + 2 + description(columns, most_rows).size() + 1;
+  const std::size_t size = (longest + alignment - 1) / alignment * alignment;
+  std::string header = start + "  " + description(columns, rows);
+  header.resize(size - 1, ' ');
+  header += '\n';
+  const std::size_t counted = size - start.size() - 2;
+  assert(counted < 0x10000U);
+  header[start.size()] = static_cast<char>(counted & 0xFFU);
+  header[start.size() + 1] = static_cast<char>(counted >> 8U);
+  return header;
+}
+
+/// The entries begin <= i < end, a packed record each.
+void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, Index begin,
+                Index end, std::string& bytes) {
+  std::size_t row = 0;
+  for (const Quantity column : columns) {
+    row += width(column);
+  }
+  const std::size_t before = bytes.size();
+  bytes.resize(before + static_cast<std::size_t>(end - begin) * row);
+  char* field = bytes.data() + before;
+  for (const Quantity column : columns) {
+    const double* const values = block[column].data();
+    char* place = field;
+    for (Index i = begin; i < end; ++i, place += row) {
+      if (is_byte(column)) {
+        *place = static_cast<char>(values[i]);
+      } else {
+        std::memcpy(place, values + i, sizeof(double));
+      }
+    }
+    field += width(column);
+  }
+}
+
+}  // namespace
 
 std::string RowWriter::header(std::int64_t rows) const {
   return format_ == RowFormat::csv ? csv_header(columns_) : npy_header(columns_, rows);
 }
 
 const std::vector<std::string>& RowWriter::rows(const SweepBlock& block) {
-  constexpr Eigen::Index piece = 4096;  // entries: some 300 kB, enough to be worth a thread
+  constexpr Index piece = 4096;  // entries: some 300 kB, enough to be worth a thread
   pieces_.resize(static_cast<std::size_t>((block.size + piece - 1) / piece));
-  for_each_entry(static_cast<Eigen::Index>(pieces_.size()), threads_, {}, [&](Eigen::Index i) {
+  for_each_entry(static_cast<Index>(pieces_.size()), threads_, {}, [&](Index i) {
     std::string& bytes = pieces_[static_cast<std::size_t>(i)];
     bytes.clear();
-    const Eigen::Index begin = i * piece;
-    const Eigen::Index end = std::min(begin + piece, block.size);
+    const Index begin = i * piece;
+    const Index end = std::min(begin + piece, block.size);
     if (format_ == RowFormat::csv) {
       append_csv(block, columns_, begin, end, bytes);
     } else {

@@ -1,14 +1,52 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/sweep/spec.hpp>
-
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/quantity.hpp>
+#include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <string>
 
 namespace stillpoint::sweep {
+
+namespace {
+
+using enum Quantity;
+
+constexpr std::array motion_inputs{v0, p, x0, f, delta};
+constexpr std::array design_inputs{v0, p, beta};
+
+constexpr std::array free_results{peak_amplitude, half_cycles, outcome, stop_position, stop_time};
+constexpr std::array forced_results{peak_amplitude, half_cycles, outcome,        stop_position,
+                                    stop_time,      end_time,    final_position, final_velocity,
+                                    sticks,         stick_time};
+constexpr std::array design_results{feasible, f, delta, tolerance, peak_amplitude, stop_time};
+
+std::vector<Quantity> all_columns(SweepKind kind) {
+  const auto given = inputs(kind);
+  std::vector<Quantity> all(given.begin(), given.end());
+  all.insert(all.end(), results(kind).begin(), results(kind).end());
+  return all;
+}
+
+bool contains(const std::vector<Quantity>& columns, Quantity column) {
+  return std::ranges::find(columns, column) != columns.end();
+}
+
+InputError unknown_column(std::string_view wanted, const std::vector<Quantity>& all) {
+  std::string names;
+  for (const Quantity column : all) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(column));
+  }
+  return {"columns", fmt::format("\"{}\"", records::shortened(wanted, records::longest_word)),
+          "must be among " + names};
+}
+
+}  // namespace
 
 std::string_view name(SweepKind kind) noexcept {
   switch (kind) {
@@ -53,6 +91,56 @@ bool varies(const SweepSpec& spec, Quantity input) {
 bool from_zero(const SweepSpec& spec) {
   const auto x0 = std::ranges::find(spec.axes, Quantity::x0, &SweepAxis::quantity);
   return x0 != spec.axes.end() && x0->axis.size() == 1 && x0->axis[0] == 0;
+}
+
+std::span<const Quantity> inputs(SweepKind kind) {
+  return kind == SweepKind::design ? std::span<const Quantity>(design_inputs) : motion_inputs;
+}
+
+std::span<const Quantity> results(SweepKind kind) {
+  switch (kind) {
+    case SweepKind::free:
+      return free_results;
+    case SweepKind::forced:
+      return forced_results;
+    case SweepKind::design:
+      return design_results;
+  }
+  assert(false && "a SweepKind outside its enumeration");
+  return {};
+}
+
+std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
+  std::vector<Quantity> columns = all_columns(spec.kind);
+  const std::size_t inputs_end = inputs(spec.kind).size();
+  std::size_t i = 0;
+  std::erase_if(columns, [&](Quantity column) {
+    return i++ < inputs_end ? !varies(spec, column) : column == stop_time && !times;
+  });
+  return columns;
+}
+
+std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind) {
+  const std::vector<Quantity> all = all_columns(kind);
+  std::vector<Quantity> columns;
+  for (const std::string_view wanted : records::split(names, ',')) {
+    const auto quantity = find_quantity(wanted);
+    if (!quantity || !contains(all, *quantity)) {
+      throw unknown_column(wanted, all);
+    }
+    if (contains(columns, *quantity)) {
+      throw InputError("columns", std::string(wanted), "must not be named twice");
+    }
+    columns.push_back(*quantity);
+  }
+  return columns;
+}
+
+std::optional<Quantity> find_quantity(std::string_view name) {
+  std::string wanted(name);
+  std::ranges::replace(wanted, '-', '_');
+  const auto* const found = std::ranges::find(quantity_forms, wanted, &QuantityForm::name);
+  return found == quantity_forms.end() ? std::nullopt : std::optional(found->quantity);
 }
 
 }  // namespace stillpoint::sweep

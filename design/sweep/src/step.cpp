@@ -2,12 +2,75 @@
 #include "step.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/forced_batch.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search.hpp>
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
+#include <span>
 #include <utility>
 
 namespace stillpoint::sweep {
+
+namespace {
+
+using Eigen::Index;
+using enum Quantity;
+
+/// A value that does not exist, and a time that never comes.
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+constexpr double never = std::numeric_limits<double>::infinity();
+
+Oscillator oscillator(const SweepBlock& block, Index i) {
+  return {.p = block[p][i], .f = block[f][i], .delta = block[delta][i]};
+}
+
+Start start(const SweepBlock& block, Index i) {
+  return {.x0 = block[x0][i], .v0 = block[v0][i]};
+}
+
+void make_room(SweepBlock& block, std::span<const Quantity> quantities) {
+  for (const Quantity quantity : quantities) {
+    block[quantity].resize(block.size);
+  }
+}
+
+/// What stands for a time that a motion does not have.
+double missing_time(Outcome how) {
+  return how == Outcome::never_stops ? never : absent;
+}
+
+void set_response(SweepBlock& block, Index i, const Response& response) {
+  block[peak_amplitude][i] = response.peak_amplitude;
+  block[half_cycles][i] = response.half_cycles.value_or(never);
+  block[outcome][i] = static_cast<double>(response.outcome);
+  block[stop_position][i] = response.stop_position.value_or(absent);
+  block[stop_time][i] = response.stop_time.value_or(missing_time(response.outcome));
+}
+
+/// The motion has more half-cycles than the sweep allows; nothing else is known of it.
+void set_too_many(SweepBlock& block, Index i, std::span<const Quantity> results) {
+  for (const Quantity result : results) {
+    block[result][i] = absent;
+  }
+  block[outcome][i] = static_cast<double>(too_many_half_cycles);
+}
+
+void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
+  set_response(block, i, response);
+  block[end_time][i] = response.end_time.value_or(missing_time(response.outcome));
+  block[final_position][i] = response.final_position.value_or(absent);
+  block[final_velocity][i] = response.final_velocity.value_or(absent);
+  block[sticks][i] = response.sticks;
+  block[stick_time][i] = response.stick_time;
+}
+
+}  // namespace
 
 SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
     : spec_(spec),
@@ -28,10 +91,107 @@ void SweepStep::operator()(SweepBlock& block) {
   assert(false && "a SweepKind outside its enumeration");
 }
 
-void SweepStep::for_each(const SweepBlock& block,
-                         const std::function<void(Eigen::Index)>& body) const {
+void SweepStep::for_each(const SweepBlock& block, const std::function<void(Index)>& body) const {
   for_each_entry(
       block.size, spec_.threads, [this] { return !stop_.stop_requested(); }, body);
+}
+
+void SweepStep::run_free(SweepBlock& block) {
+  if (!from_zero_) {
+    return run_free_one_by_one(block);
+  }
+  const BatchOptions options{
+      .times = times_,
+      .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit),
+      .threads = spec_.threads};
+  try {
+    if (one_v0_and_p_) {
+      free_batch(block[v0][0], block[p][0], block[f], block[delta], options, batch_);
+    } else {
+      free_batch(block[v0], block[p], block[f], block[delta], options, batch_);
+    }
+  } catch (const InputError&) {
+    return run_free_one_by_one(block);  // which says what is wrong with the entry alone
+  } catch (const TooManyHalfCycles&) {
+    return run_free_one_by_one(block);
+  }
+  block[peak_amplitude].swap(batch_.peak_amplitude);
+  block[half_cycles].swap(batch_.half_cycles);
+  block[stop_position].swap(batch_.stop_position);
+  block[stop_time].swap(batch_.stop_time);
+  block[outcome].resize(block.size);
+  for (Index i = 0; i < block.size; ++i) {
+    block[outcome][i] = static_cast<double>(batch_.outcome[i]);
+    if (batch_.outcome[i] == Outcome::never_stops) {
+      block[stop_position][i] = absent;
+    }
+  }
+}
+
+void SweepStep::run_free_one_by_one(SweepBlock& block) const {
+  make_room(block, results(spec_.kind));
+  const FreeOptions options{
+      .times = times_,
+      .margin = false,
+      .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit)};
+  for_each(block, [&](Index i) {
+    try {
+      set_response(block, i, free_response(oscillator(block, i), start(block, i), options));
+    } catch (const TooManyHalfCycles&) {
+      set_too_many(block, i, results(spec_.kind));
+    }
+  });
+}
+
+void SweepStep::run_forced(SweepBlock& block) const {
+  make_room(block, results(spec_.kind));
+  ForcedOptions options;
+  options.t_end = spec_.t_end;
+  options.half_cycle_limit = spec_.half_cycle_limit;
+  options.go_on = [this](double /*tau*/) { return !stop_.stop_requested(); };
+  if (from_zero_) {
+    try {
+      const auto responses = forced_batch(block[v0], block[p], block[f], block[delta],
+                                          spec_.excitation, {options, spec_.threads});
+      for (Index i = 0; i < block.size; ++i) {
+        set_forced(block, i, responses[static_cast<std::size_t>(i)]);
+      }
+      return;
+    } catch (const InputError&) {  // repeated below for the entry alone
+    } catch (const TooManyHalfCycles&) {
+    }
+  }
+  for_each(block, [&](Index i) {
+    try {
+      set_forced(block, i,
+                 forced_response(oscillator(block, i), start(block, i), spec_.excitation, options));
+    } catch (const TooManyHalfCycles&) {
+      set_too_many(block, i, results(spec_.kind));
+    }
+  });
+}
+
+void SweepStep::run_design(SweepBlock& block) const {
+  make_room(block, results(spec_.kind));
+  const FreeOptions options{.times = times_, .margin = false};
+  for_each(block, [&](Index i) {
+    const design::Problem problem{
+        .v0 = block[v0][i], .p = block[p][i], .beta = block[beta][i], .criterion = spec_.criterion};
+    const auto found = design::search(problem, spec_.limits, spec_.search);
+    block[feasible][i] = found ? 1 : 0;
+    block[f][i] = found ? found->point.f : absent;
+    block[delta][i] = found ? found->point.delta : absent;
+    block[tolerance][i] = found ? found->point.tolerance : absent;
+    block[peak_amplitude][i] = absent;
+    block[stop_time][i] = absent;
+    if (found) {
+      const Response motion =
+          free_response({.p = problem.p, .f = found->point.f, .delta = found->point.delta},
+                        {.x0 = 0, .v0 = problem.v0}, options);
+      block[peak_amplitude][i] = motion.peak_amplitude;
+      block[stop_time][i] = motion.stop_time.value_or(absent);
+    }
+  });
 }
 
 }  // namespace stillpoint::sweep

@@ -7,12 +7,13 @@
 
 #include <stillpoint/core/batch.hpp>
 
+#include <functional>
 #include <stop_token>
 
 namespace stillpoint::sweep {
 
 /// The step of a sweep: from the inputs of a block of entries to their results. It takes one way
-/// for each kind of sweep: free_step.cpp, forced_step.cpp, design_step.cpp.
+/// for each kind of sweep.
 class SweepStep {
  public:
   SweepStep(const SweepSpec& spec, std::stop_token stop);

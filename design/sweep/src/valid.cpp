@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/sweep/columns.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <stillpoint/core/forced_motion.hpp>

@@ -4,7 +4,6 @@
 
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
-#include <stillpoint/design/prediction.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <boost/test/unit_test.hpp>

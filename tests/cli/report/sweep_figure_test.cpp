@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/sweep.hpp>
-#include <stillpoint/sweep/columns.hpp>
 #include <stillpoint/sweep/run.hpp>
+#include <stillpoint/sweep/spec.hpp>
 
 #include <boost/test/unit_test.hpp>
 

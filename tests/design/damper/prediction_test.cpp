@@ -5,7 +5,7 @@
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/prediction.hpp>
+#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <boost/test/unit_test.hpp>

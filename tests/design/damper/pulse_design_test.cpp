@@ -4,8 +4,8 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/prediction.hpp>
-#include <stillpoint/design/pulse_design.hpp>
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <boost/test/unit_test.hpp>

@@ -3,8 +3,8 @@
 
 // Sweeps as a user of the library fills them, and a sink that keeps their rows.
 
-#include <stillpoint/sweep/columns.hpp>
 #include <stillpoint/sweep/run.hpp>
+#include <stillpoint/sweep/spec.hpp>
 
 #include <filesystem>
 #include <fstream>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "checkpoint.hpp"
+#include "part_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
-#include <stillpoint/records/text_file.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/sink.hpp>
 

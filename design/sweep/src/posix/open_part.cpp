@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "open_part.hpp"
+#include "part_file.hpp"
 
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/sink.hpp>

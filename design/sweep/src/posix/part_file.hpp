@@ -1,11 +1,77 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "open_part.hpp"
-
 #include <stillpoint/sweep/sink.hpp>
 
+#include <unistd.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
 namespace stillpoint::sweep {
+
+/// What a file beside FILE.part says about it.
+struct Checkpoint {
+  std::string task;  ///< SweepSpec::identity
+  SweepState state;
+  std::int64_t bytes{0};  ///< of the header and whole rows
+  bool complete{false};   ///< only the name of the file is missing
+};
+
+/// Throws InputError unless the identity of a sweep is a JSON object.
+void require_task(const std::string& task);
+
+/// Empty if there is no such file. Throws LeftoverError if it is not a checkpoint.
+[[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::string& path);
+
+/// Replaces the file in one step, so the old or the new one is there whenever the program ends. 0
+/// or the error.
+[[nodiscard]] int write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
+
+/// The first difference of two tasks, "f was 0:1:10, is 0:1:20"; empty if they are the same.
+[[nodiscard]] std::string difference(const std::string& old_task, const std::string& new_task);
+
+/// An open file, closed with this object. Standard input and output stay open.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() {
+    if (number_ > STDERR_FILENO) {
+      ::close(number_);
+    }
+  }
+
+  [[nodiscard]] bool is_open() const { return number_ >= 0; }
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// The files of a sweep that is not complete: FILE.part has its rows, and FILE.part.json, the
+/// checkpoint, says how many bytes of that are whole rows.
+struct OpenPart {
+  std::string target;     ///< FILE, behind its links
+  Descriptor descriptor;  ///< of FILE.part, locked, at its end; not open if there is none
+  Checkpoint saved;       ///< what FILE.part.json says
+
+  [[nodiscard]] std::string part() const { return target + ".part"; }
+  [[nodiscard]] std::string checkpoint() const { return part() + ".json"; }
+};
+
+/// Both make the files ready for the rows that are still to come, and throw as open_rows does.
+/// `task` is the identity of the sweep.
+[[nodiscard]] OpenPart begin_part(const std::string& path, std::string task);
+/// Begins if there is nothing to resume.
+[[nodiscard]] OpenPart resume_part(const std::string& path, std::string task);
 
 /// A file that appears under its name when it is complete, and grows as FILE.part until then. The
 /// rows are on the disk before the checkpoint says so, and the checkpoint is replaced in one step:

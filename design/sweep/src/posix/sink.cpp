@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/sink.hpp>
 
-#include "descriptor.hpp"
 #include "part_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
-
-#include <fmt/format.h>
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -6,8 +6,8 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
-#include <stillpoint/design/physical_input.hpp>
-#include <stillpoint/design/region_answer.hpp>
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/region.hpp>
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/report/document.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/state.hpp>
-#include <stillpoint/design/physical_input.hpp>
+#include <stillpoint/design/physical.hpp>
 
 #include <optional>
 #include <string>

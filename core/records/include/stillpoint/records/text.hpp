@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,9 @@ std::string_view take_word(std::string_view& text);
 /// The parts of `text` between any of `separators`, none of them empty.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view text,
                                                      std::string_view separators);
+
+/// All parts of `text` between `separator`, the empty ones too.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Only ASCII letters change, so the locale does not matter.
 [[nodiscard]] std::string upper_case(std::string_view text);
@@ -36,5 +40,14 @@ inline constexpr std::size_t longest_path = 300;
 
 /// A part of a file as messages quote it.
 [[nodiscard]] std::string quoted(std::string_view text);
+
+/// The bytes of a file. Throws FileError if it cannot be read or has more than `largest` bytes;
+/// `kind` says what the file is to the program, file_error.hpp.
+[[nodiscard]] std::string read_text_file(std::string_view kind, const std::string& path,
+                                         std::size_t largest);
+
+/// The same from a file that is open; `source` stands for its path.
+[[nodiscard]] std::string read_text_stream(std::string_view kind, std::string_view source,
+                                           std::size_t largest, std::FILE* file);
 
 }  // namespace stillpoint::records

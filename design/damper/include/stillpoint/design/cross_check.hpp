@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <string_view>
 #include <vector>
 
 namespace stillpoint::design {
+
+/// The motion of an admissible (f, Delta) by the formulas of the design: it stops at x = 0 on the
+/// first return. Closed forms of docs/theory.md section 7, not taken from the kernel.
+struct Prediction {
+  double peak_amplitude{0};     ///< (24)
+  double peak_acceleration{0};  ///< S
+  double stop_time{0};          ///< (25)
+  double arrival_speed{0};
+  double half_cycles{1};
+  double stop_position{0};
+};
+
+/// Throws InputError unless 0 <= f <= f3.
+[[nodiscard]] Prediction predict(const Problem& problem, double f);
 
 /// An independent method for the same figures, and its distance from the prediction.
 struct CheckMethod {

@@ -5,7 +5,6 @@
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
-#include <stillpoint/design/pulse_check.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 
@@ -19,7 +18,7 @@ struct DesignRequest {
   Problem problem;
   Limits limits{};
   SearchOptions search{};
-  std::optional<Pulse> pulse{};  ///< in place of problem.v0; see pulse_design.hpp
+  std::optional<Pulse> pulse{};  ///< in place of problem.v0; see PulseRequest
 };
 
 /// The design found for an admissible region.
@@ -33,14 +32,10 @@ struct Finding {
 };
 
 /// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the
-/// region is empty: `reason` says why and `mends`, or else `joint_mend`, what would help.
-struct DesignResult {
+/// region is empty.
+struct DesignResult : RegionVerdict {
   DesignRequest request;
-  Region region;
-  std::string reason;
-  std::vector<Mend> mends;
-  std::optional<Finding> finding;
-  std::optional<JointMend> joint_mend{};
+  std::optional<Finding> finding{};
 };
 
 /// The result in one line for people: the damper and its motion, or why there is none.
@@ -49,5 +44,20 @@ struct DesignResult {
 /// Region, search, simulation, cross-check. Throws InputError for wrong input; an empty region and
 /// a failed check are results.
 [[nodiscard]] DesignResult design(const DesignRequest& request);
+
+struct PulseRequest {
+  PulseProblem problem;
+  Limits limits{};
+  SearchOptions search{};
+};
+
+/// The answer for the initial velocity that the pulse leaves under the f found, with `pulse` in the
+/// finding and forced_pulse as a third method of the cross-check. The point and its tolerance hold
+/// with V(f) over the whole box, and at its corners under the pulse itself. f_lower and f_upper of
+/// the region bound the f for which such a point exists; its other edges are those of the velocity.
+/// The mends name k and lambda instead of v0. Without a design the velocity is that for the largest
+/// f that returns. Throws InputError for wrong input. docs/theory.md section 8 and docs/forced.md
+/// section 8.
+[[nodiscard]] DesignResult design(const PulseRequest& request);
 
 }  // namespace stillpoint::design

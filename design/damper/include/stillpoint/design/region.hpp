@@ -50,8 +50,8 @@ struct Region {
 [[nodiscard]] double delta1_published(const Problem& problem, double f);
 /// Delta1(f) of the model, (27); empty for f > f3, where the motion does not return.
 [[nodiscard]] std::optional<double> delta1_exact(const Problem& problem, double f);
-/// By the problem's criterion. Where delta1_exact is empty it is 0, which bounds nothing; there f <= f3
-/// is violated already.
+/// By the problem's criterion. Where delta1_exact is empty it is 0, which bounds nothing; there f
+/// <= f3 is violated already.
 [[nodiscard]] double delta1(const Problem& problem, double f);
 
 /// One of the five conditions, all of them edges of the region in f or Delta.
@@ -114,5 +114,35 @@ struct JointMend {
 
 /// Empty if the region is not empty, or if one input suffices.
 [[nodiscard]] std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits);
+
+/// A region, and where it is empty: `reason` says why and `mends`, or else `joint_mend`, what would
+/// help.
+struct RegionVerdict {
+  Region region;
+  std::string reason{};
+  std::vector<Mend> mends{};
+  std::optional<JointMend> joint_mend{};
+};
+
+/// A region, and a damper to hold against it.
+struct RegionRequest {
+  Problem problem;
+  Limits limits{};
+  std::optional<double> f{};
+  std::optional<double> delta{};  ///< with f only
+};
+
+/// The region, and how the damper stands in it.
+struct RegionAnswer : RegionVerdict {
+  std::optional<double> delta1_published{};  ///< these two with f
+  std::optional<double> delta1_exact{};      ///< empty also where the motion does not return
+  std::optional<bool> admissible{};          ///< this and what follows with f and delta
+  std::optional<double> tolerance{};         ///< the largest that the damper has
+  std::vector<Constraint> constraints{};
+};
+
+/// Throws InputError as admissible_region does, for f or delta not in [0, 1e300], and for delta
+/// without f.
+[[nodiscard]] RegionAnswer answer(const RegionRequest& request);
 
 }  // namespace stillpoint::design

@@ -16,19 +16,85 @@
 //                            steps at them, and at() is not used
 //   has_dense_output         whether at() is cheap
 
-#include <stillpoint/peers/event_root.hpp>
 #include <stillpoint/peers/load.hpp>
 #include <stillpoint/peers/methods.hpp>
-#include <stillpoint/peers/motion.hpp>
 #include <stillpoint/peers/scene.hpp>
 
+#include <boost/math/tools/roots.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace stillpoint::peers {
+
+using State = std::array<double, 2>;  // x, v
+
+/// x' = v, v' = -W(t) - p^2 x - s f: what an integrator integrates while v keeps its sign s.
+template <class Load>
+struct Motion {
+  const Load& load;
+  double stiffness;  // p^2
+  double direction;  // s
+  double friction;   // s f
+
+  void operator()(const State& now, State& rate, double t) const {
+    rate = {now[1], -load(t) - stiffness * now[0] - friction};
+  }
+};
+
+/// The event that an integrator with its own event finder found at the end of a step.
+enum class Located { nothing, turn, arrival };
+
+struct Step {
+  double from{0};
+  double to{0};
+  Located event{Located::nothing};
+};
+
+/// Where `function` changes its sign in [from, to], to the last bit; `to` if it does not. It may
+/// vanish at `from`, where a piece begins at rest: that root does not count.
+template <class Function>
+double bracketed_root(const Function& function, double from, double to) {
+  const double at_to = function(to);
+  double low = from;
+  double at_low = function(from);
+  for (int halvings = 1; at_low == 0 && halvings < 40; ++halvings) {
+    low = from + std::ldexp(to - from, -halvings);
+    const double there = function(low);
+    at_low = there * at_to < 0 ? there : 0;
+  }
+  if (!(at_low * at_to < 0)) {
+    return to;
+  }
+  std::uintmax_t most_evaluations = 100;
+  return boost::math::tools::toms748_solve(function, low, to, at_low, at_to,
+                                           boost::math::tools::eps_tolerance<double>(),
+                                           most_evaluations)
+      .second;
+}
+
+/// The same by Newton's method kept within the bracket, for methods whose states within a step cost
+/// as much as a step: `function` gives the value and its rate.
+template <class Function>
+double newton_root(const Function& function, double from, double to) {
+  const auto [at_from, rate_from] = function(from);
+  const auto [at_to, rate_to] = function(to);
+  if (!(at_from * at_to < 0)) {
+    return bracketed_root([&](double t) { return function(t).first; }, from, to);
+  }
+  std::uintmax_t most_evaluations = 50;
+  const double chord = from - at_from * (to - from) / (at_to - at_from);
+  // Half of the digits: Newton's last step doubles them.
+  return boost::math::tools::newton_raphson_iterate(
+      [&](double t) { return function(t); }, chord, from, to,
+      std::numeric_limits<double>::digits / 2, most_evaluations);
+}
 
 template <class Load, class Method>
 class EventRun {

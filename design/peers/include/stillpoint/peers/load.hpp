@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <variant>
 
 namespace stillpoint::peers {

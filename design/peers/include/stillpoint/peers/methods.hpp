@@ -29,4 +29,8 @@ inline constexpr std::int64_t usual_effort = 20'000'000;
 [[nodiscard]] Result regularised(const Scene& scene, double width, const Size& size = {},
                                  std::int64_t most = usual_effort);
 
+/// This project's kernel with all that it computes by default: counts, peaks, times, margin. A
+/// scene without excitation goes to free_response, the others to forced_response up to t_end.
+[[nodiscard]] Result kernel(const Scene& scene);
+
 }  // namespace stillpoint::peers

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/outcome.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +37,7 @@ enum class Quantity : std::uint8_t {
 /// How a quantity is written. In memory all are doubles.
 enum class Form : std::uint8_t {
   number,   ///< NaN: does not exist; infinite: never happens. Both are empty in CSV
-  outcome,  ///< see outcome.hpp; its name in CSV
+  outcome,  ///< see sweep_outcome_name; its name in CSV
   truth,    ///< 0 or 1
 };
 
@@ -80,5 +82,15 @@ constexpr Form form(Quantity quantity) {
 
 /// '-' and '_' are the same.
 [[nodiscard]] std::optional<Quantity> find_quantity(std::string_view name);
+
+/// How an entry of a sweep ends: an Outcome, by its number, or this one after them.
+inline constexpr std::size_t too_many_half_cycles = static_cast<std::size_t>(Outcome::running) + 1;
+inline constexpr std::size_t sweep_outcome_count = too_many_half_cycles + 1;
+
+/// The name in rows and reports.
+[[nodiscard]] inline std::string_view sweep_outcome_name(std::size_t outcome) {
+  return outcome == too_many_half_cycles ? "too_many_half_cycles"
+                                         : name(static_cast<Outcome>(outcome));
+}
 
 }  // namespace stillpoint::sweep

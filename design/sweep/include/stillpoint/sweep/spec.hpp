@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/sweep/axis.hpp>
-#include <stillpoint/sweep/list.hpp>
-
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/sweep/axis.hpp>
+#include <stillpoint/sweep/list.hpp>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +32,8 @@ enum class RowFormat { csv, npy };
 /// What a sweep is to compute, and where its rows go. Everything is dimensionless.
 struct SweepSpec {
   SweepKind kind{SweepKind::free};
-  /// The values of each of inputs(kind), columns.hpp. The entries are all combinations; with a
-  /// list, an axis has one value and stands for an input that is not a column.
+  /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has
+  /// one value and stands for an input that is not a column.
   std::vector<SweepAxis> axes;
   std::shared_ptr<List> list;     ///< empty for a grid; it is read once, from its beginning
   std::vector<Quantity> columns;  ///< of the output; see default_columns
@@ -67,5 +67,18 @@ struct SweepSpec {
 /// Throws InputError for an input that is missing, given twice or wrong. Of a grid the corners are
 /// checked: what is wrong with a grid mostly shows there, before hours of it are done.
 void require_valid(const SweepSpec& spec);
+
+/// What an entry is made of, in the order of the columns.
+[[nodiscard]] std::span<const Quantity> inputs(SweepKind kind);
+
+/// What is computed of an entry, in the order of the columns.
+[[nodiscard]] std::span<const Quantity> results(SweepKind kind);
+
+/// The inputs that vary, then the results: stop_time, which takes longer, only with `times`.
+[[nodiscard]] std::vector<Quantity> default_columns(const SweepSpec& spec, bool times = false);
+
+/// "f,delta,peak_amplitude". Throws InputError for a name that is not a column of this kind, and
+/// for one that occurs twice.
+[[nodiscard]] std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind);
 
 }  // namespace stillpoint::sweep

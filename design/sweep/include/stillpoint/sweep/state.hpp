@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/sweep/outcome.hpp>
+#include <stillpoint/sweep/quantity.hpp>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace stillpoint::sweep {
+
+/// Tells one sequence of numbers from another: FNV-1a over words, with a mixing step because the
+/// low bits of doubles are often 0. It is no protection against intent.
+class Digest {
+ public:
+  void add(double number) {
+    constexpr std::uint64_t prime = 0x100000001B3U;
+    value_ = (value_ ^ std::bit_cast<std::uint64_t>(number)) * prime;
+    value_ ^= value_ >> 29U;
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_{0xCBF29CE484222325U};
+};
 
 struct SweepBlock;
 
