@@ -42,7 +42,10 @@ void make_room(SweepBlock& block, std::span<const Quantity> quantities) {
 
 /// What stands for a time that a motion does not have.
 double missing_time(Outcome how) {
-  return how == Outcome::never_stops ? never : absent;
+  if (how == Outcome::never_stops) {
+    return never;
+  }
+  return absent;
 }
 
 void set_response(SweepBlock& block, Index i, const Response& response) {
