@@ -7,7 +7,8 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical_input.hpp>
 #include <stillpoint/design/region_answer.hpp>
-#include <stillpoint/report/record_origin.hpp>
+#include <stillpoint/report/report.hpp>
+#include <stillpoint/sweep/spec.hpp>
 
 #include <optional>
 #include <string>
@@ -40,6 +41,9 @@ struct SimulateInput {
 [[nodiscard]] DesignInput design_input(const Settings& settings);
 [[nodiscard]] RegionInput region_input(const Settings& settings);
 [[nodiscard]] SimulateInput simulate_input(const Settings& settings);
+
+/// Opens the list and reads its header.
+[[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
 
 /// The options of those names, or their defaults. Throw InputError.
 [[nodiscard]] design::Criterion criterion(const Settings& settings);

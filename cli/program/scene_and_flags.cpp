@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "scene_and_flags.hpp"
-
 #include "excitation_input.hpp"
 #include "excitation_kinds.hpp"
+#include "scene.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures_region.hpp"
+#include "report_figures.hpp"
 
 #include <fmt/format.h>
 

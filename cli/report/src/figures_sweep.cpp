@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures_sweep.hpp"
-
-#include "figures_region.hpp"
+#include "report_figures.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures_motion.hpp"
-#include "figures_region.hpp"
+#include "report_figures.hpp"
 
 #include <stillpoint/report/report.hpp>
 
