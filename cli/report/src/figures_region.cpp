@@ -118,10 +118,6 @@ void add_horizontal(Figure& figure, double delta, const std::string& name) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Delta1 by either formula, up to the last f that returns.
 void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {
   FigureCurve published{"Δ₁ published", {{}}, Ink::orange, Dash::dashed};
