@@ -17,15 +17,13 @@ namespace stillpoint::cli {
 
 /// A request, and what a report or a file needs beside it. `physical` where it was given in metres
 /// and seconds.
-struct DesignInput {
-  design::DesignRequest request;
+template <class Request>
+struct Input {
+  Request request;
   std::optional<design::PhysicalInput> physical;
 };
-
-struct RegionInput {
-  design::RegionRequest request;
-  std::optional<design::PhysicalInput> physical;
-};
+using DesignInput = Input<design::DesignRequest>;
+using RegionInput = Input<design::RegionRequest>;
 
 struct SimulateInput {
   SimulationRequest request;

@@ -6,8 +6,6 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <utility>
 

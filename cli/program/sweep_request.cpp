@@ -2,7 +2,6 @@
 #include "excitation_input.hpp"
 #include "request.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/report/version.hpp>

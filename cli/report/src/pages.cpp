@@ -3,8 +3,6 @@
 
 #include <stillpoint/report/report.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 
