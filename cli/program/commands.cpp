@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include "accuracy.hpp"
 #include "pages.hpp"
 #include "progress.hpp"
 #include "request.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/report/report.hpp>
-#include <stillpoint/report/trajectory_csv.hpp>
 
 #include <fmt/format.h>
 
@@ -84,6 +83,25 @@ Simulation watched(const SimulationRequest& request) {
     throw Interrupted(fmt::format("interrupted at tau = {:.6g}, nothing is written", reached));
   }
   return answer;
+}
+
+/// What the methods are compared on. Throws UsageError for a motion that never stops and one that
+/// is too long for 50 digits.
+peers::Scene comparison_scene(const SimulationRequest& request) {
+  peers::Scene scene{request.oscillator, request.start, request.excitation};
+  const std::optional<double> t_end =
+      request.t_end ? request.t_end
+                    : peers::far_enough(scene.oscillator, scene.start, scene.excitation);
+  if (!t_end) {
+    throw UsageError("the motion never stops: give it some friction, or an excitation and --t-end");
+  }
+  scene.t_end = *t_end;
+  if (is_forced(request) && scene.t_end > peers::longest(scene)) {
+    throw UsageError(fmt::format(
+        "t-end = {}: the motion up to there is too long for 50 digits, at most {:.3g} for this one",
+        scene.t_end, peers::longest(scene)));
+  }
+  return scene;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "exit_code.hpp"
 #include "output.hpp"
 #include "settings.hpp"
 
@@ -9,11 +8,22 @@
 
 namespace stillpoint::cli {
 
+/// The exit codes, fixed for scripts.
+enum ExitCode : int {
+  exit_done = 0,
+  exit_wrong_input = 2,
+  exit_infeasible = 3,
+  exit_check_failed = 4,
+  exit_interrupted = 130,  ///< the shells' code for SIGINT
+};
+
 /// Each runs one command and hands what it has to say to `output`, uncommitted. Wrong input leaves
-/// as an exception.
+/// as an exception. A sweep sends its rows to their file or to standard output as they are
+/// computed; its exception says which of them are kept.
 ExitCode run_design(const Settings& settings, Output& output);
 ExitCode run_region(const Settings& settings, Output& output);
 ExitCode run_simulate(const Settings& settings, Output& output);
+ExitCode run_sweep(const Settings& settings, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);
 
 /// 3 without an admissible design, 4 where the cross-check failed, else 0.

@@ -28,9 +28,10 @@ void refuse_others(const Settings& settings, const ExcitationKind* kind) {
   }
 }
 
-Harmonic wave(const Settings& settings) {
+/// `what` in messages: "excitation" or "pulse".
+Harmonic wave(const Settings& settings, std::string_view what) {
   Harmonic wave;
-  wave.k = settings.required("k", "give --k, the peak of the excitation in g");
+  wave.k = settings.required("k", fmt::format("give --k, the peak of the {} in g", what));
   wave.lambda = settings.required("lambda", "give --lambda, its angular frequency");
   wave.phase = settings.number("phase").value_or(wave.phase);
   wave.duration = settings.number("duration");
@@ -74,7 +75,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings,
   }
   ExcitationInput input;
   if (kind->wave != nullptr) {
-    input.excitation = kind->wave(wave(settings));
+    input.excitation = kind->wave(wave(settings, "excitation"));
   } else {
     input = record(settings, clock, gravity);
   }
@@ -95,10 +96,7 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
 std::optional<design::Pulse> pulse_input(const Settings& settings) {
   const auto type = settings.known("pulse");
   if (type) {
-    Harmonic given;
-    given.k = settings.required("k", "give --k, the peak of the pulse in g");
-    given.lambda = settings.required("lambda", "give --lambda, its angular frequency");
-    return find_excitation_kind(*type)->pulse(given);
+    return find_excitation_kind(*type)->pulse(wave(settings, "pulse"));
   }
   // A scene's excitation is for simulate, and these are its options.
   for (const char* const name : {"k", "lambda"}) {

@@ -6,7 +6,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/records/record_file.hpp>
-#include <stillpoint/report/record_origin.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <optional>
 #include <string>

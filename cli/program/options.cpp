@@ -196,10 +196,6 @@ const std::vector<Option>& table() {
   return table;
 }
 
-Role role(std::string_view option) {
-  return find_option(option)->traits.role;
-}
-
 /// Levenshtein's distance.
 std::size_t slips(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -242,14 +238,6 @@ std::span<const Option> options() {
 const Option* find_option(std::string_view name) {
   const auto found = std::ranges::find(table(), name, &Option::name);
   return found == table().end() ? nullptr : &*found;
-}
-
-bool is_echoed(std::string_view option) {
-  return role(option) <= Role::content;
-}
-
-bool decides_rows(std::string_view option) {
-  return role(option) == Role::input;
 }
 
 std::string listed(std::span<const std::string_view> values) {

@@ -81,6 +81,8 @@ struct Option {
   [[nodiscard]] OptionKind kind_in(Command command) const {
     return traits.sweeps && command == Command::sweep ? OptionKind::axis : kind;
   }
+  /// Whether a report repeats it in its scene.
+  [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }
   [[nodiscard]] bool takes_file() const {
     return traits.file == FileUse::read || traits.file == FileUse::written;
   }
@@ -91,11 +93,6 @@ struct Option {
 
 /// The option of that name, whatever its command; null where there is none.
 [[nodiscard]] const Option* find_option(std::string_view name);
-
-/// Whether a report echoes the option in its scene.
-[[nodiscard]] bool is_echoed(std::string_view option);
-/// Whether the rows of a sweep depend on the option.
-[[nodiscard]] bool decides_rows(std::string_view option);
 
 /// "robust, amplitude, time or acceleration"
 [[nodiscard]] std::string listed(std::span<const std::string_view> values);

@@ -10,11 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <filesystem>
 #include <system_error>
-#include <type_traits>
 
 namespace stillpoint::cli {
 
@@ -27,22 +25,14 @@ constexpr std::size_t longest_title = 400;
 /// The options that make the numbers, as a scene.
 std::string scene_of(const Settings& settings, Command command) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
-  settings.for_each([&](std::string_view option, const Settings::Value& value) {
+  for (const auto& [name, value] : settings.values()) {
+    const Option& option = *find_option(name);
     const bool for_the_trajectory =
-        option == "t-end" && !settings.has("excitation") && !settings.has("record");
-    if (!is_echoed(option) || for_the_trajectory || !find_option(option)->serves(command)) {
-      return;
+        name == "t-end" && !settings.has("excitation") && !settings.has("record");
+    if (option.is_echoed() && option.serves(command) && !for_the_trajectory) {
+      scene[std::string(name)] = as_json(value);
     }
-    std::visit(
-        [&](const auto& plain) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
-            scene[std::string(option)] = plain.text();
-          } else {
-            scene[std::string(option)] = plain;
-          }
-        },
-        value);
-  });
+  }
   constexpr int indent = 2;
   return scene.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

@@ -7,7 +7,8 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/report/record_origin.hpp>
+#include <stillpoint/report/report.hpp>
+#include <stillpoint/sweep/spec.hpp>
 
 #include <optional>
 #include <string>
@@ -16,15 +17,13 @@ namespace stillpoint::cli {
 
 /// A request, and what a report or a file needs beside it. `physical` where it was given in metres
 /// and seconds.
-struct DesignInput {
-  design::DesignRequest request;
+template <class Request>
+struct Input {
+  Request request;
   std::optional<design::PhysicalInput> physical;
 };
-
-struct RegionInput {
-  design::RegionRequest request;
-  std::optional<design::PhysicalInput> physical;
-};
+using DesignInput = Input<design::DesignRequest>;
+using RegionInput = Input<design::RegionRequest>;
 
 struct SimulateInput {
   SimulationRequest request;
@@ -40,6 +39,9 @@ struct SimulateInput {
 [[nodiscard]] DesignInput design_input(const Settings& settings);
 [[nodiscard]] RegionInput region_input(const Settings& settings);
 [[nodiscard]] SimulateInput simulate_input(const Settings& settings);
+
+/// Opens the list and reads its header.
+[[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
 
 /// The options of those names, or their defaults. Throw InputError.
 [[nodiscard]] design::Criterion criterion(const Settings& settings);

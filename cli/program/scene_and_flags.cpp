@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scene_and_flags.hpp"
-
 #include "excitation_input.hpp"
 #include "excitation_kinds.hpp"
+#include "scene.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 
 namespace stillpoint::cli {

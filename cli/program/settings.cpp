@@ -4,6 +4,7 @@
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -44,11 +45,33 @@ std::optional<Axis> Settings::axis(std::string_view name) const {
   return get<Axis>(name);
 }
 
+std::int64_t Settings::count(std::string_view name, std::int64_t fallback, std::int64_t least,
+                             std::int64_t most) const {
+  const auto wanted = integer(name);
+  if (wanted && (*wanted < least || *wanted > most)) {
+    throw InputError(std::string(name), fmt::format("{}", *wanted),
+                     fmt::format("must be a whole number from {} to {}", least, most));
+  }
+  return wanted.value_or(fallback);
+}
+
 double Settings::required(std::string_view name, std::string_view hint) const {
   if (const auto value = number(name)) {
     return *value;
   }
   throw InputError::missing(std::string(name), std::string(hint));
+}
+
+nlohmann::ordered_json as_json(const Settings::Value& value) {
+  return std::visit(
+      [](const auto& plain) -> nlohmann::ordered_json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
+          return plain.text();
+        } else {
+          return plain;
+        }
+      },
+      value);
 }
 
 }  // namespace stillpoint::cli

@@ -6,6 +6,8 @@
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -42,7 +44,11 @@ class Settings {
   [[nodiscard]] bool flag(std::string_view name) const;
   [[nodiscard]] std::optional<Axis> axis(std::string_view name) const;
 
-  /// The same, but InputError where not set, saying what else would do.
+  /// A whole number within bounds. Throws InputError.
+  [[nodiscard]] std::int64_t count(std::string_view name, std::int64_t fallback, std::int64_t least,
+                                   std::int64_t most) const;
+
+  /// A number; InputError where not set, saying what else would do.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
 
   /// A text that must be one of the option's values. Throws InputError.
@@ -55,13 +61,8 @@ class Settings {
     values_.insert(other.values_.begin(), other.values_.end());
   }
 
-  /// Every name that is set, with its value.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    for (const auto& [name, value] : values_) {
-      visit(name, value);
-    }
-  }
+  /// Everything that is set, by name.
+  [[nodiscard]] const std::map<std::string_view, Value>& values() const { return values_; }
 
  private:
   template <class T>
@@ -69,5 +70,8 @@ class Settings {
 
   std::map<std::string_view, Value> values_;
 };
+
+/// As a scene has it; an axis as its text.
+[[nodiscard]] nlohmann::ordered_json as_json(const Settings::Value& value);
 
 }  // namespace stillpoint::cli

@@ -6,24 +6,12 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <utility>
 
 namespace stillpoint::cli {
 
 namespace {
-
-std::int64_t count(const Settings& settings, std::string_view name, std::int64_t fallback,
-                   std::int64_t least, std::int64_t most) {
-  const std::int64_t value = settings.integer(name).value_or(fallback);
-  if (value < least || value > most) {
-    throw InputError(std::string(name), fmt::format("{}", value),
-                     fmt::format("must be a whole number from {} to {}", least, most));
-  }
-  return value;
-}
 
 Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
   const double f = settings.required("f", "give --f, the constant friction (0 for none)");
@@ -36,9 +24,9 @@ Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
 
 void add_output(const Settings& settings, SimulateInput& input) {
   input.request.max_half_cycles =
-      count(settings, "max-half-cycles", input.request.max_half_cycles, 0, 100'000);
+      settings.count("max-half-cycles", input.request.max_half_cycles, 0, 100'000);
   input.trajectory = settings.text("trajectory");
-  const std::int64_t samples = count(settings, "samples", 1000, 2, 1'000'000);
+  const std::int64_t samples = settings.count("samples", 1000, 2, 1'000'000);
   if (input.trajectory) {
     input.request.samples = samples;
   } else if (settings.has("samples")) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "sweep.hpp"
-
+#include "commands.hpp"
 #include "pages.hpp"
 #include "progress.hpp"
-#include "sweep_request.hpp"
+#include "request.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/sweep.hpp>

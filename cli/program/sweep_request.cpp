@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "sweep_request.hpp"
-
 #include "excitation_input.hpp"
 #include "request.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/report/version.hpp>
@@ -132,16 +129,6 @@ sweep::RowFormat row_format(const Settings& settings) {
   return npy ? sweep::RowFormat::npy : sweep::RowFormat::csv;
 }
 
-int thread_count(const Settings& settings) {
-  constexpr std::int64_t most = 1024;
-  const auto wanted = settings.integer("threads");
-  if (wanted && (*wanted < 1 || *wanted > most)) {
-    throw InputError("threads", fmt::format("{}", *wanted),
-                     fmt::format("must be a whole number from 1 to {}", most));
-  }
-  return static_cast<int>(wanted.value_or(std::max(1U, std::thread::hardware_concurrency())));
-}
-
 /// The file of a record may change, so its values count.
 std::uint64_t record_digest(const Excitation& excitation) {
   sweep::Digest digest;
@@ -163,23 +150,12 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
     result["columns"].push_back(name(column));
   }
   result["list"] = spec.list != nullptr;
-  settings.for_each([&](std::string_view option, const Settings::Value& value) {
-    if (!decides_rows(option) || !find_option(option)->serves(Command::sweep)) {
-      return;
+  for (const auto& [option, value] : settings.values()) {
+    const Option& known = *find_option(option);
+    if (known.traits.role == Role::input && known.serves(Command::sweep)) {
+      result[std::string(option)] = as_json(value);
     }
-    const std::string key(option);
-    if (const auto* const axis = std::get_if<Axis>(&value)) {
-      result[key] = axis->text();
-    } else {
-      std::visit(
-          [&](const auto& plain) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
-              result[key] = plain;
-            }
-          },
-          value);
-    }
-  });
+  }
   result["record_digest"] = record_digest(spec.excitation);
   return result.dump();
 }
@@ -190,7 +166,8 @@ SweepSpec sweep_request(const Settings& settings) {
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);
-  spec.threads = thread_count(settings);
+  const std::int64_t all_threads = std::max(1U, std::thread::hardware_concurrency());
+  spec.threads = static_cast<int>(settings.count("threads", all_threads, 1, 1024));
   spec.resume = settings.flag("resume");
   spec.list = open_list(settings);
   spec.kind = kind_of(settings, spec);

@@ -15,7 +15,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {

@@ -6,6 +6,7 @@
 #include "figure_map.hpp"
 
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace stillpoint::figures {
@@ -235,24 +236,12 @@ std::string svg(const FigureSheet& sheet) {
 }
 
 std::string escaped(std::string_view text) {
+  static const std::map<char, std::string_view> entities{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
+  for (const char& c : text) {
+    const auto found = entities.find(c);
+    result += found == entities.end() ? std::string_view(&c, 1) : found->second;
   }
   return result;
 }

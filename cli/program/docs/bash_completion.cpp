@@ -21,14 +21,6 @@ std::string flags(std::string_view separator, const std::function<bool(const Opt
   return list;
 }
 
-std::string command_list(std::string_view separator) {
-  std::string list;
-  for (const CommandHelp& help : all_commands()) {
-    list += fmt::format("{}{}", list.empty() ? "" : separator, name(help.command));
-  }
-  return list;
-}
-
 /// For each option that takes one of some words, these words.
 std::string value_cases() {
   std::string cases;
@@ -80,7 +72,8 @@ std::string bash_completion() {
       "      return ;;\n"
       "  esac\n"
       "  case $command in\n",
-      command_list(" | "), value_cases(), flags(" | ", with_file), flags(" | ", with_value));
+      command_names(nullptr, " | "), value_cases(), flags(" | ", with_file),
+      flags(" | ", with_value));
   for (const CommandHelp& help : all_commands()) {
     const std::string all =
         flags(" ", [&help](const Option& option) { return option.serves(help.command); });
@@ -97,7 +90,7 @@ std::string bash_completion() {
       "  fi\n"
       "}}\n"
       "complete -F _stillpoint stillpoint\n",
-      command_list(" "));
+      command_names(nullptr, " "));
   return script;
 }
 

@@ -36,7 +36,7 @@ std::string fish_completion() {
   for (const Option& option : options()) {
     script += fmt::format(
         "complete -c stillpoint -n '__fish_seen_subcommand_from {}' -l {}{} -d {}\n",
-        command_names(option, " "), option.name, value_switch(option), quoted(option.help));
+        command_names(&option, " "), option.name, value_switch(option), quoted(option.help));
   }
   return script +
          "complete -c stillpoint -s h -l help -d 'print the options'\n"

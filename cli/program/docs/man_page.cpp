@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace stillpoint::cli {
 
@@ -14,27 +15,12 @@ namespace {
 
 /// A line of plain text as roff has it: no character is a request, a hyphen is a minus.
 std::string roff(std::string_view text) {
+  static const std::map<char, std::string_view> escapes{
+      {'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
   std::string result;
   for (const char c : text) {
-    switch (c) {
-      case '\\':
-        result += "\\e";
-        break;
-      case '-':
-        result += "\\-";
-        break;
-      case '\'':
-        result += "\\(aq";
-        break;
-      case '^':
-        result += "\\(ha";
-        break;
-      case '~':
-        result += "\\(ti";
-        break;
-      default:
-        result += c;
-    }
+    const auto found = escapes.find(c);
+    result += found == escapes.end() ? std::string_view(&c, 1) : found->second;
   }
   return result.starts_with('.') ? "\\&" + result : result;
 }
@@ -72,7 +58,7 @@ std::string entry(const Option& option) {
   const std::string value =
       option.kind == OptionKind::flag ? "" : fmt::format(" \\fI{}\\fR", roff(option.placeholder));
   return fmt::format(".TP\n\\fB{}\\fR{}\n{} ({}{})\n", roff(fmt::format("--{}", option.name)),
-                     value, roff(option.help), command_names(option, ", "),
+                     value, roff(option.help), command_names(&option, ", "),
                      option.traits.sweeps ? "*" : "");
 }
 

@@ -12,11 +12,12 @@
 
 namespace stillpoint::cli {
 
-/// The names of the commands that the option serves, with `separator` between them.
-[[nodiscard]] inline std::string command_names(const Option& option, std::string_view separator) {
+/// The names of the commands that the option serves, or of all (null), with `separator` between
+/// them.
+[[nodiscard]] inline std::string command_names(const Option* option, std::string_view separator) {
   std::string names;
   for (const CommandHelp& help : all_commands()) {
-    if (option.serves(help.command)) {
+    if (option == nullptr || option->serves(help.command)) {
       names += (names.empty() ? std::string_view() : separator);
       names += name(help.command);
     }

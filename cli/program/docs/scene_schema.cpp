@@ -38,7 +38,7 @@ ordered_json type_of(const Option& option) {
 
 ordered_json described(const Option& option) {
   ordered_json entry = type_of(option);
-  entry["description"] = std::string(option.help) + " (" + command_names(option, ", ") + ")" +
+  entry["description"] = std::string(option.help) + " (" + command_names(&option, ", ") + ")" +
                          (option.traits.sweeps ? "; only a sweep takes an axis" : "");
   return entry;
 }

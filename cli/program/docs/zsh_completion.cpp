@@ -10,11 +10,7 @@ namespace {
 
 /// Text within single quotes: the quote itself ends them, stands escaped and begins them anew.
 std::string quoted(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return result;
+  return escaped(text, "'", "'\\'");
 }
 
 /// The text of a description in [brackets], or of a message between colons.

@@ -2,7 +2,6 @@
 #include "json_parts.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>

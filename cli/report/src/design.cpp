@@ -16,17 +16,17 @@ namespace {
 
 void add_pulse(Section& task, const design::Pulse& pulse, const Physical& physical) {
   const double lambda = design::angular_frequency(pulse);
-  task.row("pulse", format("{}, k = {:.6g}, lambda = {:.6g}{}", design::name(pulse),
-                           design::peak_load(pulse), lambda, in_rad_per_s(physical, lambda)));
+  task.row("pulse", format("{}, k = {:.6g}, lambda = {}", design::name(pulse),
+                           design::peak_load(pulse), frequency_text(physical, lambda)));
   const double lasts = duration(design::excitation(pulse)).value();
-  task.row("duration", format("{:.6g}{}", lasts, in_seconds(physical, lasts)));
+  task.row("duration", time_text(physical, lasts));
 }
 
 void add_damper(Document& document, const design::Problem& problem,
                 const design::DesignPoint& point, const Physical& physical) {
   Section& section = document.section("Design");
   section.row("f", digits(point.f), Tone::heading);
-  section.row("delta", digits(point.delta) + in_metres(physical, point.delta), Tone::heading);
+  section.row("delta", length_text(physical, point.delta), Tone::heading);
   section.row("tolerance", format("+-{:.4g} % of f and delta at once", 100 * point.tolerance));
   section.row("Delta1(f)",
               format("{:.6g} published, {} exact", design::delta1_published(problem, point.f),
@@ -96,8 +96,8 @@ void add_checks(Document& document, const design::CrossCheck& check) {
 std::string verdict(const design::Finding& finding, const Physical& physical) {
   const auto& [f, delta, tolerance] = finding.point;
   std::string text =
-      format("f = {:.6g}, delta = {:.6g}{}; both may be off by +-{:.4g} %. The cross-check {}.", f,
-             delta, in_metres(physical, delta), 100 * tolerance,
+      format("f = {:.6g}, delta = {}; both may be off by +-{:.4g} %. The cross-check {}.", f,
+             length_text(physical, delta), 100 * tolerance,
              finding.cross_check.passed ? "agrees" : "DISAGREES");
   if (finding.pulse) {
     for (const design::PulseWarning warning : finding.pulse->warnings) {

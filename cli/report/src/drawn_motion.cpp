@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "drawn_motion.hpp"
+#include "report_figures.hpp"
 
 #include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures_motion.hpp"
+#include "report_figures.hpp"
 
 #include <fmt/format.h>
 

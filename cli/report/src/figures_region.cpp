@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures_region.hpp"
+#include "report_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -117,10 +117,6 @@ void add_horizontal(Figure& figure, double delta, const std::string& name) {
     figure.notes.push_back({name, {figure.x.value(free_place(figure)), y}, Anchor::start});
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// Delta1 by either formula, up to the last f that returns.
 void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {

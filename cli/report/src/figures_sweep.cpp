@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "figures_sweep.hpp"
-
-#include "figures_region.hpp"
+#include "report_figures.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 
@@ -11,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
 namespace stillpoint::report {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "json_parts.hpp"
-#include "physical_values.hpp"
-
 #include <stillpoint/report/report.hpp>
+#include "json_parts.hpp"
 
 #include <variant>
 

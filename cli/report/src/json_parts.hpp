@@ -5,7 +5,7 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/report/record_origin.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -36,5 +36,11 @@ namespace stillpoint::report {
 [[nodiscard]] nlohmann::ordered_json motion_input_json(const SimulationRequest& request,
                                                        const std::optional<RecordOrigin>& record);
 [[nodiscard]] nlohmann::ordered_json program_json();
+
+/// The field `physical` of a report: metres, seconds, kilograms, newtons and joules. Null where the
+/// input was dimensionless; a value is null that needs a mass, or that the motion does not have.
+[[nodiscard]] nlohmann::ordered_json physical_json(const DesignReport& report);
+[[nodiscard]] nlohmann::ordered_json physical_json(const RegionReport& report);
+[[nodiscard]] nlohmann::ordered_json physical_json(const MotionReport& report);
 
 }  // namespace stillpoint::report

@@ -49,11 +49,9 @@ std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   std::string text = format("It {}", outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {
-    text += format(", after tau = {:.6g}{}", *response.stop_time,
-                   in_seconds(report.physical, *response.stop_time));
+    text += format(", after tau = {}", time_text(report.physical, *response.stop_time));
   }
-  return format("{}. Its peak is {:.6g}{}.", text, response.peak_amplitude,
-                in_metres(report.physical, response.peak_amplitude));
+  return format("{}. Its peak is {}.", text, length_text(report.physical, response.peak_amplitude));
 }
 
 }  // namespace
@@ -70,8 +68,7 @@ Document document(const MotionReport& report) {
   }
   scene.row("dimensionless",
             format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", start.v0, p, start.x0));
-  scene.row("damper",
-            format("f = {:.6g}   delta = {:.6g}{}", f, delta, in_metres(report.physical, delta)));
+  scene.row("damper", format("f = {:.6g}   delta = {}", f, length_text(report.physical, delta)));
   add_damper_physics(scene, report.physical, f, delta);
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);

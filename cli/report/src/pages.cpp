@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "figures_motion.hpp"
-#include "figures_region.hpp"
+#include "report_figures.hpp"
 
 #include <stillpoint/report/report.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "physical_values.hpp"
-
 #include "json_parts.hpp"
 
 #include <cmath>

@@ -15,7 +15,7 @@ namespace {
 void add_point(Section& section, const RegionReport& report) {
   const auto& [problem, limits, f, delta] = report.request;
   const design::RegionAnswer& answer = report.answer;
-  section.row("delta", digits(*delta) + in_metres(report.physical, *delta));
+  section.row("delta", length_text(report.physical, *delta));
   section.row("the point is", *answer.admissible ? "admissible" : "not admissible",
               *answer.admissible ? Tone::good : Tone::bad);
   if (answer.tolerance) {

@@ -49,8 +49,8 @@ void add_excitation(Section& section, const Excitation& excitation,
   std::visit(
       [&](const auto& kind) {
         if constexpr (requires { kind.lambda; }) {
-          what += format(", k = {:.6g}, lambda = {:.6g}{}", kind.k, kind.lambda,
-                         in_rad_per_s(physical, kind.lambda));
+          what +=
+              format(", k = {:.6g}, lambda = {}", kind.k, frequency_text(physical, kind.lambda));
         } else if constexpr (requires { kind.values; }) {
           const auto [least, most] = std::ranges::minmax(kind.values);
           what += format(", {} values from {:.6g} g to {:.6g} g", kind.values.size(), least + 0.0,
@@ -69,7 +69,7 @@ void add_excitation(Section& section, const Excitation& excitation,
     }
   }
   if (const auto lasts = duration(excitation)) {
-    section.row("duration", format("{:.6g}{}", *lasts, in_seconds(physical, *lasts)));
+    section.row("duration", time_text(physical, *lasts));
   }
 }
 
@@ -88,7 +88,7 @@ Section& add_problem(Document& document, const design::Problem& problem,
     add(format("f <= {:.6g}", *limits.f_max));
   }
   if (limits.delta_max) {
-    add(format("delta <= {:.6g}{}", *limits.delta_max, in_metres(physical, *limits.delta_max)));
+    add(format("delta <= {}", length_text(physical, *limits.delta_max)));
   }
   if (limits.tolerance > 0) {
     add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
@@ -105,10 +105,8 @@ void add_region(Document& document, const design::Region& region, const Physical
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
   section.row("return", format("f <= f3 = {:.6g}", region.f3));
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
-  section.row("start", format("delta <= delta2 = {:.6g}{}", region.delta2,
-                              in_metres(physical, region.delta2)));
-  section.row("smallest beta",
-              format("{:.6g}{}", region.beta_min, in_metres(physical, region.beta_min)));
+  section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));
+  section.row("smallest beta", length_text(physical, region.beta_min));
   if (region.feasible) {
     section.row("feasible f", format("{:.6g} to {:.6g}", *region.f_lower, *region.f_upper));
   }
@@ -186,17 +184,14 @@ namespace {
 
 void add_metrics(Section& section, const Response& response, const Physical& physical) {
   section.row("outcome", outcome_phrase(response.outcome));
-  section.row("peak", format("{:.6g}{}", response.peak_amplitude,
-                             in_metres(physical, response.peak_amplitude)));
+  section.row("peak", length_text(physical, response.peak_amplitude));
   section.row("peak acceleration",
               physical ? format("{:.6g} g = {:.5g} m/s2", response.peak_acceleration,
                                 response.peak_acceleration * physical->scales.gravity_m_per_s2)
                        : digits(response.peak_acceleration));
   if (response.stop_time) {
-    section.row("stop time",
-                format("{:.6g}{}", *response.stop_time, in_seconds(physical, *response.stop_time)));
-    section.row("stop position", format("{:.6g}{}", *response.stop_position,
-                                        in_metres(physical, *response.stop_position)));
+    section.row("stop time", time_text(physical, *response.stop_time));
+    section.row("stop position", length_text(physical, *response.stop_position));
   }
   if (response.arrival_speed) {
     section.row("arrival speed", format("{:.6g}, the last at x = 0", *response.arrival_speed));
@@ -228,14 +223,13 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
   add_metrics(section, response, physical);
   add_margin(section, response, "the closest decision was this far from the other outcome");
   if (response.sticks > 0) {
-    section.row("sticks", format("{}, {:.6g}{} in all", plural(response.sticks, "stick"),
-                                 response.stick_time, in_seconds(physical, response.stick_time)));
+    section.row("sticks", format("{}, {} in all", plural(response.sticks, "stick"),
+                                 time_text(physical, response.stick_time)));
   }
   if (response.end_time && response.outcome == Outcome::running) {
     section.row("at the end",
-                format("tau = {:.6g}{}, x = {:.6g}{}, v = {:.6g}", *response.end_time,
-                       in_seconds(physical, *response.end_time), *response.final_position,
-                       in_metres(physical, *response.final_position), *response.final_velocity));
+                format("tau = {}, x = {}, v = {:.6g}", time_text(physical, *response.end_time),
+                       length_text(physical, *response.final_position), *response.final_velocity));
   }
   if (response.left_notch_from_rest) {
     section.row("note", "it started from rest at x = 0: the notch acts from the first return on");

@@ -9,7 +9,7 @@
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/report/document.hpp>
-#include <stillpoint/report/record_origin.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <optional>
 #include <span>

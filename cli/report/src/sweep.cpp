@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/sweep.hpp>
 
-#include "figures_sweep.hpp"
 #include "json_parts.hpp"
+#include "report_figures.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/report/trajectory_csv.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
 

@@ -9,18 +9,19 @@ namespace stillpoint::report {
 
 using fmt::format;
 
-std::string in_metres(const Physical& physical, double length) {
-  return physical && length != 0
-             ? format(" = {}", with_unit(length * physical->scales.length_m, "m"))
-             : "";
+std::string length_text(const Physical& physical, double length) {
+  return digits(length) + (physical && length != 0
+                               ? " = " + with_unit(length * physical->scales.length_m, "m")
+                               : "");
 }
 
-std::string in_seconds(const Physical& physical, double tau) {
-  return physical ? format(" = {}", with_unit(tau * physical->scales.time_s, "s")) : "";
+std::string time_text(const Physical& physical, double tau) {
+  return digits(tau) + (physical ? " = " + with_unit(tau * physical->scales.time_s, "s") : "");
 }
 
-std::string in_rad_per_s(const Physical& physical, double lambda) {
-  return physical ? format(" = {:.5g} rad/s", lambda / physical->scales.time_s) : "";
+std::string frequency_text(const Physical& physical, double lambda) {
+  return digits(lambda) +
+         (physical ? format(" = {:.5g} rad/s", lambda / physical->scales.time_s) : "");
 }
 
 FigureUnits::FigureUnits(const Physical& physical) {

@@ -12,14 +12,14 @@ namespace stillpoint::report {
 
 using Physical = std::optional<design::PhysicalInput>;
 
-/// " = 12.1 mm" behind a dimensionless length; "" without physical input and for 0.
-[[nodiscard]] std::string in_metres(const Physical& physical, double length);
+/// A length "0.259325 = 12.1 mm"; alone without physical input and for 0.
+[[nodiscard]] std::string length_text(const Physical& physical, double length);
 
-/// " = 1.53 s" behind a tau; "" without physical input.
-[[nodiscard]] std::string in_seconds(const Physical& physical, double tau);
+/// A tau "4.81 = 1.53 s"; alone without physical input.
+[[nodiscard]] std::string time_text(const Physical& physical, double tau);
 
-/// " = 62.8 rad/s" behind an angular frequency; "" without physical input.
-[[nodiscard]] std::string in_rad_per_s(const Physical& physical, double lambda);
+/// An angular frequency "20 = 62.8 rad/s"; alone without physical input.
+[[nodiscard]] std::string frequency_text(const Physical& physical, double lambda);
 
 /// What figures multiply dimensionless numbers with, and the labels of their axes.
 struct FigureUnits {

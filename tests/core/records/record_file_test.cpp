@@ -9,12 +9,12 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -850,7 +850,7 @@ BOOST_AUTO_TEST_CASE(near_fault_pulse_is_the_derivative_of_its_velocity) {
 }
 
 BOOST_AUTO_TEST_CASE(strong_motion_is_as_its_script_says) {
-  const auto [record, description, units] = records::read_record(kept("strong_motion.AT2"));
+  const auto [record, says, units] = records::read_record(kept("strong_motion.AT2"));
   BOOST_TEST(units == RecordUnits::g);
   BOOST_TEST(record.values.size() == 2000U);
   BOOST_TEST(record.step == 0.01);
@@ -859,7 +859,7 @@ BOOST_AUTO_TEST_CASE(strong_motion_is_as_its_script_says) {
     peak = std::max(peak, std::abs(value));
   }
   BOOST_TEST(peak == 0.35);
-  BOOST_TEST(description.starts_with("SYNTHETIC RECORD, NO EARTHQUAKE"));
+  BOOST_TEST(says.starts_with("SYNTHETIC RECORD, NO EARTHQUAKE"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,13 +11,14 @@
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/report/document.hpp>
-#include <stillpoint/report/record_origin.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -31,6 +32,15 @@ struct RegionReport {
   design::RegionRequest request;
   design::RegionAnswer answer;
   std::optional<design::PhysicalInput> physical{};
+};
+
+/// Where an acceleration record comes from.
+struct RecordOrigin {
+  std::string file;
+  std::string description;           ///< what the file says of itself
+  std::optional<std::string> units;  ///< these three as asked for
+  std::optional<double> step;
+  std::optional<double> scale;
 };
 
 struct MotionReport {
@@ -64,6 +74,10 @@ struct AccuracyReport {
 [[nodiscard]] figures::HtmlPage page(const DesignReport& report);
 [[nodiscard]] figures::HtmlPage page(const RegionReport& report);
 [[nodiscard]] figures::HtmlPage page(const MotionReport& report);
+
+/// tau,x,v, and with physical input t_s,x_m,v_m_per_s, a line for each state.
+[[nodiscard]] std::string trajectory_csv(const std::vector<State>& states,
+                                         const std::optional<design::PhysicalInput>& physical);
 
 /// The ids of the figures that a page may have.
 inline constexpr std::array<std::string_view, 5> design_figures{"region", "motion", "phase",
