@@ -26,8 +26,8 @@ bool is_named(const MapRow& row, const std::string& name) {
   const double last = parts[4].matched   ? std::stod(parts[4])
                       : parts[3].matched ? std::numeric_limits<double>::infinity()
                                          : first;
-  return (parts[1] == "centred") == (row.outcome == "stopped_at_zero") && first <= row.half_cycles &&
-         row.half_cycles <= last;
+  return (parts[1] == "centred") == (row.outcome == "stopped_at_zero") &&
+         first <= row.half_cycles && row.half_cycles <= last;
 }
 
 }  // namespace
