@@ -1,9 +1,10 @@
-# stillpoint_room(NAME SOURCES FILE... [PUBLIC LIBRARY...] [PRIVATE LIBRARY...] [HEADERS HEADER...]): a room
+# stillpoint_room(NAME SOURCES FILE... [PUBLIC LIBRARY...] [PRIVATE LIBRARY...] [HEADERS HEADER...] [PRINTS]): a room
 # of the house, the static library stillpoint_NAME or stillpoint::NAME. Its headers stand in include/, what
 # nobody else sees in src/. It sees the rooms and packages that it names and no others. HEADERS are compiled
-# once for all its files.
+# once for all its files. A room that only PRINTS is compiled at -O1: the compiler takes a quarter less time, and
+# nobody waits for it.
 function(stillpoint_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE;HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg PRINTS "" "SOURCES;PUBLIC;PRIVATE;HEADERS")
   set(target stillpoint_${name})
   add_library(${target} STATIC ${arg_SOURCES})
   add_library(stillpoint::${name} ALIAS ${target})
@@ -13,6 +14,9 @@ function(stillpoint_room name)
   target_link_libraries(${target}
     PUBLIC ${arg_PUBLIC}
     PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:stillpoint_build_flags>)
+  if(arg_PRINTS)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   if(arg_HEADERS)
     target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
   endif()

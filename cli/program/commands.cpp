@@ -85,25 +85,6 @@ Simulation watched(const SimulationRequest& request) {
   return answer;
 }
 
-/// What the methods are compared on. Throws UsageError for a motion that never stops and one that
-/// is too long for 50 digits.
-peers::Scene comparison_scene(const SimulationRequest& request) {
-  peers::Scene scene{request.oscillator, request.start, request.excitation};
-  const std::optional<double> t_end =
-      request.t_end ? request.t_end
-                    : peers::far_enough(scene.oscillator, scene.start, scene.excitation);
-  if (!t_end) {
-    throw UsageError("the motion never stops: give it some friction, or an excitation and --t-end");
-  }
-  scene.t_end = *t_end;
-  if (is_forced(request) && scene.t_end > peers::longest(scene)) {
-    throw UsageError(fmt::format(
-        "t-end = {}: the motion up to there is too long for 50 digits, at most {:.3g} for this one",
-        scene.t_end, peers::longest(scene)));
-  }
-  return scene;
-}
-
 }  // namespace
 
 ExitCode exit_code(const design::DesignResult& result) {
@@ -145,9 +126,9 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
 
 ExitCode run_accuracy(const Settings& settings, Output& output) {
   const SimulateInput input = simulate_input(settings);
+  const peers::Scene scene = peers::comparison_scene(input.request);
   print_report(
-      report::AccuracyReport{input.request, peers::compare(comparison_scene(input.request)),
-                             input.record, input.physical},
+      report::AccuracyReport{input.request, peers::compare(scene), input.record, input.physical},
       settings, output);
   return exit_done;
 }

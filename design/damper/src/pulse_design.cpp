@@ -66,6 +66,7 @@ class FixedPoint {
 
   [[nodiscard]] double x() const { return x_; }
   void answer(double g) {
+    // A step of less would stall where the secant misjudges the slope.
     constexpr double shortest = 0.05;
     const double slope = x_ != x_before_ ? (g - g_before_) / (x_ - x_before_) : 0;
     const double part = std::clamp(slope < 1 ? 1 / (1 - slope) : 1, shortest, 1.0);
@@ -97,7 +98,7 @@ double softest_f(const PulseProblem& problem, double low, double high) {
 SearchResult search(const Hunt& hunt) {
   const auto& [task, options] = hunt;
   const Limits& limits = task.limits;
-  constexpr int most_rounds = 60;
+  constexpr int most_rounds = 60;    // some five are taken; a round is a search of 20 us
   constexpr double settled = 1e-10;  // relative, of f and of 1: what NLopt's tolerance resolves
   constexpr double slack = 1e-9;     // more than that, so that the settled point is admissible
   const DesignPoint corner = corner_point(task);

@@ -22,7 +22,7 @@ namespace {
 
 using State = std::array<double, 2>;  // x, v
 
-constexpr double first_step = 1e-3;
+constexpr double first_step = 1e-3;  // of 1 / p; the controller mends a poor choice at once
 
 struct PieceEnd {
   double time;

@@ -6,6 +6,8 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/peers/methods.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -99,10 +101,8 @@ void judge(MethodRow& row, const Scene& scene, const ExactResult& exact, const S
                      result.outcome == truth.outcome;
 }
 
-}  // namespace
-
-std::optional<double> far_enough(const Oscillator& oscillator, const Start& start,
-                                 const Excitation& excitation) {
+/// The end of the run where none was asked for.
+double far_enough(const Oscillator& oscillator, const Start& start, const Excitation& excitation) {
   constexpr double past_the_rest = 4;
   constexpr double past_the_load = 1.25;
   constexpr double most_counted = 0x1p53;  // closed forms end however long a motion is
@@ -121,16 +121,34 @@ std::optional<double> far_enough(const Oscillator& oscillator, const Start& star
     stop_time = forced_response(oscillator, start, excitation, options).stop_time;
   }
   if (!stop_time) {
-    return std::nullopt;
+    throw InputError("f", oscillator.f,
+                     "must be more than 0, or delta must: without friction the motion never stops");
   }
   // A rest under a load is final once the load is over.
   const double moving = *stop_time > 0 ? past_the_rest * *stop_time : 1;
   return std::max(moving, past_the_load * duration(excitation).value());
 }
 
+/// The largest t_end of a forced scene.
 double longest(const Scene& scene) {
   constexpr double most = 3e4;  // of the faster of motion and load: some seconds in 50 digits
   return most * std::numbers::pi / rate(scene);
+}
+
+}  // namespace
+
+Scene comparison_scene(const SimulationRequest& request) {
+  Scene scene{request.oscillator, request.start, request.excitation};
+  scene.t_end = request.t_end ? *request.t_end
+                              : far_enough(request.oscillator, request.start, request.excitation);
+  if (!is_free(scene) && scene.t_end > longest(scene)) {
+    throw InputError(
+        "t-end", scene.t_end,
+        fmt::format("the motion up to there is too long for 50 digits, must be at most "
+                    "{:.3g} for this one",
+                    longest(scene)));
+  }
+  return scene;
 }
 
 Comparison compare(const Scene& scene) {

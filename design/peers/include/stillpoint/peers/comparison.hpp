@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/simulation.hpp>
 #include <stillpoint/peers/exact.hpp>
 #include <stillpoint/peers/measure.hpp>
 #include <stillpoint/peers/scene.hpp>
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -14,14 +14,11 @@ namespace stillpoint::peers {
 /// Of a free motion; as many take a second or so in 50 digits.
 inline constexpr double most_half_cycles = 1e5;
 
-/// The end of the run for a motion without a `t_end`: past its rest, so that integrators have room
-/// to miss it. Empty if it never stops. Throws what free_response and forced_response throw, for
-/// wrong input and for more than `most_half_cycles`.
-[[nodiscard]] std::optional<double> far_enough(const Oscillator& oscillator, const Start& start,
-                                               const Excitation& excitation);
-
-/// The largest t_end that is followed in 50 digits; of a forced scene.
-[[nodiscard]] double longest(const Scene& scene);
+/// What to compare the methods on: the requested motion up to its t_end or, without one, until past
+/// its rest, so that integrators have room to miss it. Throws InputError for a motion that never
+/// stops, and for one that is too long for 50 digits; and what free_response and forced_response
+/// throw, for wrong input and for more than `most_half_cycles`.
+[[nodiscard]] Scene comparison_scene(const SimulationRequest& request);
 
 enum class Run {
   done,
