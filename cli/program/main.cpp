@@ -68,12 +68,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   return code;
 }
 
-}  // namespace
-
-}  // namespace stillpoint::cli
-
-int main(int argc, char** argv) {
-  using namespace stillpoint::cli;
+int run(int argc, const char* const* argv) {
   try {
     Output output;
     const ExitCode code = answer(parse_command_line(argc, argv), output);
@@ -86,4 +81,12 @@ int main(int argc, char** argv) {
     say(error.what());
     return exit_wrong_input;
   }
+}
+
+}  // namespace
+
+}  // namespace stillpoint::cli
+
+int main(int argc, char** argv) {
+  return stillpoint::cli::run(argc, argv);
 }

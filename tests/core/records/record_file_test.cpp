@@ -850,16 +850,16 @@ BOOST_AUTO_TEST_CASE(near_fault_pulse_is_the_derivative_of_its_velocity) {
 }
 
 BOOST_AUTO_TEST_CASE(strong_motion_is_as_its_script_says) {
-  const auto [record, says, units] = records::read_record(kept("strong_motion.AT2"));
-  BOOST_TEST(units == RecordUnits::g);
-  BOOST_TEST(record.values.size() == 2000U);
-  BOOST_TEST(record.step == 0.01);
+  const RecordFile file = records::read_record(kept("strong_motion.AT2"));
+  BOOST_TEST(file.units == RecordUnits::g);
+  BOOST_TEST(file.record.values.size() == 2000U);
+  BOOST_TEST(file.record.step == 0.01);
   double peak = 0;
-  for (const double value : record.values) {
+  for (const double value : file.record.values) {
     peak = std::max(peak, std::abs(value));
   }
   BOOST_TEST(peak == 0.35);
-  BOOST_TEST(says.starts_with("SYNTHETIC RECORD, NO EARTHQUAKE"));
+  BOOST_TEST(file.description.starts_with("SYNTHETIC RECORD, NO EARTHQUAKE"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
