@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "testing/folder.hpp"
 #include "testing/printing.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -739,32 +739,8 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_to_the_last_bit) {
 
 // ---- files and options
 
-namespace {
-
-/// A directory that lives as long as the test.
-struct Folder {
-  Folder() {
-    std::string wanted = (fs::temp_directory_path() / "stillpoint-XXXXXX").string();
-    BOOST_TEST_REQUIRE(::mkdtemp(wanted.data()) != nullptr);
-    root = wanted;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(Folder&&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(root, ignored);
-  }
-  [[nodiscard]] std::string path(const char* name) const { return (root / name).string(); }
-
-  fs::path root;
-};
-
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(file_that_cannot_be_read) {
-  const Folder folder;
+  const stillpoint::test::Folder folder;
   const auto refusal = [&](const char* name) {
     return refusal_of<records::FileError>([&] { return records::read_record(folder.path(name)); });
   };
@@ -781,7 +757,7 @@ BOOST_AUTO_TEST_CASE(file_that_cannot_be_read) {
 }
 
 BOOST_AUTO_TEST_CASE(file_that_is_too_large) {
-  const Folder folder;
+  const stillpoint::test::Folder folder;
   std::ofstream(folder.path("large.AT2")).close();
   fs::resize_file(folder.path("large.AT2"), records::largest_record_bytes + 1);
   check_says(refusal_of<records::FileError>(

@@ -3,12 +3,11 @@
 
 // Sweeps as a user of the library fills them, and a sink that keeps their rows.
 
+#include "testing/folder.hpp"
+
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,39 +71,6 @@ inline std::vector<std::vector<std::string>> fields_of(const std::string& csv) {
   return lines;
 }
 
-/// A directory that lives as long as the test. A fixture.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "sweep_tests.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("no directory for the test");
-    }
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(Folder&&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return (path_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-  [[nodiscard]] std::string read(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  [[nodiscard]] bool has(const std::string& name) const {
-    return std::filesystem::exists(path(name));
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using test::Folder;
 
 }  // namespace stillpoint::sweep_test
