@@ -25,11 +25,6 @@ inline std::string_view word(Dash dash) {
   return words.at(static_cast<std::size_t>(dash));
 }
 
-inline std::string_view word(Anchor anchor) {
-  constexpr std::array<std::string_view, 3> words{"start", "middle", "end"};
-  return words.at(static_cast<std::size_t>(anchor));
-}
-
 /// Centred at (0, 0).
 inline std::string_view outline(Shape shape) {
   constexpr std::array<std::string_view, 7> outlines{

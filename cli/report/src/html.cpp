@@ -31,7 +31,7 @@ std::string_view look_of(Tone tone) {
 }
 
 std::string cells(const TableRow& row, std::string_view tag) {
-  std::string text = "<tr>";
+  std::string text = row.tone == Tone::bad ? "<tr class=\"violated\">" : "<tr>";
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const bool last = i + 1 == row.cells.size();
     text += format("<{0}{1}>{2}</{0}>", tag, last ? look_of(row.tone) : "", escaped(row.cells[i]));
@@ -89,7 +89,7 @@ std::string html(const Document& document) {
     for (const auto& part : section.parts) {
       std::visit(parts, part);
     }
-    text += format("<h2>{}</h2>\n{}", escaped(section.heading), parts.text());
+    text += format("<section><h2>{}</h2>\n{}</section>\n", escaped(section.heading), parts.text());
   }
   return text;
 }

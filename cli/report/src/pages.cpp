@@ -3,6 +3,8 @@
 
 #include <stillpoint/report/report.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 
@@ -19,7 +21,29 @@ HtmlPage page_of(const Document& document) {
           .verdict = document.verdict,
           .figures = {},
           .body = html(document),
+          .report = text(document),
           .footer = {}};
+}
+
+/// "No damper: max-displacement must be at least 0.179 m": the change of the limit of the peak,
+/// else the first that helps.
+std::string mend_words(const design::RegionVerdict& empty, const Physical& physical) {
+  const auto& mends = empty.joint_mend ? empty.joint_mend->mends : empty.mends;
+  if (mends.empty()) {
+    return "No damper is admissible";
+  }
+  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
+  const design::Mend& mend = of_beta == mends.end() ? mends.front() : *of_beta;
+  const auto words = [](std::string_view name, double value, bool upwards, std::string_view unit) {
+    return fmt::format("No damper: {} must be at {} {:.4g}{}{}", name, upwards ? "least" : "most",
+                       value, unit.empty() ? "" : " ", unit);
+  };
+  if (physical) {
+    if (const auto now = physical_mend(*physical, mend)) {
+      return words(now->name, now->value, now->upwards, now->unit);
+    }
+  }
+  return words(mend.field, mend.value, mend.upwards, "");
 }
 
 std::optional<design::PulseProblem> pulse_problem(const design::DesignRequest& request) {
@@ -55,7 +79,13 @@ HtmlPage page(const DesignReport& report) {
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
   if (!report.result.finding) {
-    page.figures = {region_figure({problem, limits, report.result.region, {}, {}}, units)};
+    page.figures = {region_figure({problem,
+                                   limits,
+                                   report.result.region,
+                                   {},
+                                   {},
+                                   mend_words(report.result, report.physical)},
+                                  units)};
     return page;
   }
   const design::Finding& found = *report.result.finding;
@@ -64,7 +94,8 @@ HtmlPage page(const DesignReport& report) {
   motion.beta = problem.beta;
   page.figures = {region_figure({problem, limits, report.result.region,
                                  DrawnDamper{"design", f, delta, tolerance},
-                                 pulse_problem(report.result.request)},
+                                 pulse_problem(report.result.request),
+                                 {}},
                                 units),
                   motion_figure(motion, units), phase_figure(motion, units),
                   energy_figure(motion, units)};
@@ -87,7 +118,8 @@ HtmlPage page(const RegionReport& report) {
               answer.tolerance.value_or(0)};
   }
   page.figures = {
-      region_figure({problem, limits, answer.region, damper, {}}, FigureUnits(report.physical))};
+      region_figure({problem, limits, answer.region, damper, {}, mend_words(answer, report.physical)},
+                    FigureUnits(report.physical))};
   return page;
 }
 
@@ -102,10 +134,14 @@ HtmlPage page(const MotionReport& report) {
   if (!motion.whole) {
     page.verdict += " The figures show the beginning of the motion.";
   }
-  page.figures = {motion_figure(motion, units), phase_figure(motion, units)};
-  page.figures.push_back(is_forced(report.request)
-                             ? excitation_figure(report.request.excitation, motion, units)
-                             : energy_figure(motion, units));
+  page.figures = {motion_figure(motion, units)};
+  if (is_forced(report.request)) {
+    page.figures.push_back(excitation_figure(report.request.excitation, motion, units));
+  }
+  page.figures.push_back(phase_figure(motion, units));
+  if (!is_forced(report.request)) {
+    page.figures.push_back(energy_figure(motion, units));
+  }
   return page;
 }
 
