@@ -39,7 +39,7 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
   }
   if (const auto energy = physical->scales.energy_per_passage_j(delta);
       energy && std::isfinite(*energy)) {
-    section.row("passage energy", with_unit(*energy, "J"));
+    section.row("notch capacity", with_unit(*energy, "J") + " for a whole passage");
   }
 }
 
@@ -90,6 +90,9 @@ Section& add_problem(Document& document, const design::Problem& problem,
   if (limits.delta_max) {
     add(format("delta <= {}", length_text(physical, *limits.delta_max)));
   }
+  if (limits.acceleration_max) {
+    add(format("transmitted acceleration <= {:.6g} g", *limits.acceleration_max));
+  }
   if (limits.tolerance > 0) {
     add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
   }
@@ -104,6 +107,9 @@ void add_region(Document& document, const design::Region& region, const Physical
   section.row("amplitude",
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
   section.row("return", format("f <= f3 = {:.6g}", region.f3));
+  if (region.f4) {
+    section.row("acceleration", format("f <= f4 = {:.6g}", *region.f4));
+  }
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
   section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));
   section.row("smallest beta", length_text(physical, region.beta_min));
