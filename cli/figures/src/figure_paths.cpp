@@ -75,8 +75,8 @@ std::string path(const Plane& plane, const std::vector<FigurePoint>& points, boo
 }
 
 std::vector<Heading> headings(const Plane& plane, const std::vector<FigurePoint>& stroke) {
-  constexpr double apart = 110;
-  constexpr double shortest = 30;
+  constexpr double apart = 160;
+  constexpr double shortest = 60;
   const auto at = pixels(plane, stroke);
   double length = 0;
   for (std::size_t i = 1; i < at.size(); ++i) {

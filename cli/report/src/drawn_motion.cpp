@@ -124,14 +124,6 @@ double seen_until(const Excitation& excitation, double stop_time) {
   return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
 }
 
-std::optional<double> locked_from(const SimulationRequest& request, const Response& response) {
-  const bool held = response.outcome == Outcome::stopped_at_zero ||
-                    response.outcome == Outcome::caught_at_start;
-  const double since = response.stop_time.value_or(0);
-  const auto ends = duration(request.excitation);
-  return held && (!ends || *ends > since) ? std::optional(since) : std::nullopt;
-}
-
 }  // namespace
 
 DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer) {
@@ -161,7 +153,7 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
     if (motion.states.back().tau < last) {
       motion.states.push_back({last, motion.rest->x, 0});
     }
-    motion.locked_from = locked_from(request, answer.response);
+    motion.locked_from = answer.forced->locked_from;
   }
   motion.whole = last >= answer.horizon || rest_is_seen;
   return motion;

@@ -32,7 +32,7 @@ std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const Regi
                                             double unit) {
   std::vector<FigurePoint> lower;
   std::vector<FigurePoint> upper;
-  const double last = std::min(span.last, drawn.limits.f_max.value_or(span.last));
+  const double last = span.last_within_limits(drawn);
   for (int i = 0; span.first <= last && i <= steps; ++i) {
     const double f = span.first + (last - span.first) * i / steps;
     const double bound = std::max(0.0, design::delta1(span.at(f), f));
@@ -155,6 +155,10 @@ RegionSpan::RegionSpan(const DrawnRegion& drawn)
     last = *drawn.region.f_upper * (1 + tolerance);
     at = [pulse = *drawn.pulse](double f) { return design::problem_at(pulse, f); };
   }
+}
+
+double RegionSpan::last_within_limits(const DrawnRegion& drawn) const {
+  return std::min({last, drawn.limits.f_max.value_or(last), drawn.region.f4.value_or(last)});
 }
 
 double RegionSpan::highest_delta(const DrawnRegion& drawn, double f) const {

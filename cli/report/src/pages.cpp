@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace stillpoint::report {
@@ -35,8 +36,10 @@ std::string mend_words(const design::RegionVerdict& empty, const Physical& physi
   const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
   const design::Mend& mend = of_beta == mends.end() ? mends.front() : *of_beta;
   const auto words = [](std::string_view name, double value, bool upwards, std::string_view unit) {
-    return fmt::format("No damper: {} must be at {} {:.4g}{}{}", name, upwards ? "least" : "most",
-                       value, unit.empty() ? "" : " ", unit);
+    const double place = std::pow(10, 3 - std::floor(std::log10(value)));  // four digits
+    const double safe = (upwards ? std::ceil(value * place) : std::floor(value * place)) / place;
+    return fmt::format("No damper: {} must be at {} {:.5g}{}{}", name, upwards ? "least" : "most",
+                       safe, unit.empty() ? "" : " ", unit);
   };
   if (physical) {
     if (const auto now = physical_mend(*physical, mend)) {
@@ -97,11 +100,12 @@ HtmlPage page(const DesignReport& report) {
                                  pulse_problem(report.result.request),
                                  {}},
                                 units),
+                  hits_figure(problem, f, delta, found.works_for, units),
                   motion_figure(motion, units), phase_figure(motion, units),
                   energy_figure(motion, units)};
   if (found.pulse) {
     for (Figure& figure : page.figures) {
-      figure.title += figure.id == "region" ? "" : ", reduced to v0";
+      figure.title += figure.id == "region" || figure.id == "hits" ? "" : ", reduced to v0";
     }
     page.figures.push_back(pulse_figure(*pulse, problem, found, units));
   }
@@ -120,6 +124,9 @@ HtmlPage page(const RegionReport& report) {
   page.figures = {
       region_figure({problem, limits, answer.region, damper, {}, mend_words(answer, report.physical)},
                     FigureUnits(report.physical))};
+  if (f && delta) {
+    page.figures.push_back(hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+  }
   return page;
 }
 

@@ -83,9 +83,10 @@ void add_sides(Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
   add(figure, "notch holds at the start", between(x_least, x_most, start, most));
   const double from = std::max(span.first, x_least);
   double to = std::min(strong, x_most);
-  if (const auto f_max = drawn.limits.f_max; f_max && *f_max < to) {
-    upright("above the largest f", std::max(*f_max, from), to, Ink::amber);
-    to = *f_max;
+  if (const double last = span.last_within_limits(drawn); last < to) {
+    upright(last == drawn.region.f4 ? "too strong: acceleration" : "above the largest f",
+            std::max(last, from), to, Ink::amber);
+    to = last;
   }
   if (from < to) {
     add(figure, "notch too weak",

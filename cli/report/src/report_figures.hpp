@@ -9,6 +9,7 @@
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/works_for.hpp>
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/sweep/map.hpp>
 
@@ -129,6 +130,7 @@ struct RegionSpan {
   ProblemAt at;
 
   explicit RegionSpan(const DrawnRegion& drawn);
+  [[nodiscard]] double last_within_limits(const DrawnRegion& drawn) const;
   /// The largest Delta at f.
   [[nodiscard]] double highest_delta(const DrawnRegion& drawn, double f) const;
 };
@@ -139,6 +141,11 @@ void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const RegionSp
 
 /// The admissible region in the (f, Delta) plane, its forbidden sides in words, and a point in it.
 [[nodiscard]] figures::Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
+
+/// Where the mass stops, by the velocity of the hit, and which of them the damper works for.
+[[nodiscard]] figures::Figure hits_figure(const design::Problem& problem, double f, double delta,
+                                          const std::optional<design::WorksFor>& works_for,
+                                          const FigureUnits& units);
 
 /// The analytic boundaries alone, within the axes of the figure.
 void add_boundaries(figures::Figure& figure, const design::Problem& problem,

@@ -63,6 +63,10 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const MotionReport& report);
 [[nodiscard]] Document document(const AccuracyReport& report);
 
+/// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
+/// physical input; empty where the motion does not lock.
+[[nodiscard]] std::string lock_sentence(const MotionReport& report);
+
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
 /// not exist is null; a number that is not finite is an assertion.
 [[nodiscard]] nlohmann::ordered_json json(const DesignReport& report);
@@ -80,9 +84,9 @@ struct AccuracyReport {
                                          const std::optional<design::PhysicalInput>& physical);
 
 /// The ids of the figures that a page may have.
-inline constexpr std::array<std::string_view, 5> design_figures{"region", "motion", "phase",
-                                                                "energy", "pulse"};
-inline constexpr std::array<std::string_view, 1> region_figures{"region"};
+inline constexpr std::array<std::string_view, 6> design_figures{"region", "hits",   "motion",
+                                                                "phase",  "energy", "pulse"};
+inline constexpr std::array<std::string_view, 2> region_figures{"region", "hits"};
 inline constexpr std::array<std::string_view, 4> motion_figures{"motion", "phase", "energy",
                                                                 "excitation"};
 
