@@ -92,6 +92,40 @@ BOOST_AUTO_TEST_CASE(words_of_a_figure_have_room) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(words_of_a_figure_are_large_enough_to_read) {
+  constexpr double smallest = 11;  // pixels
+  for_each_figure([](const json& figure) {
+    for (const json& text : figure["texts"]) {
+      BOOST_TEST(text["pixels"] >= smallest, text.dump());
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(no_table_is_cut) {
+  for_each_look(Scheme::light, [](const std::string& /*look*/, const json& facts) {
+    BOOST_TEST(facts["cut"].empty(), facts["cut"].dump());
+  });
+}
+
+BOOST_AUTO_TEST_CASE(each_figure_has_a_caption_of_one_sentence) {
+  for_each_look(Scheme::light, [](const std::string& /*look*/, const json& facts) {
+    BOOST_TEST(!facts["captions"].empty());
+    for (const std::string caption : facts["captions"]) {
+      BOOST_TEST(caption.ends_with('.'), caption);
+      BOOST_TEST(caption.find(". ") == std::string::npos, caption);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(no_heading_is_printed_without_what_follows_it) {
+  for_each_look(Scheme::light, [](const std::string& look, const json& facts) {
+    for (const json& heading : facts["headings"]) {
+      BOOST_TEST((look != "print" || heading["after"] == "avoid"), heading.dump());
+      BOOST_TEST(heading["with_next"] != "nothing", heading.dump());
+    }
+  });
+}
+
 BOOST_AUTO_TEST_CASE(everything_stands_out) {
   for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
     for_each_look(scheme, [](const std::string& /*look*/, const json& facts) {

@@ -83,6 +83,9 @@ class Drawing {
     text_ += "</g>\n";
     add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
         layout_.left + layout_.width / 2, layout_.bottom + 35, escaped(figure_.x.label));
+    if (figure_.y.label.empty()) {
+      return;
+    }
     add("<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
         layout_.upper + figure_.height / 2, escaped(figure_.y.label));
   }

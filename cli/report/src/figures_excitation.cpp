@@ -131,7 +131,6 @@ Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion
   figure.y = axis_around("base acceleration W, g", least, most);
   figure.description =
       fmt::format("Acceleration of the base over time, from {:.4g} g to {:.4g} g.", least, most);
-  figure.caption = "Below, the load on the same time axis.";
   add_lock(figure, motion, units);
   figure.curves.push_back({"W", {std::move(points)}, Ink::purple});
   return figure;

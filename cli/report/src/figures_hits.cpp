@@ -50,10 +50,20 @@ Figure hits_figure(const design::Problem& problem, double f, double delta,
   Figure figure;
   figure.id = "hits";
   figure.title = "Where the mass stops after a hit";
-  figure.height = 110;
+  figure.height = 130;
   figure.x = {units.velocity_unit.empty() ? "velocity of the hit, V₀"
                                           : "velocity of the hit V₀, " + units.velocity_unit,
               0, hits.back().to * unit};
+  if (works_for) {  // the first to be named
+    const auto& [low, high] = works_for->v0;
+    const std::string range =
+        fmt::format("{:.4g} to {}", low * unit, units.velocity_words(*high));
+    figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
+                            Ink::blue, AreaLook::box});
+    figure.caption = fmt::format("The damper works for hits of {}.", range);
+  } else {
+    figure.caption = "The damper does not work for the hit that was asked for.";
+  }
   figure.description = "Ends of the motion by the velocity of the hit:";
   for (const design::Hits& now : hits) {
     figure.areas.push_back(area_of(now.end));
@@ -63,18 +73,7 @@ Figure hits_figure(const design::Problem& problem, double f, double delta,
                     figure.areas.back().name, units.velocity_words(now.from),
                     units.velocity_words(now.to));
   }
-  figure.description += ".";
-  if (works_for) {
-    const auto& [low, high] = works_for->v0;
-    const std::string range =
-        fmt::format("{:.4g} to {}", low * unit, units.velocity_words(*high));
-    figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.08, 0.4),
-                            Ink::blue, AreaLook::box});
-    figure.description += fmt::format(" The damper works for {}.", range);
-    figure.caption = fmt::format("The damper works for hits of {}.", range);
-  } else {
-    figure.caption = "The damper does not work for the hit that was asked for.";
-  }
+  figure.description += ". " + figure.caption;
   const double v0 = problem.v0 * unit;
   figure.curves.push_back({.name = "V₀ = " + units.velocity_words(problem.v0),
                            .strokes = {{{v0, 0}, {v0, 1}}},

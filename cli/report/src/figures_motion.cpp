@@ -136,7 +136,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     auto outline = envelope(places(motion.states, place));
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
     figure.areas.push_back({"", std::move(outline), Ink::blue});
-    figure.caption += " The shaded envelope holds all of its half-cycles.";
+    figure.caption.back() = ',';
+    figure.caption += " swinging within the shaded envelope.";
     figure.marks.push_back({"peak", {place(peak)}, figures::Shape::disc, Ink::blue,
                             figures::Fill::hollow});
   } else {

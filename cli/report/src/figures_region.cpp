@@ -124,14 +124,13 @@ void add_damper(Figure& figure, const DrawnDamper& damper,
                             Ink::blue, AreaLook::box});
     add_inset(figure, tolerance_box);
     figure.description += format(", tolerance ±{:.3g} %", 100 * damper.tolerance);
-    figure.caption += " The dark box is the tolerance of the damper.";
   }
   figure.description += ".";
   figure.marks.push_back({damper.name, {at}, Shape::diamond, Ink::blue});
   if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
     figure.marks.back().name = format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f,
                                       units.length_words(damper.delta));
-    figure.caption += " The arrow points to the damper, which lies far outside.";
+    figure.caption = "The arrow points to the damper, which lies far outside of this figure.";
   }
 }
 

@@ -100,12 +100,14 @@ HtmlPage page(const DesignReport& report) {
                                  pulse_problem(report.result.request),
                                  {}},
                                 units),
-                  hits_figure(problem, f, delta, found.works_for, units),
                   motion_figure(motion, units), phase_figure(motion, units),
                   energy_figure(motion, units)};
-  if (found.pulse) {
+  if (!found.pulse) {
+    page.figures.insert(page.figures.begin() + 1,
+                        hits_figure(problem, f, delta, found.works_for, units));
+  } else {
     for (Figure& figure : page.figures) {
-      figure.title += figure.id == "region" || figure.id == "hits" ? "" : ", reduced to v0";
+      figure.title += figure.id == "region" ? "" : ", reduced to v0";
     }
     page.figures.push_back(pulse_figure(*pulse, problem, found, units));
   }

@@ -56,7 +56,7 @@ Document document(const RegionReport& report) {
       add_point(section, report);
       document.verdict +=
           format(" The point (f, delta) is {}admissible.", *answer.admissible ? "" : "not ");
-      add_constraints(document, answer.constraints);
+      add_constraints(document, answer.constraints, report.physical);
     }
   }
   return document;

@@ -55,7 +55,7 @@ struct FigureBand {
 
 enum class Shape { disc, square, diamond, star, triangle, wedge, cross };
 
-enum class Fill { solid, hollow, crossed };
+enum class Fill { solid, hollow };
 
 /// A mark beyond the axes is an arrow at the frame, with its name.
 struct FigureMarks {
