@@ -16,6 +16,7 @@ using namespace stillpoint::browser_test;
 using nlohmann::json;
 
 constexpr double pixel_rounding = 0.5;
+constexpr double smallest_text = 11;          // pixels
 constexpr double contrast_of_text = 4.5;      // WCAG 2, level AA
 constexpr double contrast_of_graphics = 3.0;  // the same
 
@@ -93,10 +94,9 @@ BOOST_AUTO_TEST_CASE(words_of_a_figure_have_room) {
 }
 
 BOOST_AUTO_TEST_CASE(words_of_a_figure_are_large_enough_to_read) {
-  constexpr double smallest = 11;  // pixels
   for_each_figure([](const json& figure) {
     for (const json& text : figure["texts"]) {
-      BOOST_TEST(text["pixels"] >= smallest, text.dump());
+      BOOST_TEST(text["pixels"] >= smallest_text, text.dump());
     }
   });
 }

@@ -34,7 +34,9 @@ double text_width(std::string_view text) {
   double width = 2;
   for (const char c : text) {
     const bool goes_on = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // of UTF-8
-    width += goes_on ? 0 : std::string_view(" .,:il()").find(c) != std::string_view::npos ? 4.9 : 8.3;
+    width += goes_on                                                          ? 0
+             : std::string_view(" .,:il()").find(c) != std::string_view::npos ? 4.9
+                                                                              : 8.3;
   }
   return width;
 }

@@ -41,8 +41,8 @@ inline std::string_view outline(Shape shape) {
 /// The path of a mark; `place` is an attribute or empty.
 inline std::string mark(const FigureMarks& marks, std::string_view place) {
   const bool filled = marks.fill == Fill::solid && marks.shape != Shape::cross;
-  return fmt::format(R"(<path class="{} {}"{} d="{}"/>)", filled ? "disc" : "ring",
-                     word(marks.ink), place, outline(marks.shape));
+  return fmt::format(R"(<path class="{} {}"{} d="{}"/>)", filled ? "disc" : "ring", word(marks.ink),
+                     place, outline(marks.shape));
 }
 
 }  // namespace stillpoint::figures

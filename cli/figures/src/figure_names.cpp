@@ -15,8 +15,7 @@ namespace {
 constexpr double step = 4;  // pixels between places that are tried
 
 Box box_around(const FigurePoint& centre, double width, double height) {
-  return {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2,
-          centre.y + height / 2};
+  return {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2};
 }
 
 /// What covers the least of what is drawn, of places tried one after the other.
@@ -61,8 +60,8 @@ class Places {
     }
     for (const FigureBand& band : figure_.bands) {
       Raster inside(plane_.width, plane_.height);
-      inside.set(Box{plane_.pixel({band.from, 0}).x, 0, plane_.pixel({band.to, 0}).x,
-                     plane_.height});
+      inside.set(
+          Box{plane_.pixel({band.from, 0}).x, 0, plane_.pixel({band.to, 0}).x, plane_.height});
       within(band.name, inside);
     }
     map_labels();
@@ -218,10 +217,11 @@ class Places {
     for (std::size_t entry = 0; entry < map.labels.size(); ++entry) {
       Raster inside(plane_.width, plane_.height);
       inside.set_where([&](const FigurePoint& at) {
-        const auto column = static_cast<std::int64_t>(at.x / plane_.width *
-                                                      static_cast<double>(map.columns));
-        const auto row = map.rows - 1 - static_cast<std::int64_t>(at.y / plane_.height *
-                                                                  static_cast<double>(map.rows));
+        const auto column =
+            static_cast<std::int64_t>(at.x / plane_.width * static_cast<double>(map.columns));
+        const auto row =
+            map.rows - 1 -
+            static_cast<std::int64_t>(at.y / plane_.height * static_cast<double>(map.rows));
         return map.cells[static_cast<std::size_t>(row * map.columns + column)] == entry;
       });
       found_.named.erase(map.labels[entry]);  // the same number may stand in two colours

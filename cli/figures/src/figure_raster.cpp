@@ -13,8 +13,7 @@ Raster::Raster(double width, double height)
 
 Raster::Range Raster::range(const Box& box) const {
   const auto index = [](double at, std::size_t most, double (*whole)(double)) {
-    return static_cast<std::size_t>(
-        std::clamp(whole(at / cell), 0.0, static_cast<double>(most)));
+    return static_cast<std::size_t>(std::clamp(whole(at / cell), 0.0, static_cast<double>(most)));
   };
   const auto down = [](double v) { return std::floor(v); };
   const auto up = [](double v) { return std::ceil(v); };
@@ -78,10 +77,9 @@ void Raster::sum() const {
   sums_.assign(wide * (rows_ + 1), 0);
   for (std::size_t row = 0; row < rows_; ++row) {
     for (std::size_t column = 0; column < columns_; ++column) {
-      sums_[(row + 1) * wide + column + 1] = cells_[row * columns_ + column] +
-                                             sums_[row * wide + column + 1] +
-                                             sums_[(row + 1) * wide + column] -
-                                             sums_[row * wide + column];
+      sums_[(row + 1) * wide + column + 1] =
+          cells_[row * columns_ + column] + sums_[row * wide + column + 1] +
+          sums_[(row + 1) * wide + column] - sums_[row * wide + column];
     }
   }
   summed_ = true;

@@ -30,18 +30,18 @@ std::string svg(const FigureSheet& sheet) {
       "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-desc\">{}</desc>\n",
       size_alone(wide, high), wide, high, sheet.id, sheet.id, sheet.id, escaped(sheet.title),
       sheet.id, escaped(sheet.description));
-  text += paper(
-      fmt::format("{}@media (prefers-color-scheme:dark){{{}}}", figure_style(), dark_figure_style()),
-      wide, high);
+  text += paper(fmt::format("{}@media (prefers-color-scheme:dark){{{}}}", figure_style(),
+                            dark_figure_style()),
+                wide, high);
   text += fmt::format("<text class=\"title\" x=\"{}\" y=\"24\">{}</text>\n", legend_left,
-                 escaped(sheet.title));
+                      escaped(sheet.title));
   text += legend.drawn(legend_left, heading);
   for (int i = 0; i < count; ++i) {
     const FigureDrawing& drawing = drawings[static_cast<std::size_t>(i)];
     const int line = i / sheet.columns;
     const std::string place =
         fmt::format(R"(x="{}" y="{}" width="{}" height="{}" )", figure_width * (i % sheet.columns),
-               first_line + one_height * line, figure_width, one_height);
+                    first_line + one_height * line, figure_width, one_height);
     text += drawing.opened(place, one_height) + drawing.drawn() + "</svg>\n";
   }
   return text + "</svg>\n";

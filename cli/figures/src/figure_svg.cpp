@@ -161,8 +161,10 @@ class Drawing {
       }
       const bool hatched = area.look == AreaLook::hatched;
       add("<path class=\"{} {}\"{} d=\"{}Z\"><title>{}</title></path>\n",
-          boxes ? "box" : hatched ? "hatched" : "area", word(area.ink),
-          hatched ? format(" fill=\"url(#{}-hatch-{})\"", figure_.id, i) : "",
+          boxes     ? "box"
+          : hatched ? "hatched"
+                    : "area",
+          word(area.ink), hatched ? format(" fill=\"url(#{}-hatch-{})\"", figure_.id, i) : "",
           path(plot, area.outline), escaped(area.name));
     }
   }
@@ -171,9 +173,10 @@ class Drawing {
     const Plane plot = plane();
     for (const FigureCurve& curve : figure_.curves) {
       for (const auto& stroke : curve.strokes) {
-        for (const auto& [at, angle] : curve.directed ? headings(plot, stroke)
-                                                      : std::vector<Heading>{}) {
-          add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><path class=\"disc arrow {}\" "
+        for (const auto& [at, angle] :
+             curve.directed ? headings(plot, stroke) : std::vector<Heading>{}) {
+          add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><path class=\"disc arrow "
+              "{}\" "
               "transform=\"rotate({:.1f})\" d=\"M-5-4.5L5 0L-5 4.5Z\"/></g>\n",
               at.x, at.y, word(curve.ink), angle);
         }

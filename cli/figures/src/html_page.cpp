@@ -29,7 +29,7 @@ section,tr{break-inside:avoid}
 .wide{overflow-x:auto;break-inside:avoid}
 tr.violated td{background:#fbe3e1}
 summary{cursor:pointer;font-weight:bold;margin-top:24px}
-@media screen and (max-width:520px){body{padding:8px}.rows td{min-width:0}table{font-size:12px}td,th{padding:3px 4px 3px 0;white-space:normal}}
+@media screen and (max-width:520px){body{padding:8px}pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td{min-width:0}td,th{padding:3px 4px 3px 0;overflow-wrap:anywhere}.columns,.columns tr,.columns tbody{display:block}.columns tr{border-bottom:1px solid #999;padding:4px 0}.columns th{display:none}.columns td{display:inline-block;border:0;margin-right:10px;white-space:normal}.columns td[data-head]::before{content:attr(data-head) " ";opacity:.8}}
 table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left;white-space:nowrap}
 td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666}.rows td{white-space:normal;min-width:12em}
 .key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
@@ -57,7 +57,7 @@ std::string column(std::span<const Figure> group) {
   for (const Figure& figure : group) {
     text += "<div>" + svg(figure, Frame::in_page, left) +
             "<div class=\"readout\" aria-hidden=\"true\"></div></div>\n";
-    caption += (caption.empty() ? "" : " ") + escaped(figure.caption);
+    caption += (caption.empty() || figure.caption.empty() ? "" : " ") + escaped(figure.caption);
   }
   return text + (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") +
          "</figure>\n";

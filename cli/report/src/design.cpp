@@ -86,7 +86,8 @@ void add_checks(Document& document, const design::CrossCheck& check, const Physi
   const auto in = [](const std::string& name, const std::string& unit) {
     return name + (unit.empty() ? "" : ", " + unit);
   };
-  Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit), "half-cycles", "relative error", "allowed", "time", ""},
+  Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit), "half-cycles",
+               "relative error", "allowed", "time", ""},
               {}};
   for (const design::CheckMethod& method : check.methods) {
     std::optional<double> stop_time = method.stop_time;

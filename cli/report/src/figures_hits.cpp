@@ -50,14 +50,15 @@ Figure hits_figure(const design::Problem& problem, double f, double delta,
   Figure figure;
   figure.id = "hits";
   figure.title = "Where the mass stops after a hit";
-  figure.height = 130;
+  figure.height = 150;
   figure.x = {units.velocity_unit.empty() ? "velocity of the hit, V₀"
                                           : "velocity of the hit V₀, " + units.velocity_unit,
               0, hits.back().to * unit};
   if (works_for) {  // the first to be named
     const auto& [low, high] = works_for->v0;
     const std::string range =
-        fmt::format("{:.4g} to {}", low * unit, units.velocity_words(*high));
+        fmt::format("{:.3g} to {:.3g}{}{}", low * unit, *high * unit,
+                    units.velocity_unit.empty() ? "" : " ", units.velocity_unit);
     figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
                             Ink::blue, AreaLook::box});
     figure.caption = fmt::format("The damper works for hits of {}.", range);
@@ -69,9 +70,8 @@ Figure hits_figure(const design::Problem& problem, double f, double delta,
     figure.areas.push_back(area_of(now.end));
     figure.areas.back().outline = strip(now.from * unit, now.to * unit, 0, 1);
     figure.description +=
-        fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",",
-                    figure.areas.back().name, units.velocity_words(now.from),
-                    units.velocity_words(now.to));
+        fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", figure.areas.back().name,
+                    units.velocity_words(now.from), units.velocity_words(now.to));
   }
   figure.description += ". " + figure.caption;
   const double v0 = problem.v0 * unit;

@@ -120,9 +120,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.title = "Motion" + beginning(motion);
   figure.x = {units.time_label, 0, motion.shown_to * units.time};
   figure.y = displacement_axis(motion, units);
-  figure.description =
-      format("Displacement over time: {}, {} turns, {} passages of x = 0, {}.", peak_words,
-             motion.turns.size(), motion.passages.size(), rest_words);
+  figure.description = format("Displacement over time: {}, {} turns, {} passages of x = 0, {}.",
+                              peak_words, motion.turns.size(), motion.passages.size(), rest_words);
   figure.caption = format("The mass reaches its {} after {} and is {}.", peak_words,
                           units.time_words(peak.tau), rest_words);
   add_lock(figure, motion, units);
@@ -138,8 +137,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     figure.areas.push_back({"", std::move(outline), Ink::blue});
     figure.caption.back() = ',';
     figure.caption += " swinging within the shaded envelope.";
-    figure.marks.push_back({"peak", {place(peak)}, figures::Shape::disc, Ink::blue,
-                            figures::Fill::hollow});
+    figure.marks.push_back(
+        {"peak", {place(peak)}, figures::Shape::disc, Ink::blue, figures::Fill::hollow});
   } else {
     if (!motion.frictionless.empty()) {
       figure.curves.push_back({.name = "without friction",
@@ -156,8 +155,8 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   }
   figure.notes.push_back({peak_words, place(peak)});
   if (motion.rest) {
-    figure.notes.push_back({format("rest {}", units.length_words(motion.rest->x)),
-                            place(*motion.rest)});
+    figure.notes.push_back(
+        {format("rest {}", units.length_words(motion.rest->x)), place(*motion.rest)});
   }
   return figure;
 }

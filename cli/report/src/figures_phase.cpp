@@ -42,11 +42,8 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   std::erase_if(states, [last](const State& state) { return state.tau > last; });
   const auto [x_least, x_most] = ends(states, [](const State& state) { return state.x; });
   const auto [v_least, v_most] = ends(states, [](const State& state) { return state.v; });
-  FigureCurve arcs{.name = "motion",
-                   .strokes = {{}},
-                   .ink = Ink::blue,
-                   .smooth = true,
-                   .directed = !long_one};
+  FigureCurve arcs{
+      .name = "motion", .strokes = {{}}, .ink = Ink::blue, .smooth = true, .directed = !long_one};
   FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
   const State* before = nullptr;
   for (const State& state : states) {
@@ -59,9 +56,9 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
   }
   Figure figure;
   figure.id = "phase";
-  figure.title = "Phase portrait" +
-                 (long_one ? fmt::format(" (the first {} turns)", most_single_half_cycles)
-                           : beginning(motion));
+  figure.title =
+      "Phase portrait" + (long_one ? fmt::format(" (the first {} turns)", most_single_half_cycles)
+                                   : beginning(motion));
   figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
   figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
   figure.description = fmt::format(

@@ -101,9 +101,9 @@ struct Extent {
 
 /// A box too small to see is enlarged in a corner.
 void add_inset(Figure& figure, const std::vector<FigurePoint>& box) {
-  constexpr double visible = 0.05;       // of the plot
+  constexpr double visible = 0.05;        // of the plot
   constexpr double least_numbers = 1e-9;  // below which rounding would be seen
-  constexpr double room = 0.6;           // on either side, in widths of the box
+  constexpr double room = 0.6;            // on either side, in widths of the box
   const double wide = box[2].x - box[0].x;
   const double high = box[2].y - box[0].y;
   const bool small = wide < visible * (figure.x.most - figure.x.least) ||
@@ -128,8 +128,8 @@ void add_damper(Figure& figure, const DrawnDamper& damper,
   figure.description += ".";
   figure.marks.push_back({damper.name, {at}, Shape::diamond, Ink::blue});
   if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
-    figure.marks.back().name = format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f,
-                                      units.length_words(damper.delta));
+    figure.marks.back().name =
+        format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
     figure.caption = "The arrow points to the damper, which lies far outside of this figure.";
   }
 }

@@ -82,20 +82,18 @@ HtmlPage page(const DesignReport& report) {
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
   if (!report.result.finding) {
-    page.figures = {region_figure({problem,
-                                   limits,
-                                   report.result.region,
-                                   {},
-                                   {},
-                                   mend_words(report.result, report.physical)},
-                                  units)};
+    page.figures = {region_figure(
+        {problem, limits, report.result.region, {}, {}, mend_words(report.result, report.physical)},
+        units)};
     return page;
   }
   const design::Finding& found = *report.result.finding;
   const auto& [f, delta, tolerance] = found.point;
   DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
   motion.beta = problem.beta;
-  page.figures = {region_figure({problem, limits, report.result.region,
+  page.figures = {region_figure({problem,
+                                 limits,
+                                 report.result.region,
                                  DrawnDamper{"design", f, delta, tolerance},
                                  pulse_problem(report.result.request),
                                  {}},
@@ -123,11 +121,12 @@ HtmlPage page(const RegionReport& report) {
     damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
               answer.tolerance.value_or(0)};
   }
-  page.figures = {
-      region_figure({problem, limits, answer.region, damper, {}, mend_words(answer, report.physical)},
-                    FigureUnits(report.physical))};
+  page.figures = {region_figure(
+      {problem, limits, answer.region, damper, {}, mend_words(answer, report.physical)},
+      FigureUnits(report.physical))};
   if (f && delta) {
-    page.figures.push_back(hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+    page.figures.push_back(
+        hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
   }
   return page;
 }

@@ -92,7 +92,9 @@ void add_sides(Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
     add(figure, "notch too weak",
         between(from, to, least, [&](double f) { return std::min(stop(f), top(f)); }));
     add(figure, "above the largest Δ",
-        between(from, to, [&](double f) { return std::max(stop(f), top(f)); }, start), Ink::amber);
+        between(
+            from, to, [&](double f) { return std::max(stop(f), top(f)); }, start),
+        Ink::amber);
     add(figure, "gap: no notch is strong enough", between(from, to, top, stop), Ink::orange,
         AreaLook::filled);
   }

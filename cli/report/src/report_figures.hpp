@@ -81,8 +81,8 @@ void mark_events(figures::Figure& figure, const DrawnMotion& motion, const Place
   };
   using figures::Ink;
   using figures::Shape;
-  figure.marks.push_back({"turn", places(until(motion.turns), place), Shape::disc, Ink::blue,
-                          figures::Fill::hollow});
+  figure.marks.push_back(
+      {"turn", places(until(motion.turns), place), Shape::disc, Ink::blue, figures::Fill::hollow});
   figure.marks.push_back(
       {"passage", places(until(motion.passages), place), Shape::cross, Ink::orange});
   if (motion.rest && motion.rest->tau <= last) {

@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(ticks_are_told_apart_and_stay_within_the_figure) {
   figure.y = {"", 0, 1};
   const double usual = plot_left(figure);
   figure.y = {"y", 0.3, 0.3000001};
-  constexpr double digit = 8;  // the width of one of 13 pixels at least
+  constexpr double digit = 8;                        // the width of one of 13 pixels at least
   BOOST_TEST(plot_left(figure) >= 14 + 10 * digit);  // beside the name of the axis
   BOOST_TEST(plot_left(figure) > usual);
 }

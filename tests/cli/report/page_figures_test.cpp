@@ -99,8 +99,8 @@ BOOST_AUTO_TEST_CASE(a_point_far_off_does_not_flatten_the_region) {
 BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
   const HtmlPage page = region(0.6, 0.4, 0.3);
   const Figure& drawn = figure(page, "region");
-  const auto gap = std::ranges::find(drawn.areas, "gap: no f returns within 0.6",
-                                     &figures::FigureArea::name);
+  const auto gap =
+      std::ranges::find(drawn.areas, "gap: no f returns within 0.6", &figures::FigureArea::name);
   BOOST_TEST_REQUIRE((gap != drawn.areas.end()));
   BOOST_TEST(gap->outline.front().x == 1 / std::sqrt(8.0), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(drawn.title == "No damper: beta must be at least 0.7072");  // 0.70711, rounded up
@@ -133,8 +133,8 @@ BOOST_AUTO_TEST_CASE(the_motion_is_labelled_in_place_beside_one_without_friction
   BOOST_TEST(has_note(drawn, "rest 0 mm"));
   BOOST_TEST(has(drawn.curves, "limit 150 mm"));
   // Without friction the peak is V0/p = 0.4 m/s * 2.8 s/(2 pi) = 178.25 mm.
-  const auto ghost = std::ranges::find(drawn.curves, "without friction",
-                                       &figures::FigureCurve::name);
+  const auto ghost =
+      std::ranges::find(drawn.curves, "without friction", &figures::FigureCurve::name);
   BOOST_TEST_REQUIRE((ghost != drawn.curves.end()));
   const double peak = std::ranges::max(ghost->strokes[0], {}, &figures::FigurePoint::y).y;
   BOOST_TEST(peak == 178.25, boost::test_tools::tolerance(1e-3));  // of samples
