@@ -145,11 +145,12 @@ class Places {
                        : box_around(centre, width, text_height));
   }
 
-  /// Beside, above or below one of the points.
+  /// Beside, above or below one of the points: near it, rather than clear of every line.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
+    constexpr double farther = 0.5;  // pixels against cells covered
     const double width = text_width(text);
+    Best best;
     for (double gap = 7; gap < 60; gap += 9) {
-      Best best;
       for (const FigurePoint& point : points) {
         for (const double right : {1, 0, -1}) {
           for (const double down : {-1, 1, 0}) {
@@ -157,15 +158,14 @@ class Places {
                                      point.y + down * (text_height / 2 + gap)};
             const Box box = box_around(centre, width, text_height);
             if ((right != 0 || down != 0) && is_free(box)) {
-              best.offer(ink_.set_in(box), centre);
+              best.offer(ink_.set_in(box) + farther * gap, centre);
             }
           }
         }
       }
-      if (best && (best.cost < 12 || gap > 45)) {
-        put(text, best.at, false);
-        return;
-      }
+    }
+    if (best) {
+      put(text, best.at, false);
     }
   }
 

@@ -3,11 +3,10 @@
 // a word) keeps its size when zoomed.
 #include "figure_svg.hpp"
 
+#include "figure_backdrop.hpp"
 #include "figure_looks.hpp"
-#include "figure_map.hpp"
 #include "figure_paths.hpp"
 
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -23,12 +22,6 @@ std::string_view scale_name(const FigureAxis& axis) {
   return axis.scale == Scale::linear ? "linear" : "logarithmic";
 }
 
-/// Hatched areas that meet have different directions.
-double hatch_angle(std::size_t index) {
-  constexpr std::array angles{45, -45, 15, -15, 75, -75};
-  return angles.at(index % angles.size());
-}
-
 /// Collects the drawing of a figure in one text, without its svg element.
 class Drawing {
  public:
@@ -40,11 +33,10 @@ class Drawing {
     add("<text class=\"title\" x=\"{}\" y=\"18\">{}</text>\n",
         layout_.left * (text_width(figure_.title) < figure_width - layout_.left ? 1 : 0.1),
         escaped(figure_.title));
-    axes();
-    hatches();
+    text_ += axes(figure_, layout_) + hatches(figure_);
     add("<svg class=\"plot\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\">\n",
         layout_.left, layout_.upper, layout_.width, high, layout_.width, high);
-    map();
+    text_ += map(figure_, layout_);
     contents(plane());
     marks();
     words();
@@ -63,71 +55,6 @@ class Drawing {
 
   [[nodiscard]] Plane plane() const {
     return {figure_.x, figure_.y, layout_.width, figure_.height};
-  }
-
-  void axes() {
-    const Plane plot = plane();
-    text_ += "<g class=\"ticks\">\n";
-    for (std::size_t i = 0; i < layout_.x.values.size(); ++i) {
-      const double x = layout_.left + plot.pixel({layout_.x.values[i], figure_.y.least}).x;
-      add("<path class=\"grid\" d=\"M{:.2f} {}v{}\"/><text x=\"{:.2f}\" y=\"{}\" "
-          "text-anchor=\"middle\">{}</text>\n",
-          x, layout_.upper, figure_.height, x, layout_.bottom + 17, layout_.x.labels[i]);
-    }
-    for (std::size_t i = 0; i < layout_.y.values.size(); ++i) {
-      const double y = layout_.upper + plot.pixel({figure_.x.least, layout_.y.values[i]}).y;
-      add("<path class=\"grid\" d=\"M{} {:.2f}h{}\"/><text x=\"{}\" y=\"{:.2f}\" "
-          "text-anchor=\"end\">{}</text>\n",
-          layout_.left, y, layout_.width, layout_.left - 6, y + 4, layout_.y.labels[i]);
-    }
-    text_ += "</g>\n";
-    add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-        layout_.left + layout_.width / 2, layout_.bottom + 35, escaped(figure_.x.label));
-    if (figure_.y.label.empty()) {
-      return;
-    }
-    add("<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-        layout_.upper + figure_.height / 2, escaped(figure_.y.label));
-  }
-
-  void hatches() {
-    for (std::size_t i = 0; i < figure_.areas.size(); ++i) {
-      if (figure_.areas[i].look == AreaLook::hatched) {
-        add("<pattern id=\"{}-hatch-{}\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
-            "patternTransform=\"rotate({})\"><path class=\"hatch {}\" d=\"M3.5 0V7\"/></pattern>\n",
-            figure_.id, i, hatch_angle(i), word(figure_.areas[i].ink));
-      }
-    }
-  }
-
-  /// A filter finds what has more red than blue, and is hatched: the difference must survive print
-  /// in grey.
-  void map() {
-    if (figure_.map.cells.empty()) {
-      return;
-    }
-    const std::string& id = figure_.id;
-    const std::string size = format(R"(width="{}" height="{}")", layout_.width, figure_.height);
-    add("<image id=\"{}-map\" {} preserveAspectRatio=\"none\" data-names=\"{}\" "
-        "href=\"data:image/png;base64,{}\"/>\n",
-        id, size, cell_names(), map_base64(figure_.map));
-    add("<filter id=\"{0}-red\" x=\"0\" y=\"0\" width=\"1\" height=\"1\" "
-        "color-interpolation-filters=\"sRGB\"><feColorMatrix values=\"20 0 -20 0 -1 20 0 -20 0 -1 "
-        "20 0 -20 0 -1 0 0 0 0 1\"/></filter>\n<mask id=\"{0}-mask\"><use href=\"#{0}-map\" "
-        "filter=\"url(#{0}-red)\"/></mask>\n<pattern id=\"{0}-over\" width=\"8\" height=\"8\" "
-        "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path class=\"over\" "
-        "d=\"M4 0V8\"/></pattern>\n<rect {1} fill=\"url(#{0}-over)\" mask=\"url(#{0}-mask)\"/>\n",
-        id, size);
-  }
-
-  /// "#rrggbb name|#rrggbb name", for the readout.
-  [[nodiscard]] std::string cell_names() const {
-    std::string names;
-    for (std::size_t i = 0; i < figure_.map.names.size(); ++i) {
-      names += format("{}{} {}", i == 0 ? "" : "|", figure_.map.palette[i],
-                      escaped(figure_.map.names[i]));
-    }
-    return names;
   }
 
   /// Everything that has no size of its own.

@@ -154,6 +154,8 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
       motion.states.push_back({last, motion.rest->x, 0});
     }
     motion.locked_from = answer.forced->locked_from;
+    std::erase_if(motion.frictionless,  // it hides the load that goes on
+                  [last = 1.25 * *stop_time](const State& state) { return state.tau > last; });
   }
   motion.whole = last >= answer.horizon || rest_is_seen;
   return motion;
