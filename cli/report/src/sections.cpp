@@ -75,7 +75,7 @@ void add_excitation(Section& section, const Excitation& excitation,
 
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical) {
-  Section& section = document.section("Task");
+  Section& section = document.detail("Task");
   if (physical) {
     add_physical_input(section, *physical);
   }
@@ -99,8 +99,8 @@ Section& add_problem(Document& document, const design::Problem& problem,
   return section;
 }
 
-void add_region(Document& document, const design::Region& region, const Physical& physical) {
-  Section& section = document.section("Admissible region");
+Section& add_region(Document& document, const design::Region& region, const Physical& physical) {
+  Section& section = document.detail("Admissible region");
   section.row("amplitude",
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
   section.row("return", format("f <= f3 = {:.6g}", region.f3));
@@ -110,6 +110,7 @@ void add_region(Document& document, const design::Region& region, const Physical
   if (region.feasible) {
     section.row("feasible f", format("{:.6g} to {:.6g}", *region.f_lower, *region.f_upper));
   }
+  return section;
 }
 
 namespace {
@@ -154,6 +155,7 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty,
 }
 
 void add_constraints(Document& document, std::span<const design::Constraint> constraints) {
+  const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
     table.rows.push_back({{std::string(now.name), std::string(now.variable), digits(now.value),
@@ -161,7 +163,8 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                            now.satisfied ? "met" : "violated"},
                           now.satisfied ? Tone::good : Tone::bad});
   }
-  document.section("Constraints").parts.emplace_back(std::move(table));
+  Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
+  section.parts.emplace_back(std::move(table));
 }
 
 std::string outcome_phrase(Outcome outcome) {
