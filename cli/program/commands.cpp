@@ -115,6 +115,9 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   Simulation answer = watched(input.request);
   const report::MotionReport report{std::move(input.request), std::move(answer), input.record,
                                     input.physical};
+  if (const std::string locked = report::lock_sentence(report); !locked.empty()) {
+    fmt::print(stderr, "stillpoint: {}\n", locked);
+  }
   if (input.trajectory) {
     output.write_file("trajectory", *input.trajectory,
                       report::trajectory_csv(report.answer.trajectory, report.physical));

@@ -107,6 +107,8 @@ std::vector<Option> rows() {
           {.rivals = Rivals::point_friction_limit}),
       row("delta-max-m", number, "M", damper, "the same in m, with physical input", design | region,
           {.rivals = Rivals::point_friction_limit, .units = si}),
+      row("acceleration-max", number, "A", damper,
+          "largest acceleration in g that the mass may feel outside the notch", of_designs),
 
       row("objective", text, "NAME", searching, "{}", design | sweep,
           {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),

@@ -22,8 +22,9 @@ void add_pulse(Section& task, const design::Pulse& pulse, const Physical& physic
   task.row("duration", time_text(physical, lasts));
 }
 
-void add_damper(Document& document, const design::Problem& problem,
-                const design::DesignPoint& point, const Physical& physical) {
+void add_damper(Document& document, const design::Problem& problem, const design::Finding& finding,
+                const Physical& physical) {
+  const design::DesignPoint& point = finding.point;
   Section& section = document.detail("Design");
   section.row("f", digits(point.f), Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
@@ -32,6 +33,7 @@ void add_damper(Document& document, const design::Problem& problem,
               format("{:.6g} published, {} exact", design::delta1_published(problem, point.f),
                      digits(design::delta1_exact(problem, point.f))));
   add_damper_physics(section, physical, point.f, point.delta);
+  add_notch(section, finding.practice, physical);
 }
 
 /// "0.28 % more than", "0.28 % less than": the reduced figure against the true one.
@@ -111,8 +113,22 @@ std::string verdict(const design::Finding& finding, const Physical& physical) {
 std::string checks_agree(const design::CrossCheck& check) {
   std::string text = "agree";
   for (const design::CheckMethod& method : check.methods) {
-    text += format("{} {} to {:.1e}", text == "agree" ? ":" : ",", method.name,
-                   method.relative_error);
+    text +=
+        format("{} {} to {:.1e}", text == "agree" ? ":" : ",", method.name, method.relative_error);
+  }
+  return text;
+}
+
+/// What the structure feels: outside the notch, and inside one that has a width.
+std::string felt(const design::Finding& finding, const Response& response,
+                 const Physical& physical) {
+  std::string text = format("{} outside the notch, f + delta/w inside one of width w",
+                            acceleration_shown(response.peak_absolute_acceleration));
+  if (physical) {
+    constexpr double example_m = 0.02;
+    const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
+                                                     example_m / physical->scales.length_m);
+    text += format(" ({:.3g} g with {})", inside, with_unit(example_m, "m"));
   }
   return text;
 }
@@ -134,7 +150,9 @@ void add_answer(Section& answer, const design::Finding& finding, const design::P
     answer.row("rest", format("at x = {} after {}", length_shown(physical, *response.stop_position),
                               time_shown(physical, *response.stop_time)));
   }
+  answer.row("acceleration", felt(finding, response, physical));
   answer.row("tolerance", format("f and delta may both be off by +-{:.4g} %", 100 * tolerance));
+  add_works_for(answer, finding.works_for, physical);
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);
   }
@@ -169,12 +187,13 @@ Document document(const DesignReport& report) {
   document.verdict = verdict(finding, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
   add_answer(document.answer, finding, problem, physical);
-  add_damper(document, problem, finding.point, physical);
+  add_damper(document, problem, finding, physical);
   add_constraints(document, finding.constraints);
   Section& motion = document.detail("Motion");
   add_response(motion, finding.response, physical);
   motion.row("use of beta",
              format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
+  add_practice(motion, finding.practice, physical);
   if (finding.pulse) {
     add_pulse_check(document, *finding.pulse, physical);
   }

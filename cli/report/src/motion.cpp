@@ -45,6 +45,31 @@ void add_half_cycles(Document& document, const Simulation& answer) {
   }
 }
 
+/// How long the load acts.
+double load_end(const SimulationRequest& request) {
+  return std::min(duration(request.excitation).value_or(HUGE_VAL),
+                  request.t_end.value_or(HUGE_VAL));
+}
+
+}  // namespace
+
+std::string lock_sentence(const MotionReport& report) {
+  const auto& forced = report.answer.forced;
+  if (!forced || !forced->locked_from) {
+    return {};
+  }
+  const double end = load_end(report.request);
+  const std::string when =
+      report.physical
+          ? format("{:.4g} s of {:.4g} s", *forced->locked_from * report.physical->scales.time_s,
+                   end * report.physical->scales.time_s)
+          : format("tau = {:.4g} of {:.4g}", *forced->locked_from, end);
+  return format("locked at x = 0 from {}; the structure then feels up to {:.3g} g", when,
+                *forced->largest_load_while_locked);
+}
+
+namespace {
+
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
@@ -52,7 +77,12 @@ std::string verdict(const MotionReport& report) {
   if (response.stop_time && *response.stop_time > 0) {
     text += format(", after {}", time_shown(physical, *response.stop_time));
   }
-  return text + ".";
+  text += ".";
+  if (std::string locked = lock_sentence(report); !locked.empty()) {
+    locked.front() = 'L';
+    text += format(" {}.", locked);
+  }
+  return text;
 }
 
 void add_answer(Section& answer, const MotionReport& report) {
@@ -65,6 +95,9 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("rest", format("at x = {}", length_text(physical, *response.stop_position)),
                Tone::heading);
   }
+  answer.row("acceleration",
+             format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
+                    delta > 0 ? ", outside the notch" : ""));
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;
     answer.row("at the end", format("x = {} at {}", length_text(physical, *forced.final_position),

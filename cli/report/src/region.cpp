@@ -25,6 +25,7 @@ void add_point(Section& section, const RegionReport& report) {
                            ? format(", less than the {:.4g} % asked for", 100 * limits.tolerance)
                            : ""));
   }
+  add_notch(section, answer.practice, report.physical);
 }
 
 /// "admissible", or what it violates.
@@ -67,6 +68,8 @@ Document document(const RegionReport& report) {
     if (delta) {
       add_point(section, report);
       document.verdict += format(" The damper is {}.", judgement(answer));
+      add_works_for(document.answer, answer.works_for, report.physical);
+      add_practice(document.detail("In practice"), answer.practice, report.physical);
       add_constraints(document, answer.constraints);
     }
   }
