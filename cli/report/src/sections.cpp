@@ -108,7 +108,8 @@ Section& add_region(Document& document, const design::Region& region, const Phys
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
   section.row("return", format("f <= f3 = {:.6g}", region.f3));
   if (region.f4) {
-    section.row("acceleration", format("f <= f4 = {:.6g}", *region.f4));
+    section.row("acceleration", format("f <= f4 = {:.6g}{}", *region.f4,
+                                       *region.f4 < 0 ? "  (no f is small enough)" : ""));
   }
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
   section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));

@@ -142,11 +142,27 @@ BOOST_AUTO_TEST_CASE(criterion_decides_between_the_two_bounds) {
 
 BOOST_AUTO_TEST_CASE(limits_count_for_a_point) {
   const Arguments point{"--f", "0.3", "--delta", "0.4"};
-  for (const Arguments& limit : std::vector<Arguments>{
-           {"--f-max", "0.29"}, {"--delta-max", "0.39"}, {"--tolerance", "0.2"}}) {
+  for (const Arguments& limit : std::vector<Arguments>{{"--f-max", "0.29"},
+                                                       {"--delta-max", "0.39"},
+                                                       {"--acceleration-max", "1.04"},  // S = 1.044
+                                                       {"--tolerance", "0.2"}}) {
     BOOST_TEST(report_of(*this, region(joined(point, limit)))["admissible"] == false);
   }
   BOOST_TEST(report_of(*this, region(joined(point, {"--tolerance", "0.1"})))["admissible"] == true);
+}
+
+/// A point that is served has all three blocks; one that is not still has its hits.
+BOOST_AUTO_TEST_CASE(a_point_says_what_it_serves) {
+  const json good =
+      report_of(*this, region({"--f", "0.3", "--delta", "0.4", "--acceleration-max", "1.1"}));
+  BOOST_TEST(near(good["works_for"]["v0"][0], std::sqrt(0.8), 1e-15));
+  BOOST_TEST(near(good["works_for"]["p"][1], std::sqrt(1.1 * 1.1 - 0.3 * 0.3), 1e-15));
+  BOOST_TEST(near(good["practice"]["notch_width_min"], 0.5, 1e-14));
+  BOOST_TEST(good["hits"][1]["ends"] == "centred");
+  const json wrong = report_of(*this, region({"--f", "0.3", "--delta", "0.9"}));
+  check_fields(wrong, {"works_for:null", "practice:null"});
+  BOOST_TEST(wrong["hits"][0]["ends"] == "held");
+  check_fields(report_of(*this, region({"--f", "0.3"})), {"hits:null"});
 }
 
 /// Each bound names the variable that it bounds, in the report for people as in JSON.
