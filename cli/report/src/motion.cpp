@@ -73,16 +73,15 @@ namespace {
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
+  if (std::string locked = lock_sentence(report); !locked.empty()) {
+    locked.front() = 'L';
+    return locked + ".";
+  }
   std::string text = format("It {}", outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {
     text += format(", after {}", time_shown(physical, *response.stop_time));
   }
-  text += ".";
-  if (std::string locked = lock_sentence(report); !locked.empty()) {
-    locked.front() = 'L';
-    text += format(" {}.", locked);
-  }
-  return text;
+  return text + ".";
 }
 
 void add_answer(Section& answer, const MotionReport& report) {
@@ -113,6 +112,7 @@ Document document(const MotionReport& report) {
   Document document;
   document.title = is_forced(report.request) ? "Forced motion" : "Free motion";
   document.verdict = verdict(report);
+  document.tone = lock_sentence(report).empty() ? Tone::plain : Tone::bad;
   add_answer(document.answer, report);
   Section& scene = document.detail("Scene");
   if (report.physical) {

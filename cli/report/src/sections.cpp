@@ -126,15 +126,15 @@ std::string bound(double value, bool upwards) {
   return format("at {} {}", upwards ? "least" : "most", limit_digits(value, upwards));
 }
 
-/// "at most 0.34", of a physical input in its unit as well.
+/// "v0 at most 0.34"; of a physical input that one, in its unit.
 void add_mend(Section& section, const design::Mend& mend, const Physical& physical) {
-  std::string text = bound(mend.value, mend.upwards);
-  if (physical) {
-    if (const auto now = physical_mend(*physical, mend)) {
-      text += format("   ({} {} {})", now->name, bound(now->value, now->upwards), now->unit);
-    }
+  if (const auto now = physical ? physical_mend(*physical, mend) : std::nullopt) {
+    section.row(std::string(now->name),
+                format("{} {}   ({} {})", bound(now->value, now->upwards), now->unit, mend.field,
+                       bound(mend.value, mend.upwards)));
+  } else {
+    section.row(std::string(mend.field), bound(mend.value, mend.upwards));
   }
-  section.row(std::string(mend.field), text);
 }
 
 }  // namespace
