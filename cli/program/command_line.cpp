@@ -250,7 +250,6 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", report::version_line())->description("print the version");
   app.allow_extras();
   app.footer(std::string(epilogue));
-  app.name("stillpoint");
   std::array<Collected, command_helps.size()> collected;
   for (std::size_t i = 0; i < command_helps.size(); ++i) {
     const CommandHelp& help = command_helps[i];

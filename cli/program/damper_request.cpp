@@ -43,7 +43,7 @@ Task task(const Settings& settings, Command command, bool pulse) {
   return {{motion.v0, motion.p, beta, criterion(settings)},
           {settings.number("f-max"),
            point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
-           settings.number("tolerance").value_or(0)},
+           settings.number("tolerance").value_or(0), settings.number("acceleration-max")},
           motion.physical};
 }
 

@@ -124,6 +124,9 @@ std::vector<Option> rows() {
           {.rivals = Rivals::point_friction_limit}),
       row("delta-max-m", number, "M", damper, "the same in m, with physical input", of_designs,
           {.rivals = Rivals::point_friction_limit, .units = si, .dimension = Dimension::length}),
+      row("acceleration-max", number, "A", damper,
+          "largest acceleration in g that the mass may feel outside the notch", of_designs,
+          {.dimension = Dimension::gravities}),
 
       row("objective", text, "NAME", searching, "{}", design | sweep,
           {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),

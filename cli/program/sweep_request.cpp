@@ -185,6 +185,7 @@ void add_design(const Settings& settings, SweepSpec& spec) {
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");
   spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
+  spec.limits.acceleration_max = settings.number("acceleration-max");
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
 }
 

@@ -75,8 +75,11 @@ template <class Real>
 ForcedRecord<Real> run_forced(const ForcedScene<Real>& scene) {
   ForcedRecord<Real> record;
   ForcedRun<Real, Recorder<Real>> run(scene.motion.oscillator(), scene.motion.start(), record.seen);
+  run.state().transmitted.largest_load = largest_load_of(scene.excitation, scene.motion.p);
   std::visit([&](const auto& kind) { run_until(run, kind, scene.t_end); }, scene.excitation);
+  feel_the_end(run.state(), run.map(), ExactSum<Real>::product(scene.motion.p, scene.t_end));
   record.state = run.state();
+  record.state.transmitted.largest_load = {};  // it refers to the scene
   return record;
 }
 

@@ -22,16 +22,19 @@ void add_pulse(Section& task, const design::Pulse& pulse, const Physical& physic
   task.row("duration", time_text(physical, lasts));
 }
 
-void add_damper(Document& document, const design::Problem& problem,
-                const design::DesignPoint& point, const Physical& physical) {
+void add_damper(Document& document, const design::Problem& problem, const design::Finding& finding,
+                const Physical& physical) {
+  const design::DesignPoint& point = finding.point;
   Section& section = document.section("Design");
   section.row("f", digits(point.f), Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
   section.row("tolerance", format("+-{:.4g} % of f and delta at once", 100 * point.tolerance));
+  add_works_for(section, finding.works_for, physical);
   section.row("Delta1(f)",
               format("{:.6g} published, {} exact", design::delta1_published(problem, point.f),
                      digits(design::delta1_exact(problem, point.f))));
   add_damper_physics(section, physical, point.f, point.delta);
+  add_notch(section, finding.practice, physical);
 }
 
 /// "0.28 % more than", "0.28 % less than": the reduced figure against the true one.
@@ -132,12 +135,13 @@ Document document(const DesignReport& report) {
   const design::Finding& finding = *report.result.finding;
   document.verdict = verdict(finding, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
-  add_damper(document, problem, finding.point, physical);
+  add_damper(document, problem, finding, physical);
   add_constraints(document, finding.constraints);
   Section& motion = document.section("Motion");
   add_response(motion, finding.response, physical);
   motion.row("use of beta",
              format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
+  add_practice(motion, finding.practice, physical);
   if (finding.pulse) {
     add_pulse_check(document, *finding.pulse, physical);
   }

@@ -37,6 +37,10 @@ ordered_json conflict_json(design::Conflict conflict) {
       return {"amplitude", "return"};
     case design::Conflict::amplitude_against_f_max:
       return {"amplitude", "f_max"};
+    case design::Conflict::amplitude_against_acceleration:
+      return {"amplitude", "acceleration"};
+    case design::Conflict::acceleration_alone:
+      return {"acceleration"};
     case design::Conflict::stop_against_start:
       return {"stop", "start"};
     case design::Conflict::stop_against_delta_max:
@@ -78,6 +82,7 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
           {"f1", number(region.f1)},
           {"f2", number(region.f2)},
           {"f3", number(region.f3)},
+          {"f4", number(region.f4)},
           {"f_lower", number(region.f_lower)},
           {"f_upper", number(region.f_upper)},
           {"delta2", number(region.delta2)},
@@ -103,6 +108,7 @@ ordered_json constraints_json(std::span<const design::Constraint> constraints) {
 ordered_json response_json(const Response& response) {
   return {{"peak_amplitude", number(response.peak_amplitude)},
           {"peak_acceleration", number(response.peak_acceleration)},
+          {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},
           {"half_cycles", count(response.half_cycles)},
           {"turning_points", count(response.turning_points)},
           {"zero_passages", count(response.zero_passages)},
@@ -122,6 +128,8 @@ ordered_json forced_json(const ForcedResponse& forced) {
   json["sticks"] = count(forced.sticks);
   json["stick_time"] = number(forced.stick_time);
   json["left_notch_from_rest"] = forced.left_notch_from_rest;
+  json["locked_from"] = number(forced.locked_from);
+  json["largest_load_while_locked"] = number(forced.largest_load_while_locked);
   return json;
 }
 
@@ -132,7 +140,8 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
           {"criterion", name(problem.criterion)},
           {"tolerance", number(limits.tolerance)},
           {"f_max", number(limits.f_max)},
-          {"delta_max", number(limits.delta_max)}};
+          {"delta_max", number(limits.delta_max)},
+          {"acceleration_max", number(limits.acceleration_max)}};
 }
 
 ordered_json program_json() {

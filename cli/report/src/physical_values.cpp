@@ -71,6 +71,50 @@ void add_damper(ordered_json& json, const design::Scales& scales, const std::opt
       number(delta ? finite(scales.energy_per_passage_j(*delta)) : std::nullopt);
 }
 
+/// Null without a mass or the value.
+std::optional<double> times(const std::optional<double>& value, const std::optional<double>& unit) {
+  return unit ? finite(times(value, *unit)) : std::nullopt;
+}
+
+void add_served(ordered_json& json, const design::Scales& scales,
+                const std::optional<design::WorksFor>& served) {
+  json["works_for_velocity_m_per_s"] = nullptr;
+  json["works_for_period_s"] = nullptr;
+  if (served) {
+    const auto [velocity, period] = physical_works_for(scales, *served);
+    json["works_for_velocity_m_per_s"] = {number(velocity.low), number(velocity.high)};
+    json["works_for_period_s"] = {number(period.low), number(period.high)};
+  }
+}
+
+void add_hits(ordered_json& json, const design::Scales& scales,
+              const std::vector<design::Hits>& hits) {
+  ordered_json list = ordered_json::array();
+  for (const design::Hits& now : hits) {
+    list.push_back({{"from_m_per_s", number(now.from * scales.velocity_m_per_s)},
+                    {"to_m_per_s", number(now.to * scales.velocity_m_per_s)},
+                    {"rest_m", number(times(now.rest, scales.length_m))}});
+  }
+  json["hits"] = list;
+}
+
+void add_practice(ordered_json& json, const design::Scales& scales,
+                  const std::optional<design::Practice>& lines) {
+  const design::Practice now = lines.value_or(design::Practice());
+  const auto weight = scales.friction_force_n(1);
+  const auto energy = scales.energy_per_passage_j(now.notch_capacity);
+  std::optional<double> momentum;
+  if (scales.mass_kg) {
+    momentum = *scales.mass_kg * scales.velocity_m_per_s;
+  }
+  json["secant_stiffness_n_per_m"] =
+      number(weight ? times(now.secant_stiffness, *weight / scales.length_m) : std::nullopt);
+  json["impulse_at_stop_n_s"] = number(times(now.impulse_at_stop, momentum));
+  json["impulse_largest_n_s"] = number(times(now.impulse_largest, momentum));
+  json["energy_at_stop_j"] = number(times(now.notch_used, energy));
+  json["notch_width_min_m"] = number(times(now.notch_width_min, scales.length_m));
+}
+
 void add_response(ordered_json& json, const design::Scales& scales, const Response* response) {
   const Response none;
   const Response& now = response != nullptr ? *response : none;
@@ -80,6 +124,8 @@ void add_response(ordered_json& json, const design::Scales& scales, const Respon
   json["peak_m"] = number(existing(now.peak_amplitude * scales.length_m));
   json["peak_acceleration_m_per_s2"] =
       number(existing(now.peak_acceleration * scales.gravity_m_per_s2));
+  json["peak_absolute_acceleration_m_per_s2"] =
+      number(existing(now.peak_absolute_acceleration * scales.gravity_m_per_s2));
   json["stop_time_s"] = number(times(now.stop_time, scales.time_s));
   json["stop_position_m"] = number(times(now.stop_position, scales.length_m));
   json["arrival_speed_m_per_s"] = number(times(now.arrival_speed, scales.velocity_m_per_s));
@@ -121,6 +167,12 @@ ordered_json physical_json(const DesignReport& report) {
   } else {
     add_damper(json, scales, {}, {});
   }
+  add_served(json, scales, finding ? finding->works_for : std::nullopt);
+  json["hits"] = nullptr;
+  if (finding && !request.pulse) {
+    add_hits(json, scales, shown_hits(request.problem, finding->point.f, finding->point.delta));
+  }
+  add_practice(json, scales, finding ? finding->practice : std::nullopt);
   add_response(json, scales, finding ? &finding->response : nullptr);
   add_excitation(json, scales, request.pulse ? design::excitation(*request.pulse) : NoExcitation{});
   return json;
@@ -136,6 +188,13 @@ ordered_json physical_json(const RegionReport& report) {
   add_region(json, *report.physical, answer.region);
   add_mends(json, *report.physical, answer.mends);
   add_damper(json, scales, report.request.f, report.request.delta);
+  const auto& [problem, limits, f, delta] = report.request;
+  add_served(json, scales, answer.works_for);
+  json["hits"] = nullptr;
+  if (f && delta) {
+    add_hits(json, scales, shown_hits(problem, *f, *delta));
+  }
+  add_practice(json, scales, answer.practice);
   json["delta1_published_m"] = number(times(answer.delta1_published, scales.length_m));
   json["delta1_exact_m"] = number(times(answer.delta1_exact, scales.length_m));
   return json;
@@ -157,6 +216,9 @@ ordered_json physical_json(const MotionReport& report) {
     json["final_position_m"] = number(times(forced.final_position, scales.length_m));
     json["final_velocity_m_per_s"] = number(times(forced.final_velocity, scales.velocity_m_per_s));
     json["stick_time_s"] = number(forced.stick_time * scales.time_s);
+    json["locked_from_s"] = number(times(forced.locked_from, scales.time_s));
+    json["largest_load_while_locked_m_per_s2"] =
+        number(times(forced.largest_load_while_locked, scales.gravity_m_per_s2));
   }
   return json;
 }

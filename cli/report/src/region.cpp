@@ -25,6 +25,9 @@ void add_point(Section& section, const RegionReport& report) {
                            ? format(", less than the {:.4g} % asked for", 100 * limits.tolerance)
                            : ""));
   }
+  add_works_for(section, answer.works_for, report.physical);
+  add_notch(section, answer.practice, report.physical);
+  add_practice(section, answer.practice, report.physical);
 }
 
 }  // namespace

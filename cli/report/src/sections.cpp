@@ -43,7 +43,7 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
   }
   if (const auto energy = physical->scales.energy_per_passage_j(delta);
       energy && std::isfinite(*energy)) {
-    section.row("passage energy", with_unit(*energy, "J"));
+    section.row("notch capacity", with_unit(*energy, "J") + " for a whole passage");
   }
 }
 
@@ -94,6 +94,9 @@ Section& add_problem(Document& document, const design::Problem& problem,
   if (limits.delta_max) {
     add(format("delta <= {}", length_text(physical, *limits.delta_max)));
   }
+  if (limits.acceleration_max) {
+    add(format("transmitted acceleration <= {:.6g} g", *limits.acceleration_max));
+  }
   if (limits.tolerance > 0) {
     add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
   }
@@ -108,6 +111,9 @@ void add_region(Document& document, const design::Region& region, const Physical
   section.row("amplitude",
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
   section.row("return", format("f <= f3 = {:.6g}", region.f3));
+  if (region.f4) {
+    section.row("acceleration", format("f <= f4 = {:.6g}", *region.f4));
+  }
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
   section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));
   section.row("smallest beta", length_text(physical, region.beta_min));
@@ -186,13 +192,19 @@ std::string outcome_phrase(Outcome outcome) {
 
 namespace {
 
-void add_metrics(Section& section, const Response& response, const Physical& physical) {
+std::string acceleration_text(const Physical& physical, double acceleration) {
+  return physical ? format("{:.6g} g = {:.5g} m/s2", acceleration,
+                           acceleration * physical->scales.gravity_m_per_s2)
+                  : digits(acceleration);
+}
+
+/// The rows of its accelerations come after that of its peak.
+void add_peak(Section& section, const Response& response, const Physical& physical) {
   section.row("outcome", outcome_phrase(response.outcome));
   section.row("peak", length_text(physical, response.peak_amplitude));
-  section.row("peak acceleration",
-              physical ? format("{:.6g} g = {:.5g} m/s2", response.peak_acceleration,
-                                response.peak_acceleration * physical->scales.gravity_m_per_s2)
-                       : digits(response.peak_acceleration));
+}
+
+void add_metrics(Section& section, const Response& response, const Physical& physical) {
   if (response.stop_time) {
     section.row("stop time", time_text(physical, *response.stop_time));
     section.row("stop position", length_text(physical, *response.stop_position));
@@ -219,11 +231,19 @@ void add_margin(Section& section, const Response& response, std::string_view mea
 }  // namespace
 
 void add_response(Section& section, const Response& response, const Physical& physical) {
+  add_peak(section, response, physical);
+  section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
   add_metrics(section, response, physical);
   add_margin(section, response, "the outcome could change if all inputs shift by about this much");
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
+  add_peak(section, response, physical);
+  section.row("transmitted",
+              format("{}, the largest acceleration that the structure feels",
+                     acceleration_text(physical, response.peak_absolute_acceleration)));
+  section.row("relative", format("{}, the largest acceleration against the base",
+                                 acceleration_text(physical, response.peak_acceleration)));
   add_metrics(section, response, physical);
   add_margin(section, response, "the closest decision was this far from the other outcome");
   if (response.sticks > 0) {

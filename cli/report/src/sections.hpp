@@ -21,6 +21,14 @@ namespace stillpoint::report {
 void add_physical_input(Section& section, const design::PhysicalInput& physical);
 /// Force and energy of a damper, where there is a mass.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
+/// For which hits and periods it works, where that is known.
+void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
+                   const Physical& physical);
+/// How much of the notch the stop takes, and how wide it must be.
+void add_notch(Section& section, const std::optional<design::Practice>& lines,
+               const Physical& physical);
+void add_practice(Section& section, const std::optional<design::Practice>& lines,
+                  const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
 

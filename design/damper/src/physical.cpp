@@ -2,6 +2,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,8 @@ namespace {
 /// Metres, seconds, kilograms and newtons of anything that is built, with room to spare.
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e30;
+/// A conversion rounds a few times; so much to the safe side keeps the converted input feasible.
+constexpr double conversion_safety = 1e-14;
 
 double angular_frequency(const PhysicalIsolator& isolator) {
   if (isolator.mass_kg) {
@@ -92,12 +95,24 @@ PhysicalInput physical_input(const PhysicalIsolator& isolator, double velocity_m
   return physical;
 }
 
+PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served) {
+  const double velocity = scales.velocity_m_per_s;
+  const double period = 2 * std::numbers::pi * scales.time_s;
+  PhysicalWorksFor physical;
+  physical.velocity_m_per_s = {served.v0.low * velocity * (1 + conversion_safety),
+                               *served.v0.high * velocity * (1 - conversion_safety)};
+  physical.period_s = {served.p.high ? period / *served.p.high * (1 + conversion_safety) : 0,
+                       period / served.p.low * (1 - conversion_safety)};
+  for (ServedInterval* const interval : {&physical.velocity_m_per_s, &physical.period_s}) {
+    interval->low = std::min(interval->low, *interval->high);  // of a single value
+  }
+  return physical;
+}
+
 std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const Mend& mend) {
   const Scales& scales = physical.scales;
-  // The conversion rounds a few times; so much to the safe side keeps the mended input feasible.
-  constexpr double safety = 1e-14;
   const auto outward = [&](double value, bool upwards) {
-    return value * (upwards ? 1 + safety : 1 - safety);
+    return value * (upwards ? 1 + conversion_safety : 1 - conversion_safety);
   };
   const bool up = mend.upwards;
   if (mend.field == "v0") {

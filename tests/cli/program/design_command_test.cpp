@@ -99,6 +99,7 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
                          {"objective", "time"},
                          {"f_max", 0.3},
                          {"delta_max", 0.45},
+                         {"acceleration_max", nullptr},
                          {"algorithm", "LN_COBYLA"},
                          {"pulse", nullptr},
                          {"k", nullptr},

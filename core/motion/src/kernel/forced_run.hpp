@@ -22,6 +22,7 @@
 #include "kernel/half_cycle_map.hpp"
 #include "kernel/hold.hpp"
 #include "kernel/piece_end.hpp"
+#include "kernel/transmitted.hpp"
 
 #include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -185,6 +186,7 @@ class ForcedRun {
     if (!(left > 0)) {
       s_.v = Real(0);
       s_.rest_begin = s_.now;
+      slides(s_, map_);
       stop(Outcome::stopped_at_zero);
       return;
     }
@@ -197,6 +199,7 @@ class ForcedRun {
   /// v = 0 has been reached; the load decides what follows, this one or the one after a kink.
   void turn() {
     s_.v = Real(0);
+    slides(s_, map_);
     s_.mode = ForcedMode::resting;
     s_.fresh = true;
     s_.rest_begin = s_.now;
@@ -217,8 +220,8 @@ class ForcedRun {
  private:
   /// Is the mass held?
   void decide_hold(const Load<Real>& load) {
-    const Real excess = magnitude(Real(s_.u + load.w)) - map_.phi;
-    s_.margin.decide(magnitude(excess), hold_at(s_.u).size(load.w));
+    const Real slack = magnitude(Real(magnitude(Real(s_.u + load.w)) - map_.phi));
+    s_.margin.decide(slack, hold_at(s_.u).size(load.w));
   }
 
   /// Does the last turn, or the next under this load, come before this instant or after it? By its
@@ -262,6 +265,7 @@ class ForcedRun {
       s_.mode = ForcedMode::sliding;
       s_.direction = s_.v > 0 ? 1 : -1;
       s_.moved = true;
+      slides(s_, map_);
     }
     event(ForcedEventKind::start);
   }
@@ -307,32 +311,29 @@ class ForcedRun {
       left = ExactSum<Real>();
       return;
     }
-    pass_time(drive, left, *wait);
+    left.add(-wait->high(), -wait->low());
+    s_.now.add(wait->high(), wait->low());
+    drive.advance(*wait);
     set_off(drive.release_direction(), Real(0));
   }
 
   void set_off(int direction, const Real& acceleration) {
     const Real waited = s_.fresh ? Real(0) : s_.now.minus(s_.rest_begin);
+    s_.mode = ForcedMode::sliding;
+    s_.direction = direction;
+    if (!s_.moved) {
+      slides(s_, map_);
+    }
     if (waited > 0) {
       ++s_.sticks;
       s_.stick_time.add(waited);
+      is_held(s_, map_, s_.now);
+      event(ForcedEventKind::release);
     }
-    s_.mode = ForcedMode::sliding;
-    s_.direction = direction;
     s_.first_acceleration = acceleration;
     s_.fresh = false;
     s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0);
     s_.moved = true;
-    if (waited > 0) {
-      event(ForcedEventKind::release);
-    }
-  }
-
-  template <class Drive>
-  void pass_time(Drive& drive, ExactSum<Real>& left, const ExactSum<Real>& h) {
-    left.add(-h.high(), -h.low());
-    s_.now.add(h.high(), h.low());
-    drive.advance(h);
   }
 
   /// Where the motion sets off or goes on, in its own direction.

@@ -59,6 +59,13 @@ struct PhysicalInput {
 [[nodiscard]] PhysicalInput physical_input(const PhysicalIsolator& isolator,
                                            double velocity_m_per_s, double x0_m);
 
+/// Intervals of velocity and period, the ends moved inwards by the rounding of the conversion.
+struct PhysicalWorksFor {
+  ServedInterval velocity_m_per_s;
+  ServedInterval period_s;  ///< the longest is always there; a `low` of 0 where no p is too large
+};
+[[nodiscard]] PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served);
+
 /// The physical value of a mended input, by the name under which it was given; H, a mere unit of
 /// length, stays.
 struct PhysicalMend {
