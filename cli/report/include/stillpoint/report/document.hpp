@@ -52,9 +52,13 @@ struct Document {
   Section& section(std::string heading);
 };
 
+/// How much of a document the text has.
+enum class Verbosity { normal, full };
+
 struct TextOptions {
   std::string title{};   ///< the scene's own, behind that of the document
   bool coloured{false};  ///< for a terminal
+  Verbosity verbosity{Verbosity::normal};
 };
 
 /// For a terminal or a file: headed sections of aligned columns. Control characters in the title
