@@ -122,15 +122,15 @@ std::string checks_agree(const design::CrossCheck& check) {
 /// What the structure feels: outside the notch, and inside one that has a width.
 std::string felt(const design::Finding& finding, const Response& response,
                  const Physical& physical) {
-  std::string text = format("{} outside the notch, f + delta/w inside one of width w",
-                            acceleration_shown(response.peak_absolute_acceleration));
-  if (physical) {
-    constexpr double example_m = 0.02;
-    const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
-                                                     example_m / physical->scales.length_m);
-    text += format(" ({:.3g} g with {})", inside, with_unit(example_m, "m"));
+  const std::string outside = acceleration_shown(response.peak_absolute_acceleration);
+  if (!physical) {
+    return format("{} outside the notch, f + delta/w inside one of width w", outside);
   }
-  return text;
+  constexpr double example_m = 0.02;
+  const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
+                                                   example_m / physical->scales.length_m);
+  return format("{} outside the notch; {:.3g} g inside one {} wide (f + delta/w)", outside, inside,
+                with_unit(example_m, "m"));
 }
 
 /// What it does, and how far it can be trusted.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace stillpoint::report {
@@ -16,6 +17,9 @@ using fmt::format;
 void add_physical_input(Section& section, const design::PhysicalInput& physical) {
   const design::Scales& scales = physical.scales;
   std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
+  if (physical.by_frequency) {
+    isolator += format(" ({})", with_unit(scales.omega_rad_per_s / (2 * std::numbers::pi), "Hz"));
+  }
   if (scales.mass_kg) {
     isolator += format(", mass {:.6g} kg, stiffness {}", *scales.mass_kg,
                        with_unit(*scales.stiffness_n_per_m(), "N/m"));

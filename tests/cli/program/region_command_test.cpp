@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
       {"dead_zone", "f"}, {"start", "delta"}, {"amplitude", "f"},    {"return", "f"},
       {"stop", "delta"},  {"f_max", "f"},     {"delta_max", "delta"}};
   BOOST_TEST(variable == expected);
-  std::istringstream text(run(arguments).out);
+  std::istringstream text(run(joined(arguments, {"--verbose"})).out);
   std::string line;
   std::size_t found = 0;
   while (std::getline(text, line)) {
