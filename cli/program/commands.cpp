@@ -119,7 +119,7 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   const report::MotionReport report{std::move(input.request), std::move(answer), input.record,
                                     input.physical};
   if (const std::string locked = report::lock_sentence(report); !locked.empty()) {
-    fmt::print(stderr, "stillpoint: {}\n", locked);
+    remark(locked);
   }
   if (input.trajectory) {
     const std::string rows = report::trajectory_csv(report.answer.trajectory, report.physical);
