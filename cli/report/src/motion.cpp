@@ -97,6 +97,13 @@ void add_answer(Section& answer, const MotionReport& report) {
   answer.row("acceleration",
              format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
                     delta > 0 ? ", outside the notch" : ""));
+  constexpr double worth_saying = 0.01;  // no damper is built nearer to its drawing
+  if (response.decision_margin && *response.decision_margin < worth_saying) {
+    answer.row(
+        "note",
+        format("within {:.2g} % of another count or outcome", 100 * *response.decision_margin),
+        Tone::bad);
+  }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;
     answer.row("at the end", format("x = {} at {}", length_text(physical, *forced.final_position),

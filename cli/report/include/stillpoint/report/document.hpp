@@ -48,7 +48,7 @@ struct Document {
   std::string verdict;     ///< what the reader wants to know, in a sentence or two
   Tone tone{Tone::plain};  ///< of the verdict
   Section answer{};        ///< the rest of the answer, without a heading
-  std::vector<Section> sections;
+  std::vector<Section> sections{};
 
   /// A new section at the end; the reference is good until the next one.
   Section& section(std::string heading);
