@@ -3,7 +3,10 @@
 
 #include <stillpoint/report/report.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace stillpoint::report {
@@ -19,7 +22,31 @@ HtmlPage page_of(const Document& document) {
           .verdict = document.verdict,
           .figures = {},
           .body = html(document),
+          .report = text(document),
           .footer = {}};
+}
+
+/// "No damper: max-displacement must be at least 0.179 m": the change of the limit of the peak,
+/// else the first that helps.
+std::string mend_words(const design::RegionVerdict& empty, const Physical& physical) {
+  const auto& mends = empty.joint_mend ? empty.joint_mend->mends : empty.mends;
+  if (mends.empty()) {
+    return "No damper is admissible";
+  }
+  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
+  const design::Mend& mend = of_beta == mends.end() ? mends.front() : *of_beta;
+  const auto words = [](std::string_view name, double value, bool upwards, std::string_view unit) {
+    const double place = std::pow(10, 3 - std::floor(std::log10(value)));  // four digits
+    const double safe = (upwards ? std::ceil(value * place) : std::floor(value * place)) / place;
+    return fmt::format("No damper: {} must be at {} {:.5g}{}{}", name, upwards ? "least" : "most",
+                       safe, unit.empty() ? "" : " ", unit);
+  };
+  if (physical) {
+    if (const auto now = physical_mend(*physical, mend)) {
+      return words(now->name, now->value, now->upwards, now->unit);
+    }
+  }
+  return words(mend.field, mend.value, mend.upwards, "");
 }
 
 std::optional<design::PulseProblem> pulse_problem(const design::DesignRequest& request) {
@@ -55,20 +82,28 @@ HtmlPage page(const DesignReport& report) {
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
   if (!report.result.finding) {
-    page.figures = {region_figure({problem, limits, report.result.region, {}, {}}, units)};
+    page.figures = {region_figure(
+        {problem, limits, report.result.region, {}, {}, mend_words(report.result, report.physical)},
+        units)};
     return page;
   }
   const design::Finding& found = *report.result.finding;
   const auto& [f, delta, tolerance] = found.point;
   DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
   motion.beta = problem.beta;
-  page.figures = {region_figure({problem, limits, report.result.region,
+  page.figures = {region_figure({problem,
+                                 limits,
+                                 report.result.region,
                                  DrawnDamper{"design", f, delta, tolerance},
-                                 pulse_problem(report.result.request)},
+                                 pulse_problem(report.result.request),
+                                 {}},
                                 units),
                   motion_figure(motion, units), phase_figure(motion, units),
                   energy_figure(motion, units)};
-  if (found.pulse) {
+  if (!found.pulse) {
+    page.figures.insert(page.figures.begin() + 1,
+                        hits_figure(problem, f, delta, found.works_for, units));
+  } else {
     for (Figure& figure : page.figures) {
       figure.title += figure.id == "region" ? "" : ", reduced to v0";
     }
@@ -86,8 +121,13 @@ HtmlPage page(const RegionReport& report) {
     damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
               answer.tolerance.value_or(0)};
   }
-  page.figures = {
-      region_figure({problem, limits, answer.region, damper, {}}, FigureUnits(report.physical))};
+  page.figures = {region_figure(
+      {problem, limits, answer.region, damper, {}, mend_words(answer, report.physical)},
+      FigureUnits(report.physical))};
+  if (f && delta) {
+    page.figures.push_back(
+        hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+  }
   return page;
 }
 
@@ -102,10 +142,14 @@ HtmlPage page(const MotionReport& report) {
   if (!motion.whole) {
     page.verdict += " The figures show the beginning of the motion.";
   }
-  page.figures = {motion_figure(motion, units), phase_figure(motion, units)};
-  page.figures.push_back(is_forced(report.request)
-                             ? excitation_figure(report.request.excitation, motion, units)
-                             : energy_figure(motion, units));
+  page.figures = {motion_figure(motion, units)};
+  if (is_forced(report.request)) {
+    page.figures.push_back(excitation_figure(report.request.excitation, motion, units));
+  }
+  page.figures.push_back(phase_figure(motion, units));
+  if (!is_forced(report.request)) {
+    page.figures.push_back(energy_figure(motion, units));
+  }
   return page;
 }
 

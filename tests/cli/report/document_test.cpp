@@ -50,18 +50,19 @@ BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
 
 BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
   BOOST_TEST(html(sample()) ==
-             "<h2>Rows</h2>\n"
+             "<section><h2>Rows</h2>\n"
              "<div class=\"wide\"><table class=\"rows\">\n"
              "<tr><th>mass</th><td>1 kg</td></tr>\n"
              "<tr><th></th><td class=\"good\">of steel</td></tr>\n"
-             "</table></div>\n"
-             "<h2>Table</h2>\n"
-             "<div class=\"wide\"><table>\n"
+             "</table></div>\n</section>\n"
+             "<section><h2>Table</h2>\n"
+             "<div class=\"wide\"><table class=\"columns\">\n"
              "<tr><th></th><th>size</th><th>is</th></tr>\n"
-             "<tr><td>a</td><td>1</td><td class=\"good\">met</td></tr>\n"
-             "<tr><td>long</td><td>22</td><td></td></tr>\n"
+             "<tr><td>a</td><td data-head=\"size\">1</td><td data-head=\"is\" "
+             "class=\"good\">met</td></tr>\n"
+             "<tr><td>long</td><td data-head=\"size\">22</td><td data-head=\"is\"></td></tr>\n"
              "</table></div>\n"
-             "<p>A note.</p>\n");
+             "<p>A note.</p>\n</section>\n");
 }
 
 /// Whatever text gets into a document, it brings no markup and no control character.
