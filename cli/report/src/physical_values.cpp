@@ -2,6 +2,7 @@
 #include "json_parts.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace stillpoint::report {
@@ -27,6 +28,7 @@ ordered_json scale_values(const design::PhysicalInput& physical, double velocity
           {"gravity_m_per_s2", number(scales.gravity_m_per_s2)},
           {"omega_rad_per_s", number(scales.omega_rad_per_s)},
           {"period_s", number(physical.period_s)},
+          {"natural_frequency_hz", number(scales.omega_rad_per_s / (2 * std::numbers::pi))},
           {"mass_kg", number(scales.mass_kg)},
           {"stiffness_n_per_m", number(scales.stiffness_n_per_m())},
           {"velocity_m_per_s", number(velocity_m_per_s)}};
@@ -44,6 +46,7 @@ void add_mends(ordered_json& json, design::PhysicalInput physical,
                const std::vector<design::Mend>& mends) {
   const auto mended = [&](std::string_view field, bool by_stiffness) -> std::optional<double> {
     physical.by_stiffness = by_stiffness;
+    physical.by_frequency = false;
     for (const design::Mend& mend : mends) {
       if (mend.field == field) {
         return physical_mend(physical, mend)->value;
@@ -140,6 +143,8 @@ void add_excitation(ordered_json& json, const design::Scales& scales,
       },
       excitation);
   json["excitation_rad_per_s"] = number(finite(times(lambda, 1 / scales.time_s)));
+  json["excitation_frequency_hz"] =
+      number(finite(times(lambda, 1 / (2 * std::numbers::pi * scales.time_s))));
   json["excitation_duration_s"] =
       number(lambda ? finite(times(duration(excitation), scales.time_s)) : std::nullopt);
 }

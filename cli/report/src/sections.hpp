@@ -35,7 +35,7 @@ void add_excitation(Section& section, const Excitation& excitation,
 /// The section of the task.
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical);
-void add_region(Document& document, const design::Region& region, const Physical& physical);
+Section& add_region(Document& document, const design::Region& region, const Physical& physical);
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
                    const Physical& physical);

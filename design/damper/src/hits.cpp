@@ -22,6 +22,8 @@ constexpr Names ends(std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
                                                    {HitEnd::too_far, "too_far"},
                                                    {HitEnd::never_stops, "never_stops"}}));
 
+constexpr double smallest_beta = 1e-300;  // as problem.hpp has it
+
 struct Damper {
   Wide p;
   Wide phi;
@@ -104,7 +106,7 @@ std::optional<HitEnd> parse_hit_end(std::string_view name) noexcept {
 
 std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most) {
   require_valid(oscillator);
-  require_within("beta", beta, 1 / largest_square, largest_square);
+  require_within("beta", beta, smallest_beta, largest_square);
   require_within("v0", v0_most, smallest_speed, largest_speed);
   const auto& [p, f, delta] = oscillator;
   const Damper damper{p, f / Wide(p), 2 * Wide(delta)};

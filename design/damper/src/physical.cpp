@@ -20,6 +20,10 @@ double angular_frequency(const PhysicalIsolator& isolator) {
   if (isolator.mass_kg) {
     require_within("mass", *isolator.mass_kg, smallest, largest);
   }
+  if (isolator.natural_frequency_hz && (isolator.period_s || isolator.stiffness_n_per_m)) {
+    throw InputError("natural-frequency", *isolator.natural_frequency_hz,
+                     "give one of period, natural-frequency and stiffness");
+  }
   if (isolator.period_s && isolator.stiffness_n_per_m) {
     throw InputError("stiffness", *isolator.stiffness_n_per_m,
                      "give either period or stiffness, not both");
@@ -28,8 +32,12 @@ double angular_frequency(const PhysicalIsolator& isolator) {
     require_within("period", *isolator.period_s, smallest, largest);
     return 2 * std::numbers::pi / *isolator.period_s;
   }
+  if (isolator.natural_frequency_hz) {
+    require_within("natural-frequency", *isolator.natural_frequency_hz, smallest, largest);
+    return 2 * std::numbers::pi * *isolator.natural_frequency_hz;
+  }
   if (!isolator.stiffness_n_per_m) {
-    throw InputError::missing("period", "give period, or stiffness with mass");
+    throw InputError::missing("period", "give period, natural-frequency, or stiffness with mass");
   }
   require_within("stiffness", *isolator.stiffness_n_per_m, smallest, largest);
   if (!isolator.mass_kg) {
@@ -83,6 +91,7 @@ PhysicalInput physical_input(const PhysicalIsolator& isolator, double velocity_m
   physical.velocity_m_per_s = velocity_m_per_s;
   physical.period_s = 2 * std::numbers::pi / physical.scales.omega_rad_per_s;
   physical.by_stiffness = isolator.stiffness_n_per_m.has_value();
+  physical.by_frequency = isolator.natural_frequency_hz.has_value();
   return physical;
 }
 
@@ -112,6 +121,10 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
   if (mend.field == "p" && physical.by_stiffness && scales.mass_kg) {
     const double omega = mend.value / scales.time_s;
     return PhysicalMend{"stiffness", "N/m", outward(*scales.mass_kg * omega * omega, up), up};
+  }
+  if (mend.field == "p" && physical.by_frequency) {
+    const double frequency = mend.value / (2 * std::numbers::pi * scales.time_s);
+    return PhysicalMend{"natural_frequency", "Hz", outward(frequency, up), up};
   }
   if (mend.field == "p") {
     const double period = 2 * std::numbers::pi * scales.time_s / mend.value;

@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(counts_beyond_the_integers_of_a_double_are_numbers) {
   const json response = report_of(*this, simulate("0", "1e-20"), impatient())["response"];
   BOOST_TEST(near(response["half_cycles"], 5e19, 1e-12));
   BOOST_TEST(near(response["stop_time"], 5e19 * std::numbers::pi, 1e-12));
-  const ProgramRun text = run(simulate("0", "1e-20"), impatient());
+  const ProgramRun text = run(simulate("0", "1e-20", {"--verbose"}), impatient());
   BOOST_TEST(text.out.find("5e+19 half-cycles") != std::string::npos, text.out);
   // A count that a double holds exactly is written as an integer.
   const ProgramRun exact = run(simulate("0", "4.9e-13", {"--json"}), impatient());
@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(figures_beyond_a_double_are_refused_or_left_out_but_never_i
 }
 
 BOOST_AUTO_TEST_CASE(text_lists_the_first_half_cycles) {
-  const ProgramRun text = run(simulate("0.02", "0.02"));
+  const ProgramRun text = run(simulate("0.02", "0.02", {"--verbose"}));
   BOOST_TEST(text.exit_code == 0);
   for (const char* part : {"Free motion", "stops at x = 0", "0.9802", "34.5989",
                            "11 half-cycles, 10 passages, 11 turning points", "Half-cycles"}) {
