@@ -84,7 +84,7 @@ std::string html(const HtmlPage& page) {
       "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
       escaped(page.title), page_style, figure_style(), dark_page_style, dark_figure_style(),
       print_style, escaped(page.title), escaped(page.verdict));
-  text += figures(page.figures) + page.body;
+  text += page.answer + figures(page.figures) + page.body;
   if (!page.report.empty()) {
     text += format("<details><summary>The full report as text</summary>\n<pre>{}</pre></details>\n",
                    escaped(page.report));

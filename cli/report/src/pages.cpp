@@ -20,9 +20,10 @@ namespace {
 HtmlPage page_of(const Document& document) {
   return {.title = document.title,
           .verdict = document.verdict,
+          .answer = html(document.answer),
           .figures = {},
           .body = html(document),
-          .report = text(document),
+          .report = text(document, {.verbosity = Verbosity::full}),
           .footer = {}};
 }
 

@@ -13,6 +13,7 @@ namespace stillpoint::figures {
 struct HtmlPage {
   std::string title;
   std::string verdict;  ///< the answer, below the title
+  std::string answer;   ///< more of it, as HTML like the body
   std::vector<Figure> figures;
   std::string body;  ///< HTML below them; its tables may have the class rows or columns, its text
                      ///< key, good, bad, faint

@@ -70,6 +70,8 @@ struct TextOptions {
 
 /// The sections as HTML, without a page around them.
 [[nodiscard]] std::string html(const Document& document);
+/// One of them, or the answer, without its heading.
+[[nodiscard]] std::string html(const Section& section);
 
 /// Control characters, which could break a line or play tricks with a terminal, as \\xNN.
 [[nodiscard]] std::string spelled_out(std::string_view text);
