@@ -89,7 +89,9 @@ class Parts {
   bool in_rows_{false};
 };
 
-std::string parts_of(const Section& section) {
+}  // namespace
+
+std::string html(const Section& section) {
   Parts parts;
   for (const auto& part : section.parts) {
     std::visit(parts, part);
@@ -97,13 +99,10 @@ std::string parts_of(const Section& section) {
   return parts.text();
 }
 
-}  // namespace
-
 std::string html(const Document& document) {
-  std::string text = parts_of(document.answer);
+  std::string text;
   for (const Section& section : document.sections) {
-    text +=
-        format("<section><h2>{}</h2>\n{}</section>\n", escaped(section.heading), parts_of(section));
+    text += format("<section><h2>{}</h2>\n{}</section>\n", escaped(section.heading), html(section));
   }
   return text;
 }
