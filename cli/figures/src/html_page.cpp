@@ -25,7 +25,7 @@ figcaption{font-size:14px;margin:2px 8px 0 14px}
 .plot{cursor:crosshair}
 .readout{min-height:1.5em;font-size:13px;padding-left:14%}
 .readout button{font:inherit;margin-left:8px}
-section,tr{break-inside:avoid}
+tr{break-inside:avoid}
 .wide{overflow-x:auto;break-inside:avoid}
 tr.violated td{background:#fbe3e1}
 summary{cursor:pointer;font-weight:bold;margin-top:24px}
@@ -42,7 +42,7 @@ body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color
 )";
 
 constexpr std::string_view print_style = R"(
-body{max-width:none;padding:0}.figures{grid-template-columns:1fr 1fr}.readout,details{display:none}
+body{max-width:none;padding:0}.figures{grid-template-columns:1fr 1fr;gap:8px 20px}figcaption{font-size:12px}h2{margin-top:14px}.readout,details{display:none}
 pre{white-space:pre-wrap;overflow:visible}.wide{overflow:visible}td,th{white-space:normal;padding:2px 5px}table{font-size:12px}
 )";
 

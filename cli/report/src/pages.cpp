@@ -27,20 +27,13 @@ HtmlPage page_of(const Document& document) {
           .footer = {}};
 }
 
-/// "No damper: max-displacement must be at least 0.179 m": the change of the limit of the peak,
-/// else the first that helps.
-std::string mend_words(const design::RegionVerdict& empty, const Physical& physical) {
-  const auto& mends = empty.joint_mend ? empty.joint_mend->mends : empty.mends;
-  if (mends.empty()) {
-    return "No damper is admissible";
-  }
-  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
-  const design::Mend& mend = of_beta == mends.end() ? mends.front() : *of_beta;
+/// "max-displacement must be at least 0.127 m", rounded so that the value helps.
+std::string words_of(const design::Mend& mend, const Physical& physical) {
   const auto words = [](std::string_view name, double value, bool upwards, std::string_view unit) {
     const double place = std::pow(10, 3 - std::floor(std::log10(value)));  // four digits
     const double safe = (upwards ? std::ceil(value * place) : std::floor(value * place)) / place;
-    return fmt::format("No damper: {} must be at {} {:.5g}{}{}", name, upwards ? "least" : "most",
-                       safe, unit.empty() ? "" : " ", unit);
+    return fmt::format("{} must be at {} {:.5g}{}{}", name, upwards ? "least" : "most", safe,
+                       unit.empty() ? "" : " ", unit);
   };
   if (physical) {
     if (const auto now = physical_mend(*physical, mend)) {
@@ -48,6 +41,26 @@ std::string mend_words(const design::RegionVerdict& empty, const Physical& physi
     }
   }
   return words(mend.field, mend.value, mend.upwards, "");
+}
+
+/// The region where nothing is admissible: its title says what would help, or the page does where
+/// it takes two inputs.
+void add_empty_region(HtmlPage& page, DrawnRegion drawn, const design::RegionVerdict& empty,
+                      const Physical& physical) {
+  drawn.mend = "No damper is admissible";
+  if (!empty.mends.empty()) {
+    const auto of_beta = std::ranges::find(empty.mends, "beta", &design::Mend::field);
+    const design::Mend& mend = of_beta == empty.mends.end() ? empty.mends.front() : *of_beta;
+    drawn.mend = "No damper: " + words_of(mend, physical);
+    page.verdict += fmt::format(" To get one, {}.", words_of(mend, physical));
+  } else if (empty.joint_mend) {
+    std::string all;
+    for (const design::Mend& mend : empty.joint_mend->mends) {
+      all += (all.empty() ? "" : " and ") + words_of(mend, physical);
+    }
+    page.verdict += fmt::format(" To get one, {}.", all);
+  }
+  page.figures = {region_figure(drawn, FigureUnits(physical))};
 }
 
 std::optional<design::PulseProblem> pulse_problem(const design::DesignRequest& request) {
@@ -83,9 +96,8 @@ HtmlPage page(const DesignReport& report) {
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
   if (!report.result.finding) {
-    page.figures = {region_figure(
-        {problem, limits, report.result.region, {}, {}, mend_words(report.result, report.physical)},
-        units)};
+    add_empty_region(page, {problem, limits, report.result.region, {}, {}, {}}, report.result,
+                     report.physical);
     return page;
   }
   const design::Finding& found = *report.result.finding;
@@ -122,9 +134,12 @@ HtmlPage page(const RegionReport& report) {
     damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
               answer.tolerance.value_or(0)};
   }
-  page.figures = {region_figure(
-      {problem, limits, answer.region, damper, {}, mend_words(answer, report.physical)},
-      FigureUnits(report.physical))};
+  const DrawnRegion drawn{problem, limits, answer.region, damper, {}, {}};
+  if (answer.region.feasible) {
+    page.figures = {region_figure(drawn, FigureUnits(report.physical))};
+  } else {
+    add_empty_region(page, drawn, answer, report.physical);
+  }
   if (f && delta) {
     page.figures.push_back(
         hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));

@@ -104,6 +104,7 @@ BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
   BOOST_TEST_REQUIRE((gap != drawn.areas.end()));
   BOOST_TEST(gap->outline.front().x == 1 / std::sqrt(8.0), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(drawn.title == "No damper: beta must be at least 0.7072");  // 0.70711, rounded up
+  BOOST_TEST(contains(page.verdict, "beta must be at least 0.7072"));
 }
 
 BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_works_for) {
@@ -202,6 +203,11 @@ BOOST_AUTO_TEST_CASE(tables_have_the_units_of_the_figures_and_mark_what_is_viola
   BOOST_TEST(contains(isolator().body, "<th>peak, mm</th><th>stop time, s</th>"));
   BOOST_TEST(contains(region(0.9, 0.5, 0.37).body, "<tr class=\"violated\"><td>return</td>"));
   BOOST_TEST(!contains(region(0.9, 0.26, 0.37).body, "class=\"violated\""));
+}
+
+BOOST_AUTO_TEST_CASE(the_answer_stands_above_the_figures) {
+  const std::string whole = figures::html(isolator());
+  BOOST_TEST(whole.find("<th>works for</th>") < whole.find("<figure>"));
 }
 
 BOOST_AUTO_TEST_CASE(the_report_as_text_is_folded_away) {
