@@ -4,6 +4,7 @@
 #include "pages.hpp"
 #include "progress.hpp"
 #include "request.hpp"
+#include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/peers/comparison.hpp>
@@ -125,6 +126,7 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
 }
 
 ExitCode run_accuracy(const Settings& settings, Output& output) {
+  require_paper_notch(settings, Command::accuracy);
   const SimulateInput input = simulate_input(settings);
   const peers::Scene scene = peers::comparison_scene(input.request);
   print_report(

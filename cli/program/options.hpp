@@ -48,7 +48,16 @@ enum class Role {
 };
 
 /// Sets of options of which at most one can be given.
-enum class Rivals { none, hit, stiffness, stroke, start, point_friction, point_friction_limit };
+enum class Rivals {
+  none,
+  hit,
+  stiffness,
+  stroke,
+  start,
+  point_friction,
+  point_friction_limit,
+  notch
+};
 
 /// A task is given either dimensionless or in metres and seconds, not in both.
 enum class Units { any, dimensionless, physical };

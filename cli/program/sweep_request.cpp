@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "excitation_input.hpp"
 #include "request.hpp"
+#include "surface_input.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -163,6 +164,7 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
 }  // namespace
 
 SweepSpec sweep_request(const Settings& settings) {
+  require_paper_notch(settings, Command::sweep);
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);

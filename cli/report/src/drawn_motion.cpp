@@ -62,10 +62,11 @@ DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
 }
 
 DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start,
-                                const Excitation& excitation, double horizon) {
+                                const Excitation& excitation, double horizon,
+                                const Surface& surface) {
   ForcedTrajectoryOptions limits;
   limits.horizon = horizon;
-  const ForcedTrajectory path(oscillator, start, excitation, limits);
+  const ForcedTrajectory path(oscillator, start, excitation, limits, surface);
   DrawnMotion motion;
   motion.oscillator = oscillator;
   motion.states =
@@ -98,16 +99,19 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   const Oscillator& oscillator = request.oscillator;
   const Start& start = request.start;
   const Excitation& excitation = request.excitation;
-  if (!is_forced(request)) {
+  const Surface& surface = request.surface;
+  if (!is_forced(request) && surface.plain()) {
     const auto cut = end_of_beginning(first_half_cycles(oscillator, start, most_drawn_half_cycles));
     DrawnMotion motion = drawn_free_motion(oscillator, start, cut);
     motion.whole = !cut;
     return motion;
   }
   const double rate = fastest_rate(oscillator.p, excitation);
-  double last = std::min(answer.horizon, most_drawn_periods * 2 * std::numbers::pi / rate);
+  const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
+  const double horizon = is_forced(request) ? answer.horizon : longest;
+  double last = std::min(horizon, longest);
   const auto listed =
-      forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles);
+      forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
   // Where the mass rests for good there is little to see.
   constexpr double seen_at_rest = 1.25;
@@ -116,11 +120,11 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   if (rests) {
     last = std::min(last, seen_at_rest * *stop_time);
   }
-  DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last);
+  DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
   if (rests && last >= *stop_time && !motion.rest) {  // known to be the final one only later
     motion.rest = State{*stop_time, *answer.response.stop_position, 0};
   }
-  motion.whole = last >= answer.horizon || (rests && last >= *stop_time);
+  motion.whole = last >= horizon || (rests && last >= *stop_time);
   return motion;
 }
 

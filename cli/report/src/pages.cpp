@@ -103,9 +103,11 @@ HtmlPage page(const MotionReport& report) {
     page.verdict += " The figures show the beginning of the motion.";
   }
   page.figures = {motion_figure(motion, units), phase_figure(motion, units)};
-  page.figures.push_back(is_forced(report.request)
-                             ? excitation_figure(report.request.excitation, motion, units)
-                             : energy_figure(motion, units));
+  if (is_forced(report.request)) {
+    page.figures.push_back(excitation_figure(report.request.excitation, motion, units));
+  } else if (report.request.surface.plain()) {
+    page.figures.push_back(energy_figure(motion, units));
+  }
   return page;
 }
 

@@ -4,6 +4,7 @@
 #include "kernel/forced_run.hpp"
 #include "kernel/free_run.hpp"
 #include "kernel/margin_keeper.hpp"
+#include "kernel/on_surface.hpp"
 #include "kernel/phase_clock.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -11,15 +12,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <type_traits>
 #include <variant>
 
 namespace stillpoint {
 
 namespace {
 
-using Run = ForcedRun<double, NoWatcher>;
-
 /// Everything that does not depend on how the run ended.
+template <class Run>
 ForcedResponse so_far(const Run& run) {
   const ForcedState<double>& state = run.state();
   const double p = run.map().p;
@@ -48,7 +50,15 @@ void end_at_rest(ForcedResponse& response, Outcome outcome, double stop_time, do
   response.final_velocity = 0;
 }
 
+/// No friction slows the motion any more: a count of what came before would mean nothing.
+void end_nowhere(ForcedResponse& response) {
+  response.outcome = Outcome::never_stops;
+  response.half_cycles = response.turning_points = response.zero_passages = std::nullopt;
+  response.arrival_speed = std::nullopt;
+}
+
 /// The run ended while the mass moved, or while friction held it for an unknown time.
+template <class Run>
 void end_running(ForcedResponse& response, const Run& run) {
   const ForcedState<double>& state = run.state();
   const double p = run.map().p;
@@ -64,6 +74,7 @@ void end_running(ForcedResponse& response, const Run& run) {
 }
 
 /// The free motion from the turn that the run has reached, to its end by the half-cycle map.
+template <class Run>
 void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscillator,
               double half_cycle_limit) {
   const double p = oscillator.p;
@@ -83,9 +94,7 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
         std::min(*keeper.margin(), response.decision_margin.value_or(*keeper.margin()));
   }
   if (free.outcome == Outcome::never_stops) {
-    response.outcome = Outcome::never_stops;
-    response.half_cycles = response.turning_points = response.zero_passages = std::nullopt;
-    response.arrival_speed = std::nullopt;
+    end_nowhere(response);
     return;
   }
   *response.half_cycles += free.passages;
@@ -104,46 +113,58 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
   end_at_rest(response, free.outcome, stop_time, free.rest / p);
 }
 
-}  // namespace
-
-ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
-                               const Excitation& excitation, const ForcedOptions& options) {
-  require_valid(oscillator, start, excitation, options.t_end);
-  if (options.half_cycle_limit) {
-    require_within("half_cycle_limit", *options.half_cycle_limit, 1, 1e15);
-  }
-  return forced_response_of_valid(oscillator, start, excitation, options);
-}
-
-ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
-                                        const Excitation& excitation,
-                                        const ForcedOptions& options) {
-  NoWatcher nobody;
-  Run run(oscillator, start, nobody, Patience{options.go_on, options.ask_every});
-  if (options.half_cycle_limit) {
-    run.allow_half_cycles(*options.half_cycle_limit);
+template <class Run>
+ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitation& excitation,
+                           const ForcedOptions& options) {
+  constexpr bool in_zones = std::decay_t<decltype(run.law())>::in_zones;
+  const bool free_end = !options.t_end;
+  const double free_limit = FreeOptions().half_cycle_limit;
+  if (options.half_cycle_limit || (in_zones && free_end)) {
+    run.allow_half_cycles(options.half_cycle_limit.value_or(free_limit));
   }
   std::visit(
       [&](const auto& kind) {
-        if (options.t_end) {
-          run_until(run, kind, *options.t_end);
-        } else {
+        if (free_end) {
           run_to_free_turn(run, kind);
+        } else {
+          run_until(run, kind, *options.t_end);
         }
       },
       excitation);
   ForcedResponse response = so_far(run);
   const ForcedState<double>& state = run.state();
-  if (state.outcome) {
+  if (state.outcome == Outcome::never_stops) {
+    end_nowhere(response);
+  } else if (state.outcome) {
     end_at_rest(response, *state.outcome, state.rest_begin.value() / oscillator.p,
                 state.u / oscillator.p);
-  } else if (options.t_end || run.cancelled()) {
+  } else if (!free_end || run.cancelled()) {
     end_running(response, run);
   } else {
-    end_free(response, run, oscillator,
-             options.half_cycle_limit.value_or(FreeOptions().half_cycle_limit));
+    end_free(response, run, oscillator, options.half_cycle_limit.value_or(free_limit));
   }
   return response;
+}
+
+}  // namespace
+
+ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
+                               const Excitation& excitation, const ForcedOptions& options,
+                               const Surface& surface) {
+  require_valid(oscillator, start, excitation, options.t_end);
+  require_valid(oscillator, surface);
+  if (options.half_cycle_limit) {
+    require_within("half_cycle_limit", *options.half_cycle_limit, 1, 1e15);
+  }
+  return forced_response_of_valid(oscillator, start, excitation, options, surface);
+}
+
+ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
+                                        const Excitation& excitation, const ForcedOptions& options,
+                                        const Surface& surface) {
+  NoWatcher nobody;
+  return on_surface(oscillator, surface, start, nobody, Patience{options.go_on, options.ask_every},
+                    [&](auto& run) { return response_of(run, oscillator, excitation, options); });
 }
 
 }  // namespace stillpoint

@@ -7,6 +7,7 @@ namespace stillpoint {
 
 /// forced_response for input that has been checked.
 ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
-                                        const Excitation& excitation, const ForcedOptions& options);
+                                        const Excitation& excitation, const ForcedOptions& options,
+                                        const Surface& surface);
 
 }  // namespace stillpoint
