@@ -101,35 +101,4 @@ void free_kernel(Text& text, const Comparison& comparison) {
   add(text, "\n");
 }
 
-void all_rows(Text& text, const SceneRows& scene) {
-  const peers::Result& truth = scene.scene.truth;
-  add(text, "### {}: {}\n\n", scene.scene.name, scene.scene.legend);
-  if (scene.scene.free) {
-    add(text, "Peak {:.17g}, stops at tau = {:.17g}, counts {}.\n\n", truth.peak, truth.end_time,
-        counts_of(truth));
-  } else {
-    add(text, "Peak {:.17g}, x({:g}) = {:.17g}, v = {:.17g}, counts {}.\n\n", truth.peak,
-        scene.scene.scene.t_end, truth.x, truth.v, counts_of(truth));
-  }
-  add(text,
-      "<details><summary>Every setting</summary>\n\n"
-      "| method | setting | median, us | quartiles | error of peak | error of end | counts | by "
-      "kernel |\n"
-      "|---|---|---|---|---|---|---|---|\n");
-  for (const MethodRows& method : scene.methods) {
-    for (const Row& row : method.rows) {
-      const std::string quartiles =
-          row.time.batches > 1
-              ? fmt::format("{} .. {}", microseconds(row.time.low), microseconds(row.time.high))
-              : std::string("timed once");
-      add(text, "| {} | {} | {} | {} | {} | {} | {} | {} |\n", method.method.name,
-          setting(method, row), microseconds(row.time.median), quartiles, error(row.verdict.peak),
-          error(row.verdict.end),
-          row.verdict.counts_right ? std::string("right") : "**wrong: " + row.verdict.counts + "**",
-          factor(row.time.median / scene.kernel().time.median));
-    }
-  }
-  add(text, "\n</details>\n\n");
-}
-
 }  // namespace stillpoint::bench

@@ -15,7 +15,4 @@ void each_peer(Text& text, const Comparison& comparison);
 /// The free kernel in each mode, and the square root.
 void free_kernel(Text& text, const Comparison& comparison);
 
-/// A scene, its reference and every setting of every method.
-void all_rows(Text& text, const SceneRows& scene);
-
 }  // namespace stillpoint::bench

@@ -8,14 +8,10 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// Text within single quotes: the quote itself ends them, stands escaped and begins them anew.
-std::string quoted(std::string_view text) {
-  return escaped(text, "'", "'\\'");
-}
-
-/// The text of a description in [brackets], or of a message between colons.
+/// The text of a description in [brackets], or of a message between colons, within single quotes: a
+/// quote ends them, stands escaped and begins them anew.
 std::string inner(std::string_view text) {
-  return quoted(escaped(text, "[]:\\", "\\"));
+  return escaped(escaped(text, "[]:\\", "\\"), "'", "'\\'");
 }
 
 std::string argument(const Option& option) {

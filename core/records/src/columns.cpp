@@ -73,14 +73,14 @@ void check_heading(const Row& row, const RecordReader& reader) {
   }
 }
 
-void check_count(const Row& row, std::size_t wanted, std::size_t first_line,
+void check_count(const Row& row, std::size_t expected, std::size_t first_line,
                  const RecordReader& reader) {
   if (row.count > most_columns) {
     reader.refuse(fmt::format("{} columns: must be time and value, or value alone", row.count));
   }
-  if (row.count != wanted) {
+  if (row.count != expected) {
     reader.refuse(fmt::format("{} column{}, but {} in line {}", row.count,
-                              row.count == 1 ? "" : "s", wanted, first_line));
+                              row.count == 1 ? "" : "s", expected, first_line));
   }
 }
 

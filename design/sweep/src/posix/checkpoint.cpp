@@ -44,18 +44,18 @@ ordered_json to_json(const Checkpoint& checkpoint) {
           {"feasible", state.feasible}, {"task", task_of(checkpoint.task)}};
 }
 
-Checkpoint from_json(const ordered_json& json) {
-  if (json.at("schema") != schema) {
+Checkpoint from_json(const ordered_json& document) {
+  if (document.at("schema") != schema) {
     throw std::runtime_error("not a checkpoint");
   }
   Checkpoint checkpoint;
-  checkpoint.task = json.at("task").dump();
-  json.at("rows").get_to(checkpoint.state.rows);
-  json.at("bytes").get_to(checkpoint.bytes);
-  json.at("complete").get_to(checkpoint.complete);
-  json.at("digest").get_to(checkpoint.state.digest);
-  json.at("outcomes").get_to(checkpoint.state.outcomes);
-  json.at("feasible").get_to(checkpoint.state.feasible);
+  checkpoint.task = document.at("task").dump();
+  document.at("rows").get_to(checkpoint.state.rows);
+  document.at("bytes").get_to(checkpoint.bytes);
+  document.at("complete").get_to(checkpoint.complete);
+  document.at("digest").get_to(checkpoint.state.digest);
+  document.at("outcomes").get_to(checkpoint.state.outcomes);
+  document.at("feasible").get_to(checkpoint.state.feasible);
   return checkpoint;
 }
 
