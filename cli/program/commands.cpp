@@ -97,7 +97,12 @@ ExitCode exit_code(const design::DesignResult& result) {
 
 ExitCode run_design(const Settings& settings, Output& output) {
   DesignInput input = design_input(settings);
-  const report::DesignReport report{design::design(input.request), input.physical};
+  const std::optional<double> width = notch_width(settings, input.physical);
+  require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
+  report::DesignReport report{design::design(input.request), input.physical, {}};
+  if (width && report.result.finding) {
+    report.built_notch = built_notch(report.result.request, report.result.finding->point, *width);
+  }
   write_page_of(report, Command::design, settings, output);
   print_report(report, settings, output);
   return exit_code(report.result);
@@ -116,6 +121,9 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   Simulation answer = watched(input.request);
   const report::MotionReport report{std::move(input.request), std::move(answer), input.record,
                                     input.physical};
+  if (const std::string locked = report::lock_sentence(report); !locked.empty()) {
+    fmt::print(stderr, "stillpoint: {}\n", locked);
+  }
   if (input.trajectory) {
     output.write_file("trajectory", *input.trajectory,
                       report::trajectory_csv(report.answer.trajectory, report.physical));

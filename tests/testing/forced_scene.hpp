@@ -84,9 +84,12 @@ ForcedRecord<Real> run_forced(const ForcedScene<Real>& scene) {
   ForcedRecord<Real> record;
   record.state = on_surface(
       scene.oscillator(), scene.surface, scene.motion.start(), record.seen, {}, [&](auto& run) {
+        run.state().transmitted.largest_load = largest_load_of(scene.excitation, scene.motion.p);
         std::visit([&](const auto& kind) { run_until(run, kind, scene.t_end); }, scene.excitation);
+        feel_the_end(run.state(), run.law(), ExactSum<Real>::product(scene.motion.p, scene.t_end));
         return run.state();
       });
+  record.state.transmitted.largest_load = {};  // it refers to the scene
   return record;
 }
 

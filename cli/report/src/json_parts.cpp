@@ -103,6 +103,7 @@ ordered_json constraints_json(std::span<const design::Constraint> constraints) {
 ordered_json response_json(const Response& response) {
   return {{"peak_amplitude", number(response.peak_amplitude)},
           {"peak_acceleration", number(response.peak_acceleration)},
+          {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},
           {"half_cycles", count(response.half_cycles)},
           {"turning_points", count(response.turning_points)},
           {"zero_passages", count(response.zero_passages)},
@@ -122,6 +123,8 @@ ordered_json forced_json(const ForcedResponse& forced) {
   json["sticks"] = count(forced.sticks);
   json["stick_time"] = number(forced.stick_time);
   json["left_notch_from_rest"] = forced.left_notch_from_rest;
+  json["locked_from"] = number(forced.locked_from);
+  json["largest_load_while_locked"] = number(forced.largest_load_while_locked);
   return json;
 }
 

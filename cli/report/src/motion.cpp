@@ -73,7 +73,28 @@ std::string verdict(const MotionReport& report) {
   return format("{}. Its peak is {}.", text, length_text(report.physical, response.peak_amplitude));
 }
 
+/// How long the load acts.
+double load_end(const SimulationRequest& request) {
+  return std::min(duration(request.excitation).value_or(HUGE_VAL),
+                  request.t_end.value_or(HUGE_VAL));
+}
+
 }  // namespace
+
+std::string lock_sentence(const MotionReport& report) {
+  const auto& forced = report.answer.forced;
+  if (!forced || !forced->locked_from) {
+    return {};
+  }
+  const double end = load_end(report.request);
+  const std::string when =
+      report.physical
+          ? format("{:.4g} s of {:.4g} s", *forced->locked_from * report.physical->scales.time_s,
+                   end * report.physical->scales.time_s)
+          : format("tau = {:.4g} of {:.4g}", *forced->locked_from, end);
+  return format("locked at x = 0 from {}; the structure then feels up to {:.3g} g", when,
+                *forced->largest_load_while_locked);
+}
 
 Document document(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
@@ -96,6 +117,9 @@ Document document(const MotionReport& report) {
   Section& motion = document.section("Motion");
   if (report.answer.forced) {
     add_response(motion, *report.answer.forced, report.physical);
+    if (const std::string locked = lock_sentence(report); !locked.empty()) {
+      motion.row("note", locked, Tone::bad);
+    }
   } else {
     add_response(motion, report.answer.response, report.physical);
   }

@@ -77,6 +77,8 @@ void add_response(ordered_json& json, const design::Scales& scales, const Respon
   json["peak_m"] = number(existing(now.peak_amplitude * scales.length_m));
   json["peak_acceleration_m_per_s2"] =
       number(existing(now.peak_acceleration * scales.gravity_m_per_s2));
+  json["peak_absolute_acceleration_m_per_s2"] =
+      number(existing(now.peak_absolute_acceleration * scales.gravity_m_per_s2));
   json["stop_time_s"] = number(times(now.stop_time, scales.time_s));
   json["stop_position_m"] = number(times(now.stop_position, scales.length_m));
   json["arrival_speed_m_per_s"] = number(times(now.arrival_speed, scales.velocity_m_per_s));
@@ -152,6 +154,9 @@ ordered_json physical_json(const MotionReport& report) {
     json["final_position_m"] = number(times(forced.final_position, scales.length_m));
     json["final_velocity_m_per_s"] = number(times(forced.final_velocity, scales.velocity_m_per_s));
     json["stick_time_s"] = number(forced.stick_time * scales.time_s);
+    json["locked_from_s"] = number(times(forced.locked_from, scales.time_s));
+    json["largest_load_while_locked_m_per_s2"] =
+        number(times(forced.largest_load_while_locked, scales.gravity_m_per_s2));
   }
   return json;
 }

@@ -184,13 +184,19 @@ std::string outcome_phrase(Outcome outcome) {
 
 namespace {
 
-void add_metrics(Section& section, const Response& response, const Physical& physical) {
+std::string acceleration_text(const Physical& physical, double acceleration) {
+  return physical ? format("{:.6g} g = {:.5g} m/s2", acceleration,
+                           acceleration * physical->scales.gravity_m_per_s2)
+                  : digits(acceleration);
+}
+
+/// The rows of its accelerations come after that of its peak.
+void add_peak(Section& section, const Response& response, const Physical& physical) {
   section.row("outcome", outcome_phrase(response.outcome));
   section.row("peak", length_text(physical, response.peak_amplitude));
-  section.row("peak acceleration",
-              physical ? format("{:.6g} g = {:.5g} m/s2", response.peak_acceleration,
-                                response.peak_acceleration * physical->scales.gravity_m_per_s2)
-                       : digits(response.peak_acceleration));
+}
+
+void add_metrics(Section& section, const Response& response, const Physical& physical) {
   if (response.stop_time) {
     section.row("stop time", time_text(physical, *response.stop_time));
     section.row("stop position", length_text(physical, *response.stop_position));
@@ -217,11 +223,19 @@ void add_margin(Section& section, const Response& response, std::string_view mea
 }  // namespace
 
 void add_response(Section& section, const Response& response, const Physical& physical) {
+  add_peak(section, response, physical);
+  section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
   add_metrics(section, response, physical);
   add_margin(section, response, "the outcome could change if all inputs shift by about this much");
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
+  add_peak(section, response, physical);
+  section.row("transmitted",
+              format("{}, the largest acceleration that the structure feels",
+                     acceleration_text(physical, response.peak_absolute_acceleration)));
+  section.row("relative", format("{}, the largest acceleration against the base",
+                                 acceleration_text(physical, response.peak_acceleration)));
   add_metrics(section, response, physical);
   add_margin(section, response, "the closest decision was this far from the other outcome");
   if (response.sticks > 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "batch_work.hpp"
 #include "free_lanes.hpp"
+#include "kernel/first_leg.hpp"
 
 #include <stillpoint/core/batch.hpp>
 #include <stillpoint/core/free_motion.hpp>
@@ -16,12 +17,13 @@ using Eigen::Index;
 
 constexpr Index block = 4096;  // entries that a thread takes at once
 
-void resize(BatchResult& result, Index size, bool times) {
+void resize(BatchResult& result, Index size, const BatchOptions& options) {
   result.peak_amplitude.resize(size);
   result.half_cycles.resize(size);
   result.outcome.resize(size);
   result.stop_position.resize(size);
-  result.stop_time.resize(times ? size : 0);
+  result.stop_time.resize(options.times ? size : 0);
+  result.peak_absolute_acceleration.resize(options.acceleration ? size : 0);
 }
 
 /// Feeds the lanes of one thread.
@@ -31,7 +33,13 @@ class FreeBatchSource final : public FreeLanesSource {
                   EntryThreads& work)
       : entries_(entries), options_(options), result_(result), work_(work) {}
 
-  EntryRange next() override { return work_.next(); }
+  EntryRange next() override {
+    const EntryRange range = work_.next();
+    for (Index i = range.begin; options_.acceleration && i < range.end; ++i) {
+      result_.peak_absolute_acceleration[i] = acceleration(i);
+    }
+    return range;
+  }
 
   void run_alone(Index i) override {
     work_.guard(i, [&] { keep(i, response(i)); });
@@ -43,6 +51,13 @@ class FreeBatchSource final : public FreeLanesSource {
         {.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]},
         {.x0 = 0, .v0 = entries_.v0[i]},
         {.times = options_.times, .margin = false, .half_cycle_limit = options_.half_cycle_limit});
+  }
+
+  /// From x = 0 it is that of the first leg: docs/theory.md section 3.
+  [[nodiscard]] double acceleration(Index i) const {
+    const HalfCycleMap<double> map(
+        Oscillator{.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]});
+    return first_leg(map, Start{.x0 = 0, .v0 = entries_.v0[i]}).acceleration * map.p;
   }
 
   void keep(Index i, const Response& response) {
@@ -64,7 +79,7 @@ class FreeBatchSource final : public FreeLanesSource {
 
 void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& result) {
   require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
-  resize(result, entries.size, options.times);
+  resize(result, entries.size, options);
   const FreeLanesOutput output{result.peak_amplitude.data(), result.half_cycles.data(),
                                result.outcome.data(), result.stop_position.data(),
                                options.times ? result.stop_time.data() : nullptr};

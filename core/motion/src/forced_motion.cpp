@@ -6,6 +6,7 @@
 #include "kernel/margin_keeper.hpp"
 #include "kernel/on_surface.hpp"
 #include "kernel/phase_clock.hpp"
+#include "load_while_held.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -28,6 +29,12 @@ ForcedResponse so_far(const Run& run) {
   ForcedResponse response;
   response.peak_amplitude = std::max(state.farthest, std::abs(state.u)) / p;
   response.peak_acceleration = state.acceleration * p;
+  response.peak_absolute_acceleration =
+      std::max(state.transmitted.slid * p, state.transmitted.held);
+  if (state.transmitted.locked > 0) {
+    response.locked_from = state.rest_begin.value() / p;
+    response.largest_load_while_locked = state.transmitted.locked;
+  }
   response.half_cycles = state.moved ? static_cast<double>(state.passages) + 1 : 0;
   response.turning_points = static_cast<double>(state.turning_points);
   response.zero_passages = static_cast<double>(state.passages);
@@ -89,6 +96,8 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
       free_run(oscillator, Start{run.state().u / p, 0}, half_cycle_limit, clock, keeper);
   response.peak_amplitude = std::max(response.peak_amplitude, free.farthest / p);
   response.peak_acceleration = std::max(response.peak_acceleration, free.acceleration * p);
+  response.peak_absolute_acceleration =
+      std::max(response.peak_absolute_acceleration, free.acceleration * p);
   if (keeper.margin()) {
     response.decision_margin =
         std::min(*keeper.margin(), response.decision_margin.value_or(*keeper.margin()));
@@ -122,6 +131,7 @@ ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitat
   if (options.half_cycle_limit || (in_zones && free_end)) {
     run.allow_half_cycles(options.half_cycle_limit.value_or(free_limit));
   }
+  run.state().transmitted.largest_load = load_while_held(excitation, oscillator.p);
   std::visit(
       [&](const auto& kind) {
         if (free_end) {
@@ -131,6 +141,8 @@ ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitat
         }
       },
       excitation);
+  const double end = options.t_end ? *options.t_end : duration(excitation).value();
+  feel_the_end(run.state(), run.law(), ExactSum<double>::product(oscillator.p, end));
   ForcedResponse response = so_far(run);
   const ForcedState<double>& state = run.state();
   if (state.outcome == Outcome::never_stops) {

@@ -18,7 +18,7 @@ Response metrics(const FreeRun<double>& run, double p) {
   response.outcome = run.outcome;
   response.stops_at_zero = run.outcome == Outcome::stopped_at_zero;
   response.peak_amplitude = run.farthest / p;
-  response.peak_acceleration = run.acceleration * p;
+  response.peak_acceleration = response.peak_absolute_acceleration = run.acceleration * p;
   if (run.outcome == Outcome::never_stops) {
     return response;
   }

@@ -20,11 +20,21 @@ using enum Quantity;
 constexpr std::array motion_inputs{v0, p, x0, f, delta};
 constexpr std::array design_inputs{v0, p, beta};
 
-constexpr std::array free_results{peak_amplitude, half_cycles, outcome, stop_position, stop_time};
-constexpr std::array forced_results{peak_amplitude, half_cycles, outcome,        stop_position,
-                                    stop_time,      end_time,    final_position, final_velocity,
-                                    sticks,         stick_time};
-constexpr std::array design_results{feasible, f, delta, tolerance, peak_amplitude, stop_time};
+constexpr std::array free_results{peak_amplitude, half_cycles, outcome,
+                                  stop_position,  stop_time,   peak_absolute_acceleration};
+constexpr std::array forced_results{peak_amplitude,
+                                    half_cycles,
+                                    outcome,
+                                    stop_position,
+                                    stop_time,
+                                    end_time,
+                                    final_position,
+                                    final_velocity,
+                                    sticks,
+                                    stick_time,
+                                    peak_absolute_acceleration};
+constexpr std::array design_results{
+    feasible, f, delta, tolerance, peak_amplitude, stop_time, peak_absolute_acceleration};
 
 std::vector<Quantity> all_columns(SweepKind kind) {
   const auto given = inputs(kind);
@@ -114,8 +124,12 @@ std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
   std::vector<Quantity> columns = all_columns(spec.kind);
   const std::size_t inputs_end = inputs(spec.kind).size();
   std::size_t i = 0;
+  const auto costs_more = [&](Quantity result) {
+    return (result == stop_time && !times) ||
+           (result == peak_absolute_acceleration && spec.kind == SweepKind::free);
+  };
   std::erase_if(columns, [&](Quantity column) {
-    return i++ < inputs_end ? !varies(spec, column) : column == stop_time && !times;
+    return i++ < inputs_end ? !varies(spec, column) : costs_more(column);
   });
   return columns;
 }

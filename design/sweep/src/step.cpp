@@ -54,6 +54,7 @@ void set_response(SweepBlock& block, Index i, const Response& response) {
   block[outcome][i] = static_cast<double>(response.outcome);
   block[stop_position][i] = response.stop_position.value_or(absent);
   block[stop_time][i] = response.stop_time.value_or(missing_time(response.outcome));
+  block[peak_absolute_acceleration][i] = response.peak_absolute_acceleration;
 }
 
 /// The motion has more half-cycles than the sweep allows; nothing else is known of it.
@@ -73,12 +74,17 @@ void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
   block[stick_time][i] = response.stick_time;
 }
 
+bool writes(const SweepSpec& spec, Quantity column) {
+  return std::ranges::find(spec.columns, column) != spec.columns.end();
+}
+
 }  // namespace
 
 SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
     : spec_(spec),
       stop_(std::move(stop)),
-      times_(std::ranges::find(spec.columns, Quantity::stop_time) != spec.columns.end()),
+      times_(writes(spec, Quantity::stop_time)),
+      acceleration_(writes(spec, Quantity::peak_absolute_acceleration)),
       from_zero_(from_zero(spec)),
       one_v0_and_p_(!varies(spec, Quantity::v0) && !varies(spec, Quantity::p)) {}
 
@@ -105,6 +111,7 @@ void SweepStep::run_free(SweepBlock& block) {
   }
   const BatchOptions options{
       .times = times_,
+      .acceleration = acceleration_,
       .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit),
       .threads = spec_.threads};
   try {
@@ -122,6 +129,7 @@ void SweepStep::run_free(SweepBlock& block) {
   block[half_cycles].swap(batch_.half_cycles);
   block[stop_position].swap(batch_.stop_position);
   block[stop_time].swap(batch_.stop_time);
+  block[peak_absolute_acceleration].swap(batch_.peak_absolute_acceleration);
   block[outcome].resize(block.size);
   for (Index i = 0; i < block.size; ++i) {
     block[outcome][i] = static_cast<double>(batch_.outcome[i]);
@@ -187,12 +195,14 @@ void SweepStep::run_design(SweepBlock& block) const {
     block[tolerance][i] = found ? found->point.tolerance : absent;
     block[peak_amplitude][i] = absent;
     block[stop_time][i] = absent;
+    block[peak_absolute_acceleration][i] = absent;
     if (found) {
       const Response motion =
           free_response({.p = problem.p, .f = found->point.f, .delta = found->point.delta},
                         {.x0 = 0, .v0 = problem.v0}, options);
       block[peak_amplitude][i] = motion.peak_amplitude;
       block[stop_time][i] = motion.stop_time.value_or(absent);
+      block[peak_absolute_acceleration][i] = motion.peak_absolute_acceleration;
     }
   });
 }

@@ -32,6 +32,7 @@ class SweepStep {
   const SweepSpec& spec_;
   std::stop_token stop_;
   bool times_;
+  bool acceleration_;
   bool from_zero_;
   bool one_v0_and_p_;
   BatchResult batch_;

@@ -77,6 +77,10 @@ void is_that_of(const Response& alone, const BatchResult& result, Eigen::Index i
   if (result.stop_time.size() != 0) {
     same("stop_time", result.stop_time[i], alone.stop_time.value_or(infinite), scene);
   }
+  if (result.peak_absolute_acceleration.size() != 0) {
+    same("peak_absolute_acceleration", result.peak_absolute_acceleration[i],
+         alone.peak_absolute_acceleration, scene);
+  }
 }
 
 std::vector<Response> each_alone(const Batch& batch) {
@@ -87,15 +91,17 @@ std::vector<Response> each_alone(const Batch& batch) {
   return alone;
 }
 
-/// Every instruction set, with and without times, and these numbers of threads.
+/// Every instruction set, with and without times and acceleration, and these numbers of threads.
 void is_identical(const Batch& batch, const std::vector<int>& numbers_of_threads) {
   const std::vector<Response> alone = each_alone(batch);
   with_each_instruction_set([&] {
     for (const int threads : numbers_of_threads) {
       for (const bool times : {false, true}) {
-        const BatchResult result = batch.run({.times = times, .threads = threads});
+        const BatchResult result =
+            batch.run({.times = times, .acceleration = times, .threads = threads});
         BOOST_TEST(result.size() == batch.f.size());
         BOOST_TEST(result.stop_time.size() == (times ? batch.f.size() : 0));
+        BOOST_TEST(result.peak_absolute_acceleration.size() == result.stop_time.size());
         for (Eigen::Index i = 0; i < result.size(); ++i) {
           is_that_of(alone[static_cast<std::size_t>(i)], result, i, batch.scene(i));
         }

@@ -25,6 +25,9 @@ void same(const ForcedResponse& a, const ForcedResponse& b) {
   BOOST_TEST(a.stops_at_zero == b.stops_at_zero);
   BOOST_TEST(a.peak_amplitude == b.peak_amplitude);
   BOOST_TEST(a.peak_acceleration == b.peak_acceleration);
+  BOOST_TEST(a.peak_absolute_acceleration == b.peak_absolute_acceleration);
+  BOOST_TEST(a.locked_from == b.locked_from);
+  BOOST_TEST(a.largest_load_while_locked == b.largest_load_while_locked);
   BOOST_TEST(a.half_cycles == b.half_cycles);
   BOOST_TEST(a.turning_points == b.turning_points);
   BOOST_TEST(a.zero_passages == b.zero_passages);

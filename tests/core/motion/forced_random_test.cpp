@@ -65,8 +65,12 @@ double error(const ForcedScene<>& scene, const ForcedState<double>& got,
   const double force =
       got.acceleration + (largest_load(scene.excitation) + scene.motion.f) / scene.motion.p;
   const double time = scene.motion.p * scene.t_end;
+  const double felt =
+      std::max({off(got.transmitted.slid, right.transmitted.slid),
+                off(got.transmitted.held, right.transmitted.held) / scene.motion.p,
+                off(got.transmitted.locked, right.transmitted.locked) / scene.motion.p});
   return std::max({length > 0 ? of_length / length : of_length,
-                   off(got.acceleration, right.acceleration) / force,
+                   off(got.acceleration, right.acceleration) / force, felt / force,
                    off(got.stick_time.value(), right.stick_time.value()) / time});
 }
 

@@ -22,6 +22,7 @@ void equal_but_for_times_and_margin(const Response& a, const Response& b) {
   BOOST_TEST(a.stops_at_zero == b.stops_at_zero);
   BOOST_TEST(a.peak_amplitude == b.peak_amplitude);
   BOOST_TEST(a.peak_acceleration == b.peak_acceleration);
+  BOOST_TEST(a.peak_absolute_acceleration == b.peak_absolute_acceleration);
   BOOST_TEST(a.half_cycles == b.half_cycles);
   BOOST_TEST(a.turning_points == b.turning_points);
   BOOST_TEST(a.zero_passages == b.zero_passages);

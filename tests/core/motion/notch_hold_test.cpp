@@ -160,6 +160,23 @@ BOOST_AUTO_TEST_CASE(a_hold_that_no_load_reaches_is_the_papers_notch) {
   BOOST_TEST(*held.zero_passages == *paper.zero_passages);
 }
 
+BOOST_AUTO_TEST_CASE(the_structure_feels_what_the_notch_holds_until_it_lets_go) {
+  // |W| grows to f + h = 0.12 before each release; sliding, f + p^2 |x| is more: 0.02 + 0.5078.
+  const Harmonic load{0.3, 0.5};
+  const auto slides = run({1, 0.02, 0.1, 0.1}, {0, 0}, load, 60);
+  close(slides.peak_absolute_acceleration, 0.02 + slides.peak_amplitude);
+  BOOST_TEST(!slides.locked_from);  // it slides at the end
+  // f + h = 0.29 is felt at the release at asin(0.29 / 0.3) / 0.5, and before it nothing else.
+  const auto released = run({1, 0.09, 0.1, 0.2}, {0, 0}, load, 2.7);
+  BOOST_TEST(*released.half_cycles == 1);
+  close(released.peak_absolute_acceleration, 0.29);
+  // A notch that holds all of the load locks from the start.
+  const auto locked = run({1, 0.09, 0.1, 0.25}, {0, 0}, load, 60);
+  BOOST_TEST(locked.locked_from.value() == 0);
+  close(locked.largest_load_while_locked.value(), 0.3);
+  close(locked.peak_absolute_acceleration, 0.3);
+}
+
 BOOST_AUTO_TEST_CASE(a_batch_takes_a_hold) {
   const Eigen::ArrayXd f = Eigen::ArrayXd::LinSpaced(5, 0, 0.1);
   const Eigen::ArrayXd delta = Eigen::ArrayXd::LinSpaced(5, 0, 0.2);

@@ -195,6 +195,22 @@ BOOST_AUTO_TEST_CASE(dirac_s_notch_stands_between_zones) {
   close(list.at(1).departure_speed, 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(the_structure_feels_the_friction_of_each_zone) {
+  // From x = 1 with f = 0.125 and Delta/w = 1 within |x| < 0.1: at the start 0.125 - 1, inside at
+  // most 1.125 + 0.1 on the way out, beyond the notch 0.125 + |x|.
+  const auto through = run({1, 0.125, 0.2}, notch(0.2), {1, 0}, {}, 5);
+  close(through.peak_absolute_acceleration, 1.225);
+  // A notch that is left freely, at the start, is not felt: 0.125 + |x| at the peak.
+  const auto leaves = run({1, 0.125, 0.2}, notch(0.2), {0, 1}, {}, 1.5);
+  close(leaves.peak_absolute_acceleration, 0.125 + leaves.peak_amplitude);
+  // From rest it holds f + Delta/w = 1.125, and locks.
+  const auto locked = run({1, 0.125, 0.2}, notch(0.2), {0, 0}, Harmonic{1.1, 1}, 20);
+  BOOST_TEST(locked.outcome == Outcome::stopped_at_zero);
+  BOOST_TEST(locked.locked_from.value() == 0);
+  close(locked.peak_absolute_acceleration, 1.1);
+  close(locked.largest_load_while_locked.value(), 1.1);
+}
+
 BOOST_AUTO_TEST_CASE(the_finite_notch_tends_to_the_papers_in_first_order) {
   // docs/notches.md (N3): rest at 0.2354 w, stop time + 0.0661 w.
   const Oscillator oscillator{1, 0.26, 0.37};

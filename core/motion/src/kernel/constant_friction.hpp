@@ -23,7 +23,8 @@ class ConstantFriction {
       : p_(oscillator.p),
         f_(oscillator.f),
         phi_(oscillator.f / oscillator.p),
-        lets_go_(oscillator.delta > 0 && oscillator.hold < std::numeric_limits<Real>::infinity()),
+        notched_(oscillator.delta > 0),
+        lets_go_(notched_ && oscillator.hold < std::numeric_limits<Real>::infinity()),
         h_(lets_go_ ? oscillator.hold : Real(0)),
         spare_(h_ / oscillator.p) {}
 
@@ -59,6 +60,15 @@ class ConstantFriction {
   /// The mass has come to rest.
   void rest() {}
 
+  /// The largest load that a rest at u holds.
+  [[nodiscard]] Real most_held(const Real& u) const { return capacity(u, 1); }
+
+  /// Whether it is the notch that holds a mass at rest; it holds one that never moved only where it
+  /// has a capacity: rule 4 of docs/forced.md.
+  [[nodiscard]] bool notch_holds(const Real& u, bool came_there) const {
+    return notched_ && u == 0 && (came_there || lets_go_);
+  }
+
   [[nodiscard]] Outcome rest_at(const Real& u) const {
     return u == 0 ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone;
   }
@@ -67,6 +77,7 @@ class ConstantFriction {
   Real p_;
   Real f_;
   Real phi_;
+  bool notched_;
   bool lets_go_;
   Real h_;
   Real spare_;

@@ -9,10 +9,12 @@
 #include "kernel/forced_run.hpp"
 #include "kernel/phase_clock.hpp"
 #include "kernel/record_run.hpp"
+#include "kernel/transmitted.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 
 #include <limits>
+#include <variant>
 
 namespace stillpoint {
 
@@ -119,6 +121,19 @@ template <class Real, class Watcher, class Law>
 Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicRecord<Real>& record,
                   const ExactSum<Real>& end) {
   return RecordRun<Real, Watcher, Law>(run, record).through(end);
+}
+
+/// Of any kind, for Transmitted. It refers to the excitation.
+template <class Real, class... Kinds>
+auto largest_load_of(const std::variant<Kinds...>& excitation, const Real& p) {
+  return [&excitation, p](const ExactSum<Real>& from, const ExactSum<Real>& until) {
+    return std::visit(
+        [&](const auto& kind) {
+          const ExactSum<Real> last = detail::earlier(p, duration_of<Real>(kind), until);
+          return last.minus(from) > 0 ? largest_load(kind, p, from, last) : Real(0);
+        },
+        excitation);
+  };
 }
 
 /// The whole motion up to tau = t_end.

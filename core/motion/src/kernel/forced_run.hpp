@@ -25,6 +25,7 @@
 #include "kernel/hold.hpp"
 #include "kernel/piece_end.hpp"
 #include "kernel/run_margin.hpp"
+#include "kernel/transmitted.hpp"
 #include "kernel/zone_slide.hpp"
 
 #include <stillpoint/core/forced_event.hpp>
@@ -118,10 +119,9 @@ class ForcedRun {
   void settle() {
     if (s_.mode == ForcedMode::resting) {
       decide_hold(*this, Load<Real>());
-    }
-    if (s_.mode == ForcedMode::resting &&
-        magnitude(s_.u) <= law_.capacity(s_.u, s_.u > 0 ? 1 : -1)) {
-      stop_where_it_rests();
+      if (magnitude(s_.u) <= law_.capacity(s_.u, s_.u > 0 ? 1 : -1)) {
+        stop_where_it_rests();
+      }
     }
   }
 
@@ -217,6 +217,9 @@ class ForcedRun {
  private:
   void come_to_rest() {
     s_.v = Real(0);
+    if constexpr (!Law::in_zones) {
+      slides(s_, law_);  // in zones each piece has its own friction
+    }
     s_.mode = ForcedMode::resting;
     s_.fresh = true;
     s_.rest_begin = s_.now;
@@ -248,6 +251,7 @@ class ForcedRun {
       s_.mode = ForcedMode::sliding;
       s_.direction = s_.v > 0 ? 1 : -1;
       s_.moved = true;
+      slides(s_, law_);
     }
     event(ForcedEventKind::start);
   }
@@ -294,25 +298,30 @@ class ForcedRun {
       left = ExactSum<Real>();
       return;
     }
-    pass_time(drive, left, *wait);
+    left.add(-wait->high(), -wait->low());
+    s_.now.add(wait->high(), wait->low());
+    drive.advance(*wait);
     set_off(drive.release_direction(), Real(0));
   }
 
   void set_off(int direction, const Real& acceleration) {
     const Real waited = s_.fresh ? Real(0) : s_.now.minus(s_.rest_begin);
+    s_.mode = ForcedMode::sliding;
+    s_.direction = direction;
+    if (!s_.moved) {
+      slides(s_, law_);
+    }
     if (waited > 0) {
       ++s_.sticks;
       s_.stick_time.add(waited);
+      is_held(s_, law_, s_.now);
+      s_.transmitted.locked = Real(0);
+      event(ForcedEventKind::release);
     }
-    s_.mode = ForcedMode::sliding;
-    s_.direction = direction;
     s_.first_acceleration = acceleration;
     s_.fresh = false;
     const bool let_go = law_.at_notch(s_.u);
     s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0 && !let_go);
-    if (waited > 0) {
-      event(ForcedEventKind::release);
-    }
     if (let_go) {
       leave_notch();
     }
@@ -326,13 +335,6 @@ class ForcedRun {
       pass();
       event(ForcedEventKind::passage);
     }
-  }
-
-  template <class Drive>
-  void pass_time(Drive& drive, ExactSum<Real>& left, const ExactSum<Real>& h) {
-    left.add(-h.high(), -h.low());
-    s_.now.add(h.high(), h.low());
-    drive.advance(h);
   }
 
   template <class Drive>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The state and the counts of a forced run. Units and symbols as in forced_run.hpp.
+// The state and the metrics of a forced run. Units and symbols as in forced_run.hpp.
 
 #include "kernel/exact_sum.hpp"
 #include "kernel/piece_end.hpp"
+#include "kernel/transmitted.hpp"
 
 #include <stillpoint/core/outcome.hpp>
 
@@ -49,6 +50,7 @@ struct ForcedState {
   Real acceleration{0};               ///< largest |x''| / p
   std::optional<Real> arrival_speed;  ///< at the last arrival at x = 0
   bool left_notch_from_rest{false};   ///< rule 4: set off from x = 0, v = 0 although Delta > 0
+  Transmitted<Real> transmitted;
   TippingMargin<Real> margin;
 };
 

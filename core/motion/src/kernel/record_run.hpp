@@ -60,6 +60,21 @@ class RecordTimes {
                                  : ExactSum<Real>::product(p_, record_.times[i]);
   }
 
+  /// The last sample that is not after p tau = `when`; the first at the earliest.
+  [[nodiscard]] std::size_t latest(const ExactSum<Real>& when) const {
+    std::size_t low = 0;
+    std::size_t high = record_.values.size() - 1;
+    while (low < high) {
+      const std::size_t middle = high - (high - low) / 2;
+      if (when.minus(at(middle)) < 0) {
+        high = middle - 1;
+      } else {
+        low = middle;
+      }
+    }
+    return low;
+  }
+
   /// Whether all intervals have one length.
   [[nodiscard]] bool even() const { return record_.times.empty(); }
 
@@ -101,7 +116,7 @@ class RecordRun {
   }
 
   void between_samples(const ExactSum<Real>& end) {
-    const std::size_t last = whole_intervals(end);
+    const std::size_t last = times_.latest(end);
     std::size_t i = 0;
     while (i < last && !run_.over() && run_.tick()) {
       i = run_.state().mode == ForcedMode::sliding ? slide_from(i, last) : rest_from(i, last);
@@ -125,21 +140,6 @@ class RecordRun {
       reached.advance(length.value());
       load_ = reached.load();
     }
-  }
-
-  /// How many intervals end before p tau = `end` or there.
-  [[nodiscard]] std::size_t whole_intervals(const ExactSum<Real>& end) const {
-    std::size_t low = 0;
-    std::size_t high = record_.values.size() - 1;
-    while (low < high) {
-      const std::size_t middle = high - (high - low) / 2;
-      if (end.minus(times_.at(middle)) < 0) {
-        high = middle - 1;
-      } else {
-        low = middle;
-      }
-    }
-    return low;
   }
 
   [[nodiscard]] Real sample(std::size_t i) const { return record_.values[i] * inverse_p_; }
@@ -305,5 +305,33 @@ class RecordRun {
   Real inverse_p_;
   Load<Real> load_;  ///< at the end
 };
+
+/// The largest |W| from `from` until `until`, docs/forced.md (F30): at a sample, or at an end,
+/// which may lie between two.
+template <class Real>
+Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum<Real>& from,
+                  const ExactSum<Real>& until) {
+  using std::abs;
+  using std::max;
+  const RecordTimes<Real> times(record, p);
+  const ExactSum<Real> begin = from.minus(times.at(0)) < 0 ? times.at(0) : from;
+  if (record.values.size() < 2 || !(until.minus(begin) > 0)) {
+    return Real(0);
+  }
+  const auto load = [&](const ExactSum<Real>& when) {
+    const std::size_t i = times.latest(when);
+    if (i + 1 == record.values.size()) {
+      return record.values[i];
+    }
+    const Real part = when.minus(times.at(i)) / times.length(i);
+    return Real(record.values[i] + (record.values[i + 1] - record.values[i]) * part);
+  };
+  Real largest = max(Real(abs(load(begin))), Real(abs(load(until))));
+  const std::size_t last = times.latest(until);
+  for (std::size_t i = times.latest(begin) + 1; i <= last; ++i) {
+    largest = max(largest, Real(abs(record.values[i])));
+  }
+  return largest;
+}
 
 }  // namespace stillpoint

@@ -57,6 +57,9 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
     end.event = PieceEvent::turn;  // within rounding of the end of the drive
   }
   s.acceleration = piece.largest_acceleration(end, s.acceleration);
+  const Real& phi = run.law().phi_ahead(whole.y);
+  s.transmitted.slides(whole.y, phi);
+  s.transmitted.slides(Real(whole.y + (end.at.y - from.y)), phi);
   if constexpr (Run::AnyWatcher::watches) {
     run.watcher().piece(s.now, whole.direction, drive.piece(whole));
   }

@@ -61,8 +61,8 @@ class ZonedFriction {
   ZonedFriction(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
                 const BasicStart<Real>& start)
       : p_(oscillator.p),
-        lets_go_(oscillator.delta > 0 && !surface.notch_width &&
-                 oscillator.hold < std::numeric_limits<Real>::infinity()),
+        notched_(oscillator.delta > 0 && !surface.notch_width),
+        lets_go_(notched_ && oscillator.hold < std::numeric_limits<Real>::infinity()),
         h_(lets_go_ ? oscillator.hold : Real(0)),
         spare_(h_ / p_),
         half_width_(surface.notch_width ? Real(p_ * (*surface.notch_width / 2)) : Real(-1)),
@@ -122,6 +122,15 @@ class ZonedFriction {
   void rest() { leaving_ = false; }
   void reach(const Real& edge) { leaving_ = leaving_ && edge < half_width_; }
 
+  [[nodiscard]] Real most_held(const Real& u) const {
+    return std::max(capacity(u, -1), capacity(u, 1));
+  }
+
+  [[nodiscard]] bool notch_holds(const Real& u, bool came_there) const {
+    using std::abs;
+    return abs(u) <= half_width_ || (notched_ && u == 0 && (came_there || lets_go_));
+  }
+
   [[nodiscard]] Outcome rest_at(const Real& u) const {
     using std::abs;
     return u == 0                  ? Outcome::stopped_at_zero
@@ -162,6 +171,7 @@ class ZonedFriction {
   }
 
   Real p_;
+  bool notched_;  ///< at x = 0 alone
   bool lets_go_;
   Real h_;
   Real spare_;

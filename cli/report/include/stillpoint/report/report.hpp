@@ -5,6 +5,7 @@
 // page of figures for a browser, JSON for programs.
 
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
@@ -26,6 +27,7 @@ namespace stillpoint::report {
 struct DesignReport {
   design::DesignResult result;
   std::optional<design::PhysicalInput> physical{};
+  std::optional<design::BuiltNotch> built_notch{};  ///< of the finding, if a width was given
 };
 
 struct RegionReport {
@@ -62,6 +64,10 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const RegionReport& report);
 [[nodiscard]] Document document(const MotionReport& report);
 [[nodiscard]] Document document(const AccuracyReport& report);
+
+/// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
+/// physical input; empty where the motion does not lock.
+[[nodiscard]] std::string lock_sentence(const MotionReport& report);
 
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
 /// not exist is null; a number that is not finite is an assertion.

@@ -11,7 +11,8 @@ namespace stillpoint {
 using BatchValues = Eigen::Ref<const Eigen::ArrayXd>;
 
 struct BatchOptions {
-  bool times{false};  ///< stop_time as well
+  bool times{false};         ///< stop_time as well
+  bool acceleration{false};  ///< peak_absolute_acceleration as well
   /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
   double half_cycle_limit{1e8};
   int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
@@ -27,7 +28,8 @@ struct BatchResult {
   Eigen::ArrayXd half_cycles;
   Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome;
   Eigen::ArrayXd stop_position;
-  Eigen::ArrayXd stop_time;  ///< empty unless asked for
+  Eigen::ArrayXd stop_time;                   ///< empty unless asked for
+  Eigen::ArrayXd peak_absolute_acceleration;  ///< the same
 
   [[nodiscard]] Eigen::Index size() const { return peak_amplitude.size(); }
 };

@@ -39,7 +39,11 @@ struct ForcedResponse : Response {
   /// The mass left rest at x = 0 although delta > 0: the notch acts from the first return on. One
   /// with a finite hold or a width acts from the beginning, so that this is false.
   bool left_notch_from_rest{false};
-  bool cancelled{false};  ///< go_on said no
+  /// The tau from which the notch holds the mass at x = 0 although W goes on: since it came there,
+  /// or since the start. Empty where it does not, or W is 0 from then on; so is the next.
+  std::optional<double> locked_from;
+  std::optional<double> largest_load_while_locked;  ///< |W| in g, which the structure then feels
+  bool cancelled{false};                            ///< go_on said no
 };
 // decision_margin here: the smallest relative distance of a compared quantity from what it was
 // compared with, at the instant of the decision. Unlike that of a free motion it does not refer to

@@ -26,7 +26,8 @@ struct Response {
   Outcome outcome{Outcome::never_stops};
   bool stops_at_zero{false};
   double peak_amplitude{0};               ///< largest |x|, the start included
-  double peak_acceleration{0};            ///< largest |x''| away from the notch
+  double peak_acceleration{0};            ///< largest |x''| away from the notch, relative
+  double peak_absolute_acceleration{0};   ///< as the structure feels it: docs/forced.md section 10
   std::optional<double> half_cycles;      ///< 1 + zero_passages; 0 where nothing moves
   std::optional<double> turning_points;   ///< x' = 0 at x != 0, reached from motion, rest included
   std::optional<double> zero_passages;    ///< arrivals at x = 0 after which the motion goes on

@@ -32,6 +32,7 @@ enum class Quantity : std::uint8_t {
   final_velocity,
   sticks,
   stick_time,
+  peak_absolute_acceleration,
 };
 
 /// How a quantity is written. In memory all are doubles.
@@ -66,6 +67,7 @@ inline constexpr std::array quantity_forms{
     QuantityForm{Quantity::final_velocity, "final_velocity"},
     QuantityForm{Quantity::sticks, "sticks"},
     QuantityForm{Quantity::stick_time, "stick_time"},
+    QuantityForm{Quantity::peak_absolute_acceleration, "peak_absolute_acceleration"},
 };
 
 inline constexpr std::size_t quantity_count = quantity_forms.size();

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the structure feels, docs/forced.md section 10: |f + p^2 y| while the mass slides towards
+// growing y, |W| while it is held. Units and symbols as in forced_run.hpp, but loads are W itself.
+
+#include "kernel/drive_phase.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/phase_clock.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace stillpoint {
+
+/// The largest transmitted acceleration of a run so far.
+template <class Real>
+struct Transmitted {
+  Real slid{0};    ///< while it slid, over p
+  Real held{0};    ///< while it was held, where that may be more than it felt before: (F29)
+  Real locked{0};  ///< while the notch holds it to the end of the run; 0 if no load follows
+  /// The largest |W| from one p tau to another; empty where nobody asks for these metrics.
+  std::function<Real(const ExactSum<Real>&, const ExactSum<Real>&)> largest_load;
+
+  /// (F28): at both ends of a slide. y is the place in its direction.
+  void slides(const Real& y, const Real& phi) {
+    using std::abs;
+    using std::max;
+    slid = max(slid, Real(abs(Real(y + phi))));
+  }
+};
+
+template <class Real>
+struct ForcedState;
+
+/// (F28): here.
+template <class Real, class Law>
+void slides(ForcedState<Real>& s, const Law& law) {
+  const Real y = Real(s.direction) * s.u;
+  s.transmitted.slides(y, law.phi_ahead(y));
+}
+
+/// (F29): from rest_begin until `end`.
+template <class Real, class Law>
+void is_held(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
+  using std::abs;
+  using std::max;
+  const bool locks = law.notch_holds(s.u, s.moved || s.caught);
+  const bool may_count = locks || Real(abs(s.u) + law.most_held(s.u)) > s.transmitted.slid;
+  if (may_count && s.transmitted.largest_load) {
+    const Real load = s.transmitted.largest_load(s.rest_begin, end);
+    s.transmitted.held = max(s.transmitted.held, load);
+    s.transmitted.locked = locks ? load : Real(0);
+  }
+}
+
+/// At the end of the run; a mass at rest for ever stays there up to `end`.
+template <class Real, class Law>
+void feel_the_end(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
+  if (s.v != 0) {
+    slides(s, law);
+  } else {
+    is_held(s, law, s.outcome ? end : s.now);
+  }
+}
+
+/// The largest |k sin psi| from `from` until `until`: |k| where a crest lies there, otherwise that
+/// of an end.
+template <class Real>
+Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& from,
+                  const ExactSum<Real>& until) {
+  using std::abs;
+  using std::max;
+  psi.advance(from);
+  const Real half = pi<Real>();
+  Real to_crest = half / 2 - psi.psi();  // between -half / 2 and 3 half / 2; crests are half apart
+  if (to_crest < 0) {
+    to_crest += half;
+  } else if (!(to_crest < half)) {
+    to_crest -= half;
+  }
+  const Real length = until.minus(from);
+  if (!(psi.ratio() * length < to_crest)) {
+    return abs(k);
+  }
+  const Real begin = abs(psi.sin_cos().sine);
+  psi.advance(length);
+  return abs(k) * max(begin, Real(abs(psi.sin_cos().sine)));
+}
+
+// (F30): the largest |W| from `from` until `until`, which is later and not behind the end of the
+// excitation. That of a record is in record_run.hpp.
+
+template <class Real>
+Real largest_load(const NoExcitation& /*none*/, const Real& /*p*/, const ExactSum<Real>& /*from*/,
+                  const ExactSum<Real>& /*until*/) {
+  return Real(0);
+}
+
+template <class Real>
+Real largest_load(const BasicHarmonic<Real>& wave, const Real& p, const ExactSum<Real>& from,
+                  const ExactSum<Real>& until) {
+  return largest_wave(wave.k, DrivePhase<Real>(wave.lambda, p, wave.phase), from, until);
+}
+
+template <class Real>
+Real largest_load(const BasicHalfSine<Real>& pulse, const Real& p, const ExactSum<Real>& from,
+                  const ExactSum<Real>& until) {
+  return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
+}
+
+template <class Real>
+Real largest_load(const BasicFullSine<Real>& pulse, const Real& p, const ExactSum<Real>& from,
+                  const ExactSum<Real>& until) {
+  return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
+}
+
+template <class Real>
+Real largest_load(const BasicRectangle<Real>& pulse, const Real& /*p*/,
+                  const ExactSum<Real>& /*from*/, const ExactSum<Real>& /*until*/) {
+  using std::abs;
+  return abs(pulse.k);
+}
+
+}  // namespace stillpoint
