@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -15,7 +16,8 @@ namespace stillpoint::cli {
 struct CommandHelp {
   Command command;
   std::string_view summary;
-  std::string_view examples;  ///< and what else stands below the options
+  std::string_view examples;              ///< and what else stands below the options
+  std::vector<std::string_view> words{};  ///< all that can stand behind it; empty: a scene
 };
 
 /// Every command, in the order of --help.
@@ -28,9 +30,12 @@ struct CommandHelp {
 struct Invocation {
   Command command{Command::design};
   Settings flags;
-  std::optional<std::string> scene;  ///< path or "-"
+  std::optional<std::string> scene;  ///< path or "-"; of init the kind
   std::optional<std::string> reply;  ///< --help or --version: print this, and nothing else is asked
 };
+
+/// What `stillpoint` alone prints.
+[[nodiscard]] std::string short_help();
 
 /// Throws UsageError or InputError for anything that is not understood.
 [[nodiscard]] Invocation parse_command_line(int argc, const char* const* argv);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include "messages.hpp"
 #include "pages.hpp"
 #include "progress.hpp"
 #include "request.hpp"
@@ -12,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -29,14 +29,18 @@ void write_page_of(const Report& report, Command command, const Settings& settin
   }
 }
 
-/// JSON where it was asked for, else the document. Either is made only if wanted.
+/// The report on standard output: JSON where it was asked for, else the document; and where
+/// `print` is false nothing. Each is made only if wanted.
 template <class Report>
-void print_report(const Report& report, const Settings& settings, Output& output) {
+void print_report(const Report& report, const Settings& settings, Output& output,
+                  bool print = true) {
   constexpr int indent = 2;
   const auto path = settings.text("output");
   const bool print_json = settings.flag("json");
   const std::string written = print_json || path ? json(report).dump(indent) + "\n" : "";
-  output.print(print_json ? written : shown(document(report), settings));
+  if (print) {
+    output.print(print_json ? written : shown(document(report), settings));
+  }
   if (path) {
     output.write_file("output", *path, written);
   }
@@ -53,9 +57,8 @@ Simulation free_simulation(SimulationRequest request) {
   } catch (const TooManyHalfCycles& excess) {
     const double minutes = excess.bound().value_or(0) / half_cycles_per_minute;
     if (minutes > 2 && excess.bound() <= limit) {
-      fmt::print(stderr,
-                 "stillpoint: up to {:.3g} half-cycles: this may take some {:.3g} minutes\n",
-                 *excess.bound(), minutes);
+      remark(fmt::format("up to {:.3g} half-cycles: this may take some {:.3g} minutes",
+                         *excess.bound(), minutes));
     }
   }
   request.half_cycle_limit = limit;
@@ -122,14 +125,18 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   const report::MotionReport report{std::move(input.request), std::move(answer), input.record,
                                     input.physical};
   if (const std::string locked = report::lock_sentence(report); !locked.empty()) {
-    fmt::print(stderr, "stillpoint: {}\n", locked);
+    remark(locked);
   }
   if (input.trajectory) {
-    output.write_file("trajectory", *input.trajectory,
-                      report::trajectory_csv(report.answer.trajectory, report.physical));
+    const std::string rows = report::trajectory_csv(report.answer.trajectory, report.physical);
+    if (*input.trajectory == "-") {
+      output.print(rows);
+    } else {
+      output.write_file("trajectory", *input.trajectory, rows);
+    }
   }
   write_page_of(report, Command::simulate, settings, output);
-  print_report(report, settings, output);
+  print_report(report, settings, output, input.trajectory != "-");
   return exit_done;
 }
 

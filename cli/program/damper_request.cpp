@@ -11,9 +11,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// As for the isolator's own figures: what these make dimensionless is then valid as well.
-constexpr double smallest_physical = 1e-30;
-constexpr double largest_physical = 1e30;
 /// Of a limit of Delta, as problem.hpp has it.
 constexpr double smallest_limit = 1e-300;
 
@@ -46,7 +43,7 @@ Task task(const Settings& settings, Command command, bool pulse) {
   return {{motion.v0, motion.p, beta, criterion(settings)},
           {settings.number("f-max"),
            point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
-           settings.number("tolerance").value_or(0)},
+           settings.number("tolerance").value_or(0), settings.number("acceleration-max")},
           motion.physical};
 }
 
@@ -63,8 +60,8 @@ design::Objective objective(const Settings& settings) {
 }
 
 DesignInput design_input(const Settings& settings) {
-  const std::optional<design::Pulse> pulse = pulse_input(settings);
-  const Task given = task(settings, Command::design, pulse.has_value());
+  const Task given = task(settings, Command::design, settings.has("pulse"));
+  const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   const std::optional<std::string> algorithm = settings.text("algorithm");
   if (algorithm && algorithm->empty()) {
     throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");

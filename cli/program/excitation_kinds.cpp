@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace stillpoint::cli {
 
@@ -31,14 +32,21 @@ std::vector<std::string_view> names_where(bool (*holds)(const ExcitationKind&)) 
 
 std::span<const ExcitationKind> excitation_kinds() {
   using design::Pulse;
+  using std::numbers::pi;
+  static const std::vector<std::string_view> pulse(pulse_options.begin(), pulse_options.end());
   static const std::array table{
-      // name, takes, wave, pulse
-      ExcitationKind{"harmonic", {"k", "lambda", "phase", "duration"}, itself, nullptr},
-      ExcitationKind{"half-sine", {"k", "lambda"}, of<Excitation, HalfSine>, of<Pulse, HalfSine>},
-      ExcitationKind{"full-sine", {"k", "lambda"}, of<Excitation, FullSine>, nullptr},
-      ExcitationKind{"rectangle", {"k", "lambda"}, of<Excitation, Rectangle>, of<Pulse, Rectangle>},
+      // name, takes, angle, wave, pulse
       ExcitationKind{
-          "record", {"record", "record-units", "record-step", "record-scale"}, nullptr, nullptr},
+          "harmonic",
+          {"k", "excitation-frequency", "lambda", "phase", "excitation-duration", "duration"},
+          0,
+          itself,
+          nullptr},
+      ExcitationKind{"half-sine", pulse, pi, of<Excitation, HalfSine>, of<Pulse, HalfSine>},
+      ExcitationKind{"full-sine", pulse, 2 * pi, of<Excitation, FullSine>, nullptr},
+      ExcitationKind{"rectangle", pulse, pi, of<Excitation, Rectangle>, of<Pulse, Rectangle>},
+      ExcitationKind{
+          "record", {"record", "record-units", "record-step", "record-scale"}, 0, nullptr, nullptr},
   };
   return table;
 }

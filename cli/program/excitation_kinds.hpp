@@ -4,6 +4,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>
 
+#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@ namespace stillpoint::cli {
 struct ExcitationKind {
   std::string_view name;                ///< in --excitation
   std::vector<std::string_view> takes;  ///< options
+  double angle{0};                      ///< lambda times its duration; 0: it has no end of its own
   /// By a harmonic that has what any wave takes; null: a record.
   Excitation (*wave)(const Harmonic& given);
   /// What --pulse makes of it; null: it is no hit.
@@ -23,6 +25,10 @@ struct ExcitationKind {
 };
 
 [[nodiscard]] std::span<const ExcitationKind> excitation_kinds();
+
+/// What belongs to every --pulse.
+inline constexpr std::array<std::string_view, 4> pulse_options{"k", "excitation-frequency",
+                                                               "pulse-duration", "lambda"};
 
 /// Null where there is none of that name.
 [[nodiscard]] const ExcitationKind* find_excitation_kind(std::string_view name);

@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: MIT
+#include "browser.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "doubtful_values.hpp"
+#include "messages.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
+#include "starter_scenes.hpp"
 #include "written_files.hpp"
-
-#include <stillpoint/report/document.hpp>
 
 #include <fmt/format.h>
 
 #include <cassert>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace stillpoint::cli {
 
 namespace {
 
-void say(const std::string& text) {
-  fmt::print(stderr, "stillpoint: {}\n", report::spelled_out(text));
-}
-
 /// A scene may serve several commands; what this one does not use is said, not passed over.
 void note_unused(const Settings& scene, Command command) {
   for (const auto& [option, value] : scene.values()) {
     if (!find_option(option)->serves(command)) {
-      say(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
+      remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
   }
 }
@@ -43,6 +43,8 @@ ExitCode run_command(Command command, const Settings& settings, Output& output) 
       return run_sweep(settings, output);
     case Command::accuracy:
       return run_accuracy(settings, output);
+    case Command::init:
+      break;  // has no settings
   }
   assert(false && "a Command outside its enumeration");
   return exit_wrong_input;
@@ -51,6 +53,12 @@ ExitCode run_command(Command command, const Settings& settings, Output& output) 
 ExitCode answer(const Invocation& invocation, Output& output) {
   if (invocation.reply) {
     output.print(*invocation.reply);
+    output.commit();
+    return exit_done;
+  }
+  if (invocation.command == Command::init) {
+    output.print(starter_scene(invocation.scene));
+    output.commit();
     return exit_done;
   }
   Settings settings = invocation.flags;
@@ -62,18 +70,40 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     scene = read_scene(*invocation.scene, invocation.command);
     settings = scene_and_flags(invocation.command, invocation.flags, scene);
   }
+  if (settings.flag("quiet")) {
+    if (settings.flag("verbose")) {
+      throw UsageError("quiet and verbose exclude each other: give one of them");
+    }
+    hush();
+  }
+  // What --open needs, before anything long is done: a browser, and a page for it.
+  const bool opens = settings.flag("open") && find_option("open")->serves(invocation.command);
+  const std::vector<std::string> opener = opens ? browser() : std::vector<std::string>();
+  std::optional<TemporaryPage> temporary;
+  if (opens && !settings.has("html")) {
+    settings.set(*find_option("html"), temporary.emplace().path());
+  }
   require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run_command(invocation.command, settings, output);
+  output.commit();
+  for (const std::string& warning : doubtful_values(invocation.command, settings)) {
+    remark("warning: " + warning);
+  }
   note_unused(scene, invocation.command);
+  if (opens) {
+    open_page(opener, *settings.text("html"));
+  }
   return code;
 }
 
 int run(int argc, const char* const* argv) {
   try {
+    if (argc <= 1) {
+      std::fputs(short_help().c_str(), stderr);
+      return exit_wrong_input;
+    }
     Output output;
-    const ExitCode code = answer(parse_command_line(argc, argv), output);
-    output.commit();
-    return code;
+    return answer(parse_command_line(argc, argv), output);
   } catch (const Interrupted& interrupted) {
     say(interrupted.what());
     return exit_interrupted;

@@ -42,7 +42,10 @@ const Option* first_in(Units units, const Settings& settings) {
   return found == options().end() ? nullptr : &*found;
 }
 
-bool is_physical(const Settings& settings) {
+}  // namespace
+
+bool is_physical(const Settings& settings, Command command) {
+  require_no_rivals(settings, command);
   const Option* const plain = first_in(Units::dimensionless, settings);
   const Option* const physical = first_in(Units::physical, settings);
   if (plain != nullptr && physical != nullptr) {
@@ -54,6 +57,8 @@ bool is_physical(const Settings& settings) {
   return physical != nullptr;
 }
 
+namespace {
+
 double initial_velocity(const Settings& settings, std::string_view name, bool may_be_missing,
                         std::string_view hint) {
   return may_be_missing ? settings.number(name).value_or(0) : settings.required(name, hint);
@@ -62,6 +67,7 @@ double initial_velocity(const Settings& settings, std::string_view name, bool ma
 MotionInput physical_motion(const Settings& settings, bool from_rest) {
   design::PhysicalIsolator isolator;
   isolator.period_s = settings.number("period");
+  isolator.natural_frequency_hz = settings.number("natural-frequency");
   isolator.stiffness_n_per_m = settings.number("stiffness");
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
@@ -76,8 +82,7 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
 }  // namespace
 
 MotionInput motion_input(const Settings& settings, Command command, bool from_rest) {
-  require_no_rivals(settings, command);
-  if (is_physical(settings)) {
+  if (is_physical(settings, command)) {
     return physical_motion(settings, from_rest);
   }
   MotionInput motion;

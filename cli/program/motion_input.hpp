@@ -10,6 +10,11 @@
 
 namespace stillpoint::cli {
 
+/// Of anything that is built, in SI units, with room to spare; as for the isolator's own figures.
+/// What these make dimensionless is then valid as well.
+inline constexpr double smallest_physical = 1e-30;
+inline constexpr double largest_physical = 1e30;
+
 /// v0, p and x0 of a motion, however they were given.
 struct MotionInput {
   double v0{0};
@@ -17,6 +22,10 @@ struct MotionInput {
   double x0{0};
   std::optional<design::PhysicalInput> physical;
 };
+
+/// Whether the task is given in metres and seconds. Throws UsageError for options that exclude each
+/// other.
+[[nodiscard]] bool is_physical(const Settings& settings, Command command);
 
 /// `from_rest`: the velocity may be missing, because something else sets the mass off. Throws
 /// UsageError for options that exclude each other and InputError for a missing or wrong value.

@@ -25,9 +25,9 @@ using enum OptionKind;
 
 constexpr std::string_view motion = "Motion (dimensionless)";
 constexpr std::string_view physical =
-    "Motion in metres and seconds (instead of the dimensionless options)";
+    "Motion in SI units, or with units: 150mm, 2.8s, 1200t (instead of the dimensionless options)";
 constexpr std::string_view damper = "Damper";
-constexpr std::string_view shaking = "Excitation (W in units of g, time in tau)";
+constexpr std::string_view shaking = "Excitation (W in units of g)";
 constexpr std::string_view searching = "Search";
 constexpr std::string_view sweeping = "Sweep";
 constexpr std::string_view output = "Output";
@@ -36,9 +36,11 @@ constexpr CommandSet every = design | region | simulate | sweep | accuracy;
 /// One motion.
 constexpr CommandSet motions = simulate | accuracy;
 /// What takes metres and seconds.
-constexpr CommandSet in_metres = design | region | motions;
+constexpr CommandSet in_metres = every;
 constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
+/// What a load with a wave, or a pulse, takes in hertz and seconds.
+constexpr CommandSet in_hertz = design | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | sweep;
 
 constexpr auto dimensionless = Units::dimensionless;
@@ -73,31 +75,46 @@ std::vector<Option> rows() {
       row("beta", number, "B", motion, "largest admissible displacement", of_designs,
           {.sweeps = true, .rivals = Rivals::stroke, .units = dimensionless}),
       row("pulse", text, "TYPE", motion,
-          "{}, with --k and --lambda: the hit instead of an initial velocity", design,
-          {.rivals = Rivals::hit, .values = pulse_names()}),
+          "{}, with --k and --pulse-duration or --lambda: the hit instead of an initial velocity",
+          design, {.rivals = Rivals::hit, .values = pulse_names()}),
       row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
           {.sweeps = true, .rivals = Rivals::start, .units = dimensionless}),
 
       row("velocity", number, "M/S", physical, "initial velocity in m/s", in_metres,
-          {.rivals = Rivals::hit, .units = si}),
+          {.sweeps = true, .rivals = Rivals::hit, .units = si, .dimension = Dimension::velocity}),
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
-          design | region, {.rivals = Rivals::stroke, .units = si}),
+          of_designs,
+          {.sweeps = true, .rivals = Rivals::stroke, .units = si, .dimension = Dimension::length}),
       row("period", number, "S", physical, "natural period without friction in s", in_metres,
-          {.rivals = Rivals::stiffness, .units = si}),
-      row("stiffness", number, "N/M", physical, "instead of the period; needs --mass", in_metres,
-          {.rivals = Rivals::stiffness, .units = si}),
-      row("mass", number, "KG", physical, "adds forces and energies to the report", in_metres,
-          {.units = si}),
-      row("gravity", number, "M/S2", physical, "default 9.80665", in_metres, {.units = si}),
-      row("x0-m", number, "M", physical, "initial displacement in m", motions,
-          {.rivals = Rivals::start, .units = si}),
+          {.sweeps = true, .rivals = Rivals::stiffness, .units = si, .dimension = Dimension::time}),
+      row("natural-frequency", number, "HZ", physical, "instead of the period, in Hz", in_metres,
+          {.sweeps = true,
+           .rivals = Rivals::stiffness,
+           .units = si,
+           .dimension = Dimension::frequency}),
+      row("stiffness", number, "N/M", physical, "instead of the period, in N/m; needs --mass",
+          in_metres,
+          {.sweeps = true,
+           .rivals = Rivals::stiffness,
+           .units = si,
+           .dimension = Dimension::stiffness}),
+      row("mass", number, "KG", physical, "in kg; adds forces and energies to the report",
+          in_metres, {.units = si, .dimension = Dimension::mass}),
+      row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres,
+          {.units = si, .dimension = Dimension::acceleration}),
+      row("x0-m", number, "M", physical, "initial displacement in m", motions | sweep,
+          {.sweeps = true, .rivals = Rivals::start, .units = si, .dimension = Dimension::length}),
 
       row("f", number, "F", damper, "constant friction coefficient", region | motions | sweep,
           {.sweeps = true}),
       row("delta", number, "D", damper, "point friction", region | motions | sweep,
           {.sweeps = true, .rivals = Rivals::point_friction}),
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
-          region | motions, {.rivals = Rivals::point_friction, .units = si}),
+          region | motions | sweep,
+          {.sweeps = true,
+           .rivals = Rivals::point_friction,
+           .units = si,
+           .dimension = Dimension::length}),
       row("hold", number, "H", damper,
           "what the notch holds at x = 0 besides f, in g; default: any load", simulate,
           {.rivals = Rivals::notch}),
@@ -105,7 +122,7 @@ std::vector<Option> rows() {
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
           design | simulate, {.rivals = Rivals::notch, .units = dimensionless}),
       row("notch-width-m", number, "M", damper, "the same in m, with physical input",
-          design | simulate, {.rivals = Rivals::notch, .units = si}),
+          design | simulate, {.rivals = Rivals::notch, .units = si, .dimension = Dimension::length}),
       row("friction-zones", text, "X:F,...", damper,
           "friction that steps with |x|: F up to X (in m with physical input), f beyond the last",
           simulate),
@@ -116,8 +133,11 @@ std::vector<Option> rows() {
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
       row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
           {.rivals = Rivals::point_friction_limit}),
-      row("delta-max-m", number, "M", damper, "the same in m, with physical input", design | region,
-          {.rivals = Rivals::point_friction_limit, .units = si}),
+      row("delta-max-m", number, "M", damper, "the same in m, with physical input", of_designs,
+          {.rivals = Rivals::point_friction_limit, .units = si, .dimension = Dimension::length}),
+      row("acceleration-max", number, "A", damper,
+          "largest acceleration in g that the mass may feel outside the notch", of_designs,
+          {.dimension = Dimension::gravities}),
 
       row("objective", text, "NAME", searching, "{}", design | sweep,
           {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),
@@ -127,26 +147,41 @@ std::vector<Option> rows() {
       row("excitation", text, "TYPE", shaking, "{}", of_excitations,
           {.values = excitation_names()}),
       row("k", number, "K", shaking, "peak of the excitation or pulse in g",
-          design | of_excitations),
+          design | of_excitations, {.dimension = Dimension::gravities}),
+      row("excitation-frequency", number, "HZ", shaking,
+          "with physical input: in Hz; of a pulse, that of its sine", in_hertz,
+          {.rivals = Rivals::frequency, .units = si, .dimension = Dimension::frequency}),
+      row("pulse-duration", number, "S", shaking,
+          "with physical input: how long half-sine, full-sine or rectangle last, in s", in_hertz,
+          {.rivals = Rivals::frequency, .units = si, .dimension = Dimension::time}),
       row("lambda", number, "L", shaking,
-          "dimensionless angular frequency, with physical input too: L/p times the natural one; "
-          "half-sine and rectangle last pi/L, full-sine 2 pi/L",
-          design | of_excitations),
+          "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
+          "last pi/L, full-sine 2 pi/L",
+          design | of_excitations, {.rivals = Rivals::frequency}),
       row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
           of_excitations),
-      row("duration", number, "TAU", shaking, "of a harmonic, 0 or more; default for ever",
-          of_excitations),
+      row("excitation-duration", number, "S", shaking,
+          "with physical input: of a harmonic, in s, 0 or more; default for ever", of_excitations,
+          {.rivals = Rivals::duration, .units = si, .dimension = Dimension::time}),
+      row("duration", number, "TAU", shaking, "of a harmonic, in tau, 0 or more; default for ever",
+          of_excitations, {.rivals = Rivals::duration}),
       row("record", text, "FILE", shaking,
           "accelerations: PEER .AT2 or columns; times in s with physical input, else in tau",
           of_excitations, {.file = FileUse::read}),
       row("record-units", text, "UNITS", shaking, "{}", of_excitations,
           {.values = record_unit_names(), .first_is_default = true}),
-      row("record-step", number, "DT", shaking, "between values that have no time column",
-          of_excitations),
+      row("record-step", number, "DT", shaking,
+          "between values that have no time column, in the unit of the times", of_excitations,
+          {.dimension = Dimension::time}),
       row("record-scale", number, "X", shaking, "factor on every value", of_excitations),
+      row("end-time", number, "S", shaking,
+          "with physical input: end of the run in s (default: end of the motion); a harmonic "
+          "without a duration needs it",
+          of_excitations, {.rivals = Rivals::end, .units = si, .dimension = Dimension::time}),
       row("t-end", number, "TAU", shaking,
-          "end of the run (default: end of the motion); required for a harmonic without a duration",
-          of_excitations),
+          "end of the run in tau (default: end of the motion); a harmonic without a duration "
+          "needs it",
+          of_excitations, {.rivals = Rivals::end}),
 
       row("list", text, "FILE", sweeping,
           "one entry a row: CSV with a header, or JSON lines; - for standard input", sweep,
@@ -171,7 +206,8 @@ std::vector<Option> rows() {
           "refuse a motion that may take more half-cycles (default 1e8; no limit under an "
           "excitation)",
           simulate | sweep),
-      row("trajectory", text, "FILE", output, "write tau,x,v to a CSV file", simulate,
+      row("trajectory", text, "FILE", output,
+          "write tau,x,v to a CSV file; - prints them instead of the report", simulate,
           {.role = Role::output, .file = FileUse::written}),
       row("samples", integer, "N", output,
           "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
@@ -180,6 +216,8 @@ std::vector<Option> rows() {
           {.role = Role::output, .file = FileUse::written}),
       row("svg", text, "DIR", output, "write each figure to this directory", drawn,
           {.role = Role::output, .file = FileUse::directory}),
+      row("open", flag, "", output, "open the page of --html, or a temporary one, in a browser",
+          drawn, {.role = Role::output}),
       row("title", text, "TEXT", output, "a heading for the report", every,
           {.role = Role::content}),
       row("json", flag, "", output, "print the JSON report, and nothing else", every,
@@ -187,6 +225,9 @@ std::vector<Option> rows() {
       row("output", text, "FILE", output,
           "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", every,
           {.role = Role::output, .file = FileUse::written}),
+      row("quiet", flag, "", output, "print nothing but errors on standard error", every,
+          {.role = Role::output}),
+      row("verbose", flag, "", output, "print the whole report", every, {.role = Role::output}),
   };
 }
 
@@ -237,6 +278,8 @@ std::string_view name(Command command) noexcept {
       return "sweep";
     case Command::accuracy:
       return "accuracy";
+    case Command::init:
+      return "init";
   }
   assert(false && "a Command outside its enumeration");
   return "";
@@ -255,12 +298,22 @@ std::string listed(std::span<const std::string_view> values) {
   return fmt::format("{} or {}", fmt::join(values.first(values.size() - 1), ", "), values.back());
 }
 
-std::string suggestion(std::string_view wrong) {
+std::string suggestion(std::string_view wrong, std::span<const std::string_view> names) {
   const auto nearest = std::ranges::min_element(
-      table(), {}, [&](const Option& option) { return slips(wrong, option.name); });
-  const std::size_t distance = slips(wrong, nearest->name);
-  return distance <= 2 && distance < wrong.size() ? fmt::format("; did you mean {}?", nearest->name)
+      names, {}, [&](std::string_view name) { return slips(wrong, name); });
+  const std::size_t distance = slips(wrong, *nearest);
+  return distance <= 2 && distance < wrong.size() ? fmt::format("; did you mean {}?", *nearest)
                                                   : "";
+}
+
+std::string suggestion(std::string_view wrong, std::optional<Command> command) {
+  std::vector<std::string_view> names;
+  for (const Option& option : table()) {
+    if (!command || option.serves(*command)) {
+      names.push_back(option.name);
+    }
+  }
+  return suggestion(wrong, names);
 }
 
 }  // namespace stillpoint::cli

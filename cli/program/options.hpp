@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,7 +9,7 @@
 
 namespace stillpoint::cli {
 
-enum class Command { design, region, simulate, sweep, accuracy };
+enum class Command { design, region, simulate, sweep, accuracy, init };
 
 [[nodiscard]] std::string_view name(Command command) noexcept;
 
@@ -56,11 +57,27 @@ enum class Rivals {
   start,
   point_friction,
   point_friction_limit,
-  notch
+  frequency,
+  duration,
+  end,
+  notch,
 };
 
 /// A task is given either dimensionless or in metres and seconds, not in both.
 enum class Units { any, dimensionless, physical };
+
+/// What a value measures, which decides the units that it may carry.
+enum class Dimension {
+  none,
+  length,
+  velocity,
+  time,
+  frequency,
+  mass,
+  stiffness,
+  acceleration,
+  gravities,  ///< an acceleration as a multiple of g
+};
 
 enum class FileUse { none, read, written, directory };
 
@@ -69,6 +86,7 @@ struct OptionTraits {
   bool sweeps{false};  ///< a number, but in a sweep an axis
   Rivals rivals{Rivals::none};
   Units units{Units::any};
+  Dimension dimension{Dimension::none};
   Role role{Role::input};
   FileUse file{FileUse::none};
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
@@ -106,7 +124,13 @@ struct Option {
 /// "robust, amplitude, time or acceleration"
 [[nodiscard]] std::string listed(std::span<const std::string_view> values);
 
-/// "; did you mean NAME?" for a name of the list that is one or two slips away, else "".
-[[nodiscard]] std::string suggestion(std::string_view wrong);
+/// "; did you mean NAME?" for an option that is one or two slips away, else "". Options of
+/// `command` come first.
+[[nodiscard]] std::string suggestion(std::string_view wrong,
+                                     std::optional<Command> command = std::nullopt);
+
+/// The same among `names`.
+[[nodiscard]] std::string suggestion(std::string_view wrong,
+                                     std::span<const std::string_view> names);
 
 }  // namespace stillpoint::cli

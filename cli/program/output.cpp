@@ -50,7 +50,10 @@ bool coloured() {
 }  // namespace
 
 std::string shown(const report::Document& document, const Settings& settings) {
-  return text(document, {.title = settings.text("title").value_or(""), .coloured = coloured()});
+  return text(document, {.title = settings.text("title").value_or(""),
+                         .coloured = coloured(),
+                         .verbosity = settings.flag("verbose") ? report::Verbosity::full
+                                                               : report::Verbosity::normal});
 }
 
 Output::~Output() {

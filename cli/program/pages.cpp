@@ -27,10 +27,11 @@ std::string scene_of(const Settings& settings, Command command) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
   for (const auto& [name, value] : settings.values()) {
     const Option& option = *find_option(name);
-    const bool for_the_trajectory =
-        name == "t-end" && !settings.has("excitation") && !settings.has("record");
+    const bool for_the_trajectory = (name == "t-end" || name == "end-time") &&
+                                    !settings.has("excitation") && !settings.has("record");
     if (option.is_echoed() && option.serves(command) && !for_the_trajectory) {
-      scene[std::string(name)] = as_json(value);
+      const auto given = settings.with_unit(name);
+      scene[std::string(name)] = given ? nlohmann::ordered_json(*given) : as_json(value);
     }
   }
   constexpr int indent = 2;
@@ -68,6 +69,7 @@ std::span<const std::string_view> figure_names(Command command) {
     case Command::sweep:
       return report::sweep_figures;
     case Command::accuracy:
+    case Command::init:
       break;
   }
   return {};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "progress.hpp"
 
+#include "messages.hpp"
+
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -49,7 +51,8 @@ Progress::Progress(Line line, double end, double begun_with)
     : line_(std::move(line)),
       end_(end),
       begun_with_(begun_with),
-      shown_(::isatty(STDERR_FILENO) == 1),
+      shown_(::isatty(STDERR_FILENO) == 1 && !hushed()),
+      announced_(hushed()),
       started_s_(seconds_now()),
       previous_(handle_interrupts()) {
   if (previous_ == SIG_IGN) {

@@ -2,6 +2,7 @@
 #include "scene.hpp"
 
 #include "surface_input.hpp"
+#include "value_units.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
@@ -33,6 +34,12 @@ std::string shown(std::string_view key) {
   return records::printable(key, records::longest_word);
 }
 
+/// As options are named.
+std::string hyphened(std::string key) {
+  std::ranges::replace(key, '_', '-');
+  return key;
+}
+
 /// Reads a scene through for what json::parse passes over or words badly: equal keys, of which it
 /// keeps the last, a deep value, which it would print by recursion until the stack ends, and
 /// numbers beyond a double. Throws FileError. The parser calls a function for each part of the
@@ -40,7 +47,7 @@ std::string shown(std::string_view key) {
 class SceneCheck {
  public:
   SceneCheck(std::string_view text, std::string_view source) : text_(text), source_(source) {
-    json::sax_parse(text, this);
+    json::sax_parse(text, this, json::input_format_t::json, true, true);
   }
 
   static bool null() { return true; }
@@ -123,7 +130,7 @@ json parse_json(std::string_view text, std::string_view source) {
     throw records::FileError({"scene", std::string(source)}, "is empty, must be a JSON object");
   }
   const SceneCheck check(text, source);
-  return json::parse(text);
+  return json::parse(text, nullptr, true, true);
 }
 
 /// A number, a text "first:last:count" or an array of numbers.
@@ -134,14 +141,18 @@ Axis axis(const Option& option, const json& value) {
                       "must be a number, a range \"first:last:count\" or an array of numbers");
   };
   if (value.is_string()) {
-    return sweep::parse_axis(field, value.get<std::string>());
+    return axis_value(option, value.get<std::string>());
   }
   std::vector<double> values;
   for (const json& entry : value.is_array() ? value : json::array({value})) {
-    if (!entry.is_number()) {
+    if (entry.is_string() && option.traits.dimension != Dimension::none &&
+        has_unit(entry.get<std::string>())) {
+      values.push_back(parse_value(option, entry.get<std::string>()));
+    } else if (entry.is_number()) {
+      values.push_back(entry.get<double>());
+    } else {
       throw wrong();
     }
-    values.push_back(entry.get<double>());
   }
   if (values.empty()) {
     throw wrong();
@@ -149,6 +160,7 @@ Axis axis(const Option& option, const json& value) {
   return Axis(std::move(values));
 }
 
+/// Of what is not a number with its unit in a text.
 Settings::Value typed(const Option& option, const json& value, Command command) {
   const auto wrong_type = [&](std::string_view wanted) {
     return InputError(std::string(option.name), value.dump(), fmt::format("must be {}", wanted));
@@ -158,7 +170,9 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
       return axis(option, value);
     case OptionKind::number:
       if (!value.is_number()) {
-        throw wrong_type("a number");
+        throw wrong_type(option.traits.dimension == Dimension::none
+                             ? "a number"
+                             : "a number, or a text of a number with its unit");
       }
       return value.get<double>();
     case OptionKind::integer:
@@ -191,20 +205,25 @@ void add_key(Settings& settings, const std::string& key, const json& value, cons
              Command command) {
   if (option == nullptr) {
     throw InputError(shown(key), value.dump(),
-                     fmt::format("is not a key of a scene{}", suggestion(key)));
+                     fmt::format("is not a key of a scene{}", suggestion(hyphened(key))));
   }
   if (settings.has(option->name)) {
     throw UsageError(
         fmt::format("{} is set twice in the scene: a key can stand only once", shown(key)));
   }
-  settings.set(*option, typed(*option, value, command));
+  const bool may_have_unit =
+      option->traits.dimension != Dimension::none && option->kind_in(command) == OptionKind::number;
+  if (may_have_unit && value.is_string() && has_unit(value.get<std::string>())) {
+    settings.set_number(*option, value.get<std::string>());
+  } else {
+    settings.set(*option, typed(*option, value, command));
+  }
 }
 
 /// "excitation" may be an object of its own; its "type" is the option excitation.
 void add_keys(Settings& settings, const json& object, std::string_view within, Command command) {
   for (const auto& [key, value] : object.items()) {
-    std::string wanted = key;
-    std::ranges::replace(wanted, '_', '-');
+    const std::string wanted = hyphened(key);
     const Option* option = find_option(wanted);
     if (within.empty() && wanted == "excitation" && value.is_object()) {
       if (value.empty()) {

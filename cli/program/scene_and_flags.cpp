@@ -70,8 +70,9 @@ Settings scene_and_flags(Command command, const Settings& flags, Settings& scene
   }
   const bool pulse_serves = scene.has("pulse") && find_option("pulse")->serves(command);
   if (had_pulse && !pulse_serves && !scene.has("excitation") && !flags.has("excitation")) {
-    scene.drop("k");
-    scene.drop("lambda");
+    for (const std::string_view option : pulse_options) {
+      scene.drop(option);
+    }
   }
   Settings settings = flags;
   settings.complete_with(scene);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "settings.hpp"
 
+#include "value_units.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
@@ -43,6 +45,39 @@ bool Settings::flag(std::string_view name) const {
 
 std::optional<Axis> Settings::axis(std::string_view name) const {
   return get<Axis>(name);
+}
+
+void Settings::set_number(const Option& option, std::string_view text) {
+  values_[option.name] = parse_value(option, text);
+  if (has_unit(text)) {
+    with_units_[option.name] = text;
+  }
+}
+
+void Settings::copy(const Option& option, const Settings& other) {
+  values_[option.name] = other.values_.at(option.name);
+  if (const auto given = other.with_unit(option.name)) {
+    with_units_[option.name] = *given;
+  }
+}
+
+std::optional<std::string> Settings::with_unit(std::string_view name) const {
+  const auto found = with_units_.find(name);
+  return found == with_units_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Settings::drop(std::string_view name) {
+  values_.erase(name);
+  with_units_.erase(name);
+}
+
+void Settings::complete_with(const Settings& other) {
+  for (const auto& [name, value] : other.values_) {
+    const auto given = other.with_units_.find(name);
+    if (values_.emplace(name, value).second && given != other.with_units_.end()) {
+      with_units_.insert(*given);
+    }
+  }
 }
 
 std::int64_t Settings::count(std::string_view name, std::int64_t fallback, std::int64_t least,

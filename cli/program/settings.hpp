@@ -35,6 +35,8 @@ class Settings {
   using Value = std::variant<double, std::int64_t, bool, std::string, Axis>;
 
   void set(const Option& option, Value value) { values_[option.name] = std::move(value); }
+  /// A number from its text, which may carry a unit. Throws InputError.
+  void set_number(const Option& option, std::string_view text);
   [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
 
   /// The value of a number, integer, text, flag or axis option; empty (false) where not set.
@@ -54,12 +56,16 @@ class Settings {
   /// A text that must be one of the option's values. Throws InputError.
   [[nodiscard]] std::optional<std::string> known(std::string_view name) const;
 
-  void drop(std::string_view name) { values_.erase(name); }
+  /// Sets the option as `other` has it.
+  void copy(const Option& option, const Settings& other);
+
+  /// A number as it was given, if that was with a unit: "150mm".
+  [[nodiscard]] std::optional<std::string> with_unit(std::string_view name) const;
+
+  void drop(std::string_view name);
 
   /// Sets what `other` has and this does not have.
-  void complete_with(const Settings& other) {
-    values_.insert(other.values_.begin(), other.values_.end());
-  }
+  void complete_with(const Settings& other);
 
   /// Everything that is set, by name.
   [[nodiscard]] const std::map<std::string_view, Value>& values() const { return values_; }
@@ -69,6 +75,7 @@ class Settings {
   [[nodiscard]] std::optional<T> get(std::string_view name) const;
 
   std::map<std::string_view, Value> values_;
+  std::map<std::string_view, std::string> with_units_;
 };
 
 /// As a scene has it; an axis as its text.

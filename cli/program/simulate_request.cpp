@@ -7,6 +7,8 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <utility>
 
@@ -28,6 +30,10 @@ void add_output(const Settings& settings, SimulateInput& input) {
   input.request.max_half_cycles =
       settings.count("max-half-cycles", input.request.max_half_cycles, 0, 100'000);
   input.trajectory = settings.text("trajectory");
+  if (input.trajectory == "-" && settings.flag("json")) {
+    throw UsageError(
+        "json and the trajectory would both go to standard output: give --trajectory FILE");
+  }
   const std::int64_t samples = settings.count("samples", 1000, 2, 1'000'000);
   if (input.trajectory) {
     input.request.samples = samples;
@@ -37,12 +43,14 @@ void add_output(const Settings& settings, SimulateInput& input) {
 }
 
 /// The end of a free motion is that of its trajectory.
-std::optional<double> free_end(const Settings& settings) {
-  const auto t_end = settings.number("t-end");
+std::optional<double> free_end(const Settings& settings,
+                               const std::optional<design::PhysicalInput>& physical) {
+  const auto t_end = end_of_run(settings, physical);
   if (t_end && !settings.has("trajectory")) {
-    throw UsageError(
-        "t-end is for a trajectory or an excitation: give --trajectory FILE or --excitation as "
-        "well");
+    throw UsageError(fmt::format(
+        "{} is for a trajectory or an excitation: give --trajectory FILE or --excitation as "
+        "well",
+        settings.has("end-time") ? "end-time" : "t-end"));
   }
   if (t_end) {
     require_within("t-end", *t_end, std::numeric_limits<double>::min(),
@@ -75,16 +83,12 @@ SimulateInput simulate_input(const Settings& settings) {
   request.surface = surface_input(settings, motion.physical);
   require_valid(request.oscillator, request.start);
   require_valid(request.oscillator, request.surface);
-  auto excitation = excitation_input(
-      settings,
-      motion.physical ? records::RecordClock{"s", motion.physical->scales.time_s, motion.p}
-                      : records::RecordClock{"tau", 1, motion.p},
-      settings.number("gravity").value_or(design::Scales().gravity_m_per_s2));
+  auto excitation = excitation_input(settings, motion.physical, motion.p);
   if (!excitation) {
-    request.t_end = free_end(settings);
+    request.t_end = free_end(settings, motion.physical);
     return input;
   }
-  request.t_end = forced_end(settings, excitation->excitation);
+  request.t_end = forced_end(settings, excitation->excitation, motion.physical);
   request.excitation = std::move(excitation->excitation);
   input.record = std::move(excitation->record);
   require_valid(request.oscillator, request.start, request.excitation, request.t_end);

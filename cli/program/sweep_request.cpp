@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "excitation_input.hpp"
+#include "motion_input.hpp"
 #include "request.hpp"
 #include "surface_input.hpp"
 
-#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/spec.hpp>
@@ -13,7 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <string>
 #include <thread>
+#include <utility>
 
 namespace stillpoint::cli {
 
@@ -23,6 +26,7 @@ using sweep::Axis;
 using sweep::Quantity;
 using sweep::SweepKind;
 using sweep::SweepSpec;
+using sweep::SweepUnits;
 
 std::optional<sweep::ListFormat> list_format(const Settings& settings) {
   const auto wanted = settings.known("list-format");
@@ -43,29 +47,85 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings) {
   return {};
 }
 
+/// The option that gives the input; with physical input the one in metres and seconds.
+std::string option_of(Quantity input, const std::optional<SweepUnits>& units) {
+  std::string option(name(input, units));
+  std::ranges::replace(option, '_', '-');
+  return option;
+}
+
 bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
-  return settings.has(name(quantity)) || (spec.list && spec.list->has(quantity));
+  return settings.has(option_of(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
+}
+
+/// What is dimensionless by a length that a physical sweep does not have.
+void refuse_dimensionless(const Settings& settings) {
+  for (const auto& [plain, physical] :
+       {std::pair{"delta", "delta-m"}, std::pair{"delta-max", "delta-max-m"},
+        std::pair{"lambda", "excitation-frequency"}, std::pair{"duration", "excitation-duration"},
+        std::pair{"t-end", "end-time"}}) {
+    if (settings.has(plain)) {
+      throw UsageError(
+          fmt::format("{} is dimensionless: with physical input give --{}", plain, physical));
+    }
+  }
+}
+
+/// Empty for dimensionless input.
+std::optional<SweepUnits> units(const Settings& settings) {
+  if (!is_physical(settings, Command::sweep)) {
+    return std::nullopt;
+  }
+  refuse_dimensionless(settings);
+  if (settings.has("list")) {
+    throw UsageError("list is for dimensionless input: give ranges, or --v0 and --p");
+  }
+  SweepUnits units;
+  units.gravity_m_per_s2 = settings.number("gravity").value_or(units.gravity_m_per_s2);
+  require_within("gravity", units.gravity_m_per_s2, smallest_physical, largest_physical);
+  if (settings.has("stiffness")) {
+    units.restoring = sweep::Restoring::stiffness;
+    units.mass_kg = settings.required("mass", "stiffness needs a mass as well");
+    require_within("mass", units.mass_kg, smallest_physical, largest_physical);
+  } else if (settings.has("natural-frequency")) {
+    units.restoring = sweep::Restoring::natural_frequency;
+  }
+  return units;
+}
+
+/// What an excitation is made dimensionless with.
+std::optional<design::PhysicalInput> physical_scales(const std::optional<SweepUnits>& units) {
+  if (!units) {
+    return std::nullopt;
+  }
+  design::PhysicalInput physical;
+  physical.scales.time_s = units->time_s();
+  physical.scales.gravity_m_per_s2 = units->gravity_m_per_s2;
+  return physical;
 }
 
 SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   if (!given(settings, spec, Quantity::beta)) {
     return excitation_type(settings) ? SweepKind::forced : SweepKind::free;
   }
+  const std::string beta = option_of(Quantity::beta, spec.units);
   for (const Quantity other : {Quantity::f, Quantity::delta, Quantity::x0}) {
     if (given(settings, spec, other)) {
-      throw UsageError(
-          fmt::format("beta and {} exclude each other: beta asks for a design", name(other)));
+      throw UsageError(fmt::format("{0} and {1} exclude each other: {0} asks for a design", beta,
+                                   option_of(other, spec.units)));
     }
   }
   return SweepKind::design;
 }
 
 /// Options that only one kind uses are refused with another, not ignored.
-void refuse_for_other_kinds(const Settings& settings, SweepKind kind) {
-  if (kind == SweepKind::design) {
-    for (const char* const other : {"excitation", "record", "t-end", "half-cycle-limit"}) {
+void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
+  const std::string beta = option_of(Quantity::beta, spec.units);
+  if (spec.kind == SweepKind::design) {
+    for (const char* const other :
+         {"excitation", "record", "t-end", "end-time", "half-cycle-limit"}) {
       if (settings.has(other)) {
-        throw UsageError(fmt::format("beta and {} exclude each other", other));
+        throw UsageError(fmt::format("{} and {} exclude each other", beta, other));
       }
     }
     return;
@@ -73,11 +133,24 @@ void refuse_for_other_kinds(const Settings& settings, SweepKind kind) {
   for (const Option& option : options()) {
     const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate);
     if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
-      throw UsageError(fmt::format("{} is for designs: give --beta as well", option.name));
+      throw UsageError(fmt::format("{} is for designs: give --{} as well", option.name, beta));
     }
   }
-  if (kind == SweepKind::free && settings.has("t-end")) {
-    throw UsageError("t-end is for an excitation: give --excitation as well");
+  for (const char* const end : {"t-end", "end-time"}) {
+    if (spec.kind == SweepKind::free && settings.has(end)) {
+      throw UsageError(fmt::format("{} is for an excitation: give --excitation as well", end));
+    }
+  }
+}
+
+/// The isolator and the stroke as design and simulate take them.
+void require_physical(const std::string& option, const Axis& axis, Quantity input,
+                      const SweepSpec& spec) {
+  const bool is_positive = input == Quantity::p || input == Quantity::beta ||
+                           (input == Quantity::v0 && spec.kind == SweepKind::design);
+  if (spec.units && is_positive) {
+    require_within(option.c_str(), axis.ends().first, smallest_physical, largest_physical);
+    require_within(option.c_str(), axis.ends().second, smallest_physical, largest_physical);
   }
 }
 
@@ -87,7 +160,9 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
   const bool may_rest = spec.kind == SweepKind::forced ||
                         (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
   for (const Quantity input : sweep::inputs(spec.kind)) {
-    if (const auto axis = settings.axis(name(input))) {
+    const std::string option = option_of(input, spec.units);
+    if (const auto axis = settings.axis(option)) {
+      require_physical(option, *axis, input, spec);
       spec.axes.push_back({input, *axis});
     } else if (!given(settings, spec, input) &&
                (input == Quantity::x0 || (input == Quantity::v0 && may_rest))) {
@@ -98,19 +173,20 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
 
 void add_motion(const Settings& settings, SweepSpec& spec) {
   spec.half_cycle_limit = half_cycle_limit(settings);
-  const auto input = excitation_input(settings, {.unit = "tau"}, design::Scales().gravity_m_per_s2);
+  const auto input = excitation_input(settings, physical_scales(spec.units), 1);
   if (!input) {
     return;
   }
   spec.excitation = input->excitation;
-  spec.t_end = forced_end(settings, spec.excitation);
+  spec.t_end = forced_end(settings, spec.excitation, physical_scales(spec.units));
 }
 
 void add_design(const Settings& settings, SweepSpec& spec) {
   spec.criterion = criterion(settings);
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");
-  spec.limits.delta_max = settings.number("delta-max");
+  spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
+  spec.limits.acceleration_max = settings.number("acceleration-max");
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
 }
 
@@ -120,7 +196,8 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
   if (asked && times) {
     throw UsageError("columns and times exclude each other: name stop_time among the columns");
   }
-  return asked ? sweep::parse_columns(*asked, spec.kind) : sweep::default_columns(spec, times);
+  return asked ? sweep::parse_columns(*asked, spec.kind, spec.units)
+               : sweep::default_columns(spec, times);
 }
 
 sweep::RowFormat row_format(const Settings& settings) {
@@ -171,9 +248,10 @@ SweepSpec sweep_request(const Settings& settings) {
   const std::int64_t all_threads = std::max(1U, std::thread::hardware_concurrency());
   spec.threads = static_cast<int>(settings.count("threads", all_threads, 1, 1024));
   spec.resume = settings.flag("resume");
+  spec.units = units(settings);
   spec.list = open_list(settings);
   spec.kind = kind_of(settings, spec);
-  refuse_for_other_kinds(settings, spec.kind);
+  refuse_for_other_kinds(settings, spec);
   if (spec.kind == SweepKind::design) {
     add_design(settings, spec);
   } else {

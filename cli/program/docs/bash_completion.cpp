@@ -3,6 +3,7 @@
 #include "option_facts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <functional>
 
@@ -59,7 +60,7 @@ std::string bash_completion() {
   script += fmt::format(
       "  for ((i = 1; i < COMP_CWORD; ++i)); do\n"
       "    case ${{COMP_WORDS[i]}} in\n"
-      "      {}) command=${{COMP_WORDS[i]}}; break ;;\n"
+      "      {} | help) command=${{COMP_WORDS[i]}}; break ;;\n"
       "    esac\n"
       "  done\n"
       "  case $prev in\n"
@@ -77,12 +78,14 @@ std::string bash_completion() {
   for (const CommandHelp& help : all_commands()) {
     const std::string all =
         flags(" ", [&help](const Option& option) { return option.serves(help.command); });
-    script += fmt::format("    {}) words='{} --help --version' ;;\n", name(help.command), all);
+    script += fmt::format("    {}) words='{}{}--help --version' ;;\n", name(help.command),
+                          fmt::join(help.words, " "), help.words.empty() ? all + " " : " ");
   }
   script += fmt::format(
-      "    *) words='{} --help --version' ;;\n"
+      "    help) words='{0}' ;;\n"
+      "    *) words='{0} help --help --version' ;;\n"
       "  esac\n"
-      "  if [[ -z $command || $cur == -* ]]; then\n"
+      "  if [[ -z $command || $command == init || $command == help || $cur == -* ]]; then\n"
       "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$cur\")\n"
       "  else\n"
       "    compopt -o filenames 2>/dev/null\n"

@@ -32,7 +32,17 @@ std::string fish_completion() {
   for (const CommandHelp& help : all_commands()) {
     script += fmt::format("complete -c stillpoint -n __fish_use_subcommand -f -a {} -d {}\n",
                           name(help.command), quoted(help.summary));
+    if (!help.words.empty()) {
+      script +=
+          fmt::format("complete -c stillpoint -n '__fish_seen_subcommand_from {}' -f -a {}\n",
+                      name(help.command), quoted(fmt::format("{}", fmt::join(help.words, " "))));
+    }
   }
+  script += fmt::format(
+      "complete -c stillpoint -n __fish_use_subcommand -f -a help -d 'print the options of a "
+      "command'\n"
+      "complete -c stillpoint -n '__fish_seen_subcommand_from help' -f -a '{}'\n",
+      command_names(nullptr, " "));
   for (const Option& option : options()) {
     script += fmt::format(
         "complete -c stillpoint -n '__fish_seen_subcommand_from {}' -l {}{} -d {}\n",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
+#include "value_units.hpp"
 
 #include <stillpoint/report/version.hpp>
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace stillpoint::cli {
 
@@ -39,9 +41,11 @@ std::string verbatim(std::string_view text) {
 std::string synopsis() {
   std::string page = ".SH SYNOPSIS\n";
   for (const CommandHelp& help : all_commands()) {
-    page += fmt::format(".B stillpoint {}\n[\\fISCENE\\fR] [\\fIOPTION\\fR]...\n.br\n",
-                        name(help.command));
+    page += fmt::format(".B stillpoint {}\n[\\fI{}\\fR]{}\n.br\n", name(help.command),
+                        help.words.empty() ? "SCENE" : "KIND",
+                        help.words.empty() ? " [\\fIOPTION\\fR]..." : "");
   }
+  page += ".B stillpoint help\n[\\fICOMMAND\\fR]\n.br\n";
   return page + ".B stillpoint \\-\\-help\n|\n.B \\-\\-version\n";
 }
 
@@ -84,9 +88,27 @@ std::string option_entries() {
 constexpr std::string_view scenes =
     ".SH SCENES\n"
     "A scene is a JSON file; its keys are the names of the options, with _ or \\-.\n"
-    "A flag overrides it. The scene \\fB\\-\\fR is standard input.\n"
+    "Comments, // and /* */, are allowed. A flag overrides a key. The scene \\fB\\-\\fR is "
+    "standard input.\n"
     "The JSON Schema of scenes and those of the reports are installed in\n"
     ".IR share/stillpoint/schemas .\n";
+
+/// The units of each dimension.
+std::string units() {
+  std::string page =
+      ".SH UNITS\nA physical value may carry its unit: 150mm, 2.8s, 1200t; in a scene as a text. A "
+      "bare "
+      "number is in the first unit of its line.\n";
+  for (const auto& [what, dimension] :
+       {std::pair{"length", Dimension::length}, std::pair{"velocity", Dimension::velocity},
+        std::pair{"time", Dimension::time}, std::pair{"frequency", Dimension::frequency},
+        std::pair{"mass", Dimension::mass}, std::pair{"stiffness", Dimension::stiffness},
+        std::pair{"acceleration", Dimension::acceleration},
+        std::pair{"peak of a load", Dimension::gravities}}) {
+    page += fmt::format(".TP\n{}\n{}\n", what, unit_names(dimension));
+  }
+  return page;
+}
 
 constexpr std::string_view exit_status =
     ".SH EXIT STATUS\n"
@@ -100,7 +122,9 @@ constexpr std::string_view exit_status =
 
 constexpr std::string_view environment =
     ".SH ENVIRONMENT\n"
-    ".TP\n.B NO_COLOR\nif it is set, the reports have no colours\n";
+    ".TP\n.B NO_COLOR\nif it is set, the reports have no colours\n"
+    ".TP\n.B COLUMNS\nhow wide help may be\n"
+    ".TP\n.B BROWSER\nwhat opens the page of \\-\\-open\n";
 
 }  // namespace
 
@@ -110,7 +134,7 @@ std::string man_page() {
              ".SH NAME\nstillpoint \\- design friction dampers\n",
              report::program_version()) +
          synopsis() + ".SH DESCRIPTION\n" + roff(program_about()) + "\n" + commands() +
-         option_entries() + std::string(scenes) + std::string(exit_status) +
+         option_entries() + std::string(scenes) + units() + std::string(exit_status) +
          std::string(environment);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
+#include "value_units.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -13,14 +15,28 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// A number, and in a text a number with its unit.
+ordered_json number_type(const Option& option) {
+  if (option.traits.dimension == Dimension::none) {
+    return {{"type", "number"}};
+  }
+  std::string names;
+  for (const Unit& unit : units_of(option.traits.dimension)) {
+    names += fmt::format("{}{}", names.empty() ? "" : "|", unit.name);
+  }
+  return {{"type", {"number", "string"}},
+          {"pattern",
+           fmt::format("^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *({})$", names)}};
+}
+
 ordered_json type_of(const Option& option) {
   if (option.traits.sweeps) {
     return {
-        {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 1}};
+        {"type", {"number", "string", "array"}}, {"items", number_type(option)}, {"minItems", 1}};
   }
   switch (option.kind) {
     case OptionKind::number:
-      return {{"type", "number"}};
+      return number_type(option);
     case OptionKind::integer:
       return {{"type", "integer"}};
     case OptionKind::text:
@@ -44,10 +60,17 @@ ordered_json type_of(const Option& option) {
   return {};
 }
 
+/// "; may carry a unit: m, cm or mm"
+std::string units_text(const Option& option) {
+  const std::string names = unit_names(option.traits.dimension);
+  return names.empty() ? "" : "; in a text it may carry its unit: " + names;
+}
+
 ordered_json described(const Option& option) {
   ordered_json entry = type_of(option);
   entry["description"] = std::string(option.help) + " (" + command_names(&option, ", ") + ")" +
-                         (option.traits.sweeps ? "; only a sweep takes an axis" : "");
+                         (option.traits.sweeps ? "; only a sweep takes an axis" : "") +
+                         units_text(option);
   return entry;
 }
 
@@ -82,14 +105,16 @@ std::string scene_schema() {
   for (const Option& option : options()) {
     add(properties, option, option.name == "excitation" ? excitation(option) : described(option));
   }
-  const ordered_json schema{
-      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
-      {"$id", "urn:stillpoint:scene"},
-      {"title", "A scene: the input of stillpoint"},
-      {"description", "The keys are the names of the options; _ and - are the same."},
-      {"type", "object"},
-      {"properties", properties},
-      {"additionalProperties", false}};
+  const ordered_json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                            {"$id", "urn:stillpoint:scene"},
+                            {"title", "A scene: the input of stillpoint"},
+                            {"description",
+                             "The keys are the names of the options; _ and - are the same. The "
+                             "program also accepts // and /* */ "
+                             "comments."},
+                            {"type", "object"},
+                            {"properties", properties},
+                            {"additionalProperties", false}};
   constexpr int indent = 2;
   return schema.dump(indent) + "\n";
 }

@@ -49,6 +49,7 @@ std::string zsh_completion() {
     script += fmt::format("    '{}:{}'\n", name(help.command), inner(help.summary));
   }
   script +=
+      "    'help:print the options of a command'\n"
       "  )\n"
       "  if ((CURRENT == 2)); then\n"
       "    _describe -t commands command commands\n"
@@ -66,11 +67,13 @@ std::string zsh_completion() {
         "{}"
         "        '(- *)'{{-h,--help}}'[print the options]' \\\n"
         "        '(- *)--version[print the version]' \\\n"
-        "        '1:scene:_files'\n"
+        "        '1:{}'\n"
         "      ;;\n",
-        name(help.command), arguments(help.command));
+        name(help.command), arguments(help.command),
+        help.words.empty() ? "scene:_files" : fmt::format("kind:({})", fmt::join(help.words, " ")));
   }
-  return script +
+  return script + "    help) _values command " + command_names(nullptr, " ") +
+         " ;;\n"
          "  esac\n"
          "}\n\n"
          "_stillpoint \"$@\"\n";

@@ -22,9 +22,10 @@ void add_pulse(Section& task, const design::Pulse& pulse, const Physical& physic
   task.row("duration", time_text(physical, lasts));
 }
 
-void add_damper(Document& document, const design::Problem& problem,
-                const design::DesignPoint& point, const Physical& physical) {
-  Section& section = document.section("Design");
+void add_damper(Document& document, const design::Problem& problem, const design::Finding& finding,
+                const Physical& physical) {
+  const design::DesignPoint& point = finding.point;
+  Section& section = document.detail("Design");
   section.row("f", digits(point.f), Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
   section.row("tolerance", format("+-{:.4g} % of f and delta at once", 100 * point.tolerance));
@@ -32,6 +33,7 @@ void add_damper(Document& document, const design::Problem& problem,
               format("{:.6g} published, {} exact", design::delta1_published(problem, point.f),
                      digits(design::delta1_exact(problem, point.f))));
   add_damper_physics(section, physical, point.f, point.delta);
+  add_notch(section, finding.practice, physical);
 }
 
 /// "0.28 % more than", "0.28 % less than": the reduced figure against the true one.
@@ -57,7 +59,7 @@ std::string warning_text(design::PulseWarning warning, const design::PulseCheck&
 
 void add_pulse_check(Document& document, const design::PulseCheck& check,
                      const Physical& physical) {
-  Section& section = document.section("Under the pulse itself");
+  Section& section = document.detail("Under the pulse itself");
   section.row("reduced to",
               format("v0 = {:.6g} at tau = {:.6g}", check.start.speed, check.start.tau));
   section.row("p/lambda, f/k", format("{:.4g}, {:.4g}", check.shortness, check.friction_ratio));
@@ -65,9 +67,6 @@ void add_pulse_check(Document& document, const design::PulseCheck& check,
   section.row("reduction", format("its peak is {} this", off_by(check.peak_error)));
   if (check.stop_time_error) {
     section.row("", format("its stop time is {} this", off_by(*check.stop_time_error)));
-  }
-  for (const design::PulseWarning warning : check.warnings) {
-    section.line(format("Note: {}.", warning_text(warning, check)), Tone::bad);
   }
 }
 
@@ -118,24 +117,79 @@ void add_checks(Document& document, const design::CrossCheck& check) {
           judgement(method)},
          method.passed ? Tone::good : Tone::bad});
   }
-  document.section(check.passed ? "Cross-check: agrees" : "Cross-check: DISAGREES")
-      .parts.emplace_back(std::move(table));
+  Section& section = check.passed ? document.detail("Cross-check: agrees")
+                                  : document.section("Cross-check: DISAGREES");
+  section.parts.emplace_back(std::move(table));
 }
 
+/// What to build.
 std::string verdict(const design::Finding& finding, const Physical& physical) {
   const auto& [f, delta, tolerance] = finding.point;
+  const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
+  const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
+  const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
   std::string text =
-      format("f = {:.6g}, delta = {}; both may be off by +-{:.4g} %. The cross-check {}.", f,
-             length_text(physical, delta), 100 * tolerance,
-             finding.cross_check.passed ? "agrees" : "DISAGREES");
-  if (finding.pulse) {
-    for (const design::PulseWarning warning : finding.pulse->warnings) {
-      text += warning == design::PulseWarning::pulse_not_short
-                  ? " The pulse is not short: the reduction to a velocity is rough."
-                  : " Friction is not small against the pulse.";
-    }
+      force && energy && std::isfinite(*energy)
+          ? format("Build a friction force of {} and a notch that takes {} at a passage.",
+                   with_unit(*force, "N"), with_unit(*energy, "J"))
+          : format("Build f = {} and delta = {}.", digits(f), length_shown(physical, delta));
+  if (!finding.cross_check.passed) {
+    text += " But the cross-check DISAGREES: do not rely on this design.";
   }
   return text;
+}
+
+std::string checks_agree(const design::CrossCheck& check) {
+  std::string text = "agree";
+  for (const design::CheckMethod& method : check.methods) {
+    text +=
+        format("{} {} to {:.1e}", text == "agree" ? ":" : ",", method.name, method.relative_error);
+  }
+  return text;
+}
+
+/// What the structure feels: outside the notch, and inside one that has a width.
+std::string felt(const design::Finding& finding, const Response& response,
+                 const Physical& physical) {
+  const std::string outside = acceleration_shown(response.peak_absolute_acceleration);
+  if (!physical) {
+    return format("{} outside the notch, f + delta/w inside one of width w", outside);
+  }
+  constexpr double example_m = 0.02;
+  const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
+                                                   example_m / physical->scales.length_m);
+  return format("{} outside the notch; {:.3g} g inside one {} wide (f + delta/w)", outside, inside,
+                with_unit(example_m, "m"));
+}
+
+/// What it does, and how far it can be trusted.
+void add_answer(Section& answer, const design::Finding& finding, const design::Problem& problem,
+                const Physical& physical) {
+  const auto& [f, delta, tolerance] = finding.point;
+  const bool pulsed = finding.pulse.has_value();
+  const Response& response = pulsed ? finding.pulse->response : finding.response;
+  answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)),
+             Tone::heading);
+  answer.row(
+      "peak",
+      format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
+             100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
+             pulsed ? ", under the pulse" : ""));
+  if (response.stop_time) {
+    answer.row("rest", format("at x = {} after {}", length_shown(physical, *response.stop_position),
+                              time_shown(physical, *response.stop_time)));
+  }
+  answer.row("acceleration", felt(finding, response, physical));
+  answer.row("tolerance", format("f and delta may both be off by +-{:.4g} %", 100 * tolerance));
+  add_works_for(answer, finding.works_for, physical);
+  if (finding.cross_check.passed) {
+    answer.row("checks", checks_agree(finding.cross_check), Tone::good);
+  }
+  if (pulsed) {
+    for (const design::PulseWarning warning : finding.pulse->warnings) {
+      answer.row("note", warning_text(warning, *finding.pulse), Tone::bad);
+    }
+  }
 }
 
 }  // namespace
@@ -161,12 +215,14 @@ Document document(const DesignReport& report) {
   const design::Finding& finding = *report.result.finding;
   document.verdict = verdict(finding, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
-  add_damper(document, problem, finding.point, physical);
+  add_answer(document.answer, finding, problem, physical);
+  add_damper(document, problem, finding, physical);
   add_constraints(document, finding.constraints);
-  Section& motion = document.section("Motion");
+  Section& motion = document.detail("Motion");
   add_response(motion, finding.response, physical);
   motion.row("use of beta",
              format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
+  add_practice(motion, finding.practice, physical);
   if (finding.pulse) {
     add_pulse_check(document, *finding.pulse, physical);
   }
@@ -174,10 +230,10 @@ Document document(const DesignReport& report) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_checks(document, finding.cross_check);
-  document.section("Search").line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms",
-                                         design::nlopt_version(), finding.search.algorithm,
-                                         finding.search.status, finding.search.evaluations,
-                                         1e3 * finding.search.wall_time_s));
+  document.detail("Search").line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms",
+                                        design::nlopt_version(), finding.search.algorithm,
+                                        finding.search.status, finding.search.evaluations,
+                                        1e3 * finding.search.wall_time_s));
   return document;
 }
 

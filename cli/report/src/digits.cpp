@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -45,6 +46,21 @@ std::string limit_digits(double value, bool upwards) {
     text = fmt::format("{:.{}g}", value + (upwards ? nudge : -nudge) * last_digit, shown);
   }
   return text;
+}
+
+std::string interval_digits(double low, double high) {
+  constexpr int fewest = 3;
+  constexpr int every = 17;  // that a double has
+  constexpr double lost = 0.01;
+  for (int shown = fewest; shown < every; ++shown) {
+    const std::string from = fmt::format("{:#.{}g}", low, shown);
+    const std::string to = fmt::format("{:#.{}g}", high, shown);
+    const double error = std::max(std::abs(std::stod(from) - low), std::abs(std::stod(to) - high));
+    if (error <= lost * (high - low)) {
+      return fmt::format("{} to {}", from, to);
+    }
+  }
+  return fmt::format("{} to {}", low, high);
 }
 
 std::string whole(const std::optional<double>& count) {

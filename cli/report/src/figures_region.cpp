@@ -42,8 +42,10 @@ Span span_of(const DrawnRegion& drawn) {
     return {*region.f_lower * (1 - tolerance), *region.f_upper * (1 + tolerance),
             [pulse = *drawn.pulse](double f) { return design::problem_at(pulse, f); }};
   }
-  return {std::max(region.f2, 0.0), std::min(region.f3, drawn.limits.f_max.value_or(region.f3)),
-          [problem = drawn.problem](double /*f*/) { return problem; }};
+  return {
+      std::max(region.f2, 0.0),
+      std::min({region.f3, drawn.limits.f_max.value_or(region.f3), region.f4.value_or(region.f3)}),
+      [problem = drawn.problem](double /*f*/) { return problem; }};
 }
 
 double highest_delta(const DrawnRegion& drawn, const Span& span, double f) {
@@ -181,6 +183,9 @@ void add_edges(Figure& figure, const DrawnRegion& drawn, const Span& span, doubl
   add_vertical(figure, drawn.region.f1, "dead zone: f < f₁");
   if (drawn.limits.f_max) {
     add_vertical(figure, *drawn.limits.f_max, "f max");
+  }
+  if (drawn.region.f4) {
+    add_vertical(figure, *drawn.region.f4, "acceleration: f ≤ f₄");
   }
   add_start(figure, drawn, span, unit);
   if (drawn.limits.delta_max) {

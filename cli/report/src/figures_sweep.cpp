@@ -67,8 +67,10 @@ std::array<std::int64_t, SweepClass::count> class_counts(const sweep::SweepMap& 
   return counts;
 }
 
+/// Without its unit.
 double only_value(const sweep::SweepSpec& spec, Quantity quantity) {
-  return std::ranges::find(spec.axes, quantity, &SweepAxis::quantity)->axis[0];
+  const double value = std::ranges::find(spec.axes, quantity, &SweepAxis::quantity)->axis[0];
+  return spec.units ? spec.units->plain(quantity, value) : value;
 }
 
 }  // namespace
@@ -80,7 +82,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.id = "map";
   figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
-  figure.y = figure_axis(units.delta_label, map.delta());
+  figure.y = figure_axis(spec.units ? "point friction Δ in m" : units.delta_label, map.delta());
   figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}};
   figure.description =
       "The plane of f and Δ. Centred is a rest at x = 0, off centre one in the dead zone.";

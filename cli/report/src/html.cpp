@@ -80,16 +80,20 @@ class Parts {
   bool in_rows_{false};
 };
 
+std::string parts_of(const Section& section) {
+  Parts parts;
+  for (const auto& part : section.parts) {
+    std::visit(parts, part);
+  }
+  return parts.text();
+}
+
 }  // namespace
 
 std::string html(const Document& document) {
-  std::string text;
+  std::string text = parts_of(document.answer);
   for (const Section& section : document.sections) {
-    Parts parts;
-    for (const auto& part : section.parts) {
-      std::visit(parts, part);
-    }
-    text += format("<h2>{}</h2>\n{}", escaped(section.heading), parts.text());
+    text += format("<h2>{}</h2>\n{}", escaped(section.heading), parts_of(section));
   }
   return text;
 }

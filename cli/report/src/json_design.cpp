@@ -108,6 +108,9 @@ ordered_json json(const DesignReport& report) {
                     {"region", region_fields(result)},
                     {"design", nullptr},
                     {"constraints", ordered_json::array()},
+                    {"works_for", nullptr},
+                    {"hits", nullptr},
+                    {"practice", nullptr},
                     {"response", nullptr},
                     {"search", nullptr},
                     {"cross_check", nullptr},
@@ -118,6 +121,11 @@ ordered_json json(const DesignReport& report) {
     const design::Finding& finding = *result.finding;
     json["design"] = design_point_json(problem, finding.point);
     json["constraints"] = constraints_json(finding.constraints);
+    json["works_for"] = works_for_json(finding.works_for);
+    if (!pulse) {
+      json["hits"] = hits_json(shown_hits(problem, finding.point.f, finding.point.delta));
+    }
+    json["practice"] = practice_json(finding.practice);
     json["response"] = response_json(finding.response);
     json["search"] = search_json(finding.search);
     json["cross_check"] = cross_check_json(finding.cross_check);
@@ -134,6 +142,7 @@ ordered_json json(const RegionReport& report) {
   ordered_json task = task_json(problem, limits);
   task["f"] = number(f);
   task["delta"] = number(delta);
+  const bool point = f && delta;
   return {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},
@@ -144,6 +153,9 @@ ordered_json json(const RegionReport& report) {
       {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},
       {"tolerance", number(answer.tolerance)},
       {"constraints", constraints_json(answer.constraints)},
+      {"works_for", works_for_json(answer.works_for)},
+      {"hits", point ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
+      {"practice", practice_json(answer.practice)},
       {"physical", physical_json(report)}};
 }
 

@@ -37,6 +37,10 @@ ordered_json conflict_json(design::Conflict conflict) {
       return {"amplitude", "return"};
     case design::Conflict::amplitude_against_f_max:
       return {"amplitude", "f_max"};
+    case design::Conflict::amplitude_against_acceleration:
+      return {"amplitude", "acceleration"};
+    case design::Conflict::acceleration_alone:
+      return {"acceleration"};
     case design::Conflict::stop_against_start:
       return {"stop", "start"};
     case design::Conflict::stop_against_delta_max:
@@ -78,6 +82,7 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
           {"f1", number(region.f1)},
           {"f2", number(region.f2)},
           {"f3", number(region.f3)},
+          {"f4", number(region.f4)},
           {"f_lower", number(region.f_lower)},
           {"f_upper", number(region.f_upper)},
           {"delta2", number(region.delta2)},
@@ -135,7 +140,8 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
           {"criterion", name(problem.criterion)},
           {"tolerance", number(limits.tolerance)},
           {"f_max", number(limits.f_max)},
-          {"delta_max", number(limits.delta_max)}};
+          {"delta_max", number(limits.delta_max)},
+          {"acceleration_max", number(limits.acceleration_max)}};
 }
 
 ordered_json program_json() {

@@ -4,7 +4,10 @@
 // The parts of which the JSON reports are made.
 
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/hits.hpp>
+#include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/works_for.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <nlohmann/json.hpp>
@@ -30,6 +33,9 @@ namespace stillpoint::report {
 [[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 [[nodiscard]] nlohmann::ordered_json constraints_json(
     std::span<const design::Constraint> constraints);
+[[nodiscard]] nlohmann::ordered_json works_for_json(const std::optional<design::WorksFor>& served);
+[[nodiscard]] nlohmann::ordered_json hits_json(const std::vector<design::Hits>& hits);
+[[nodiscard]] nlohmann::ordered_json practice_json(const std::optional<design::Practice>& lines);
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
 [[nodiscard]] nlohmann::ordered_json forced_json(const ForcedResponse& forced);
 /// The input of a motion.

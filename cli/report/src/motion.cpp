@@ -64,15 +64,6 @@ void add_half_cycles(Document& document, const Simulation& answer) {
   }
 }
 
-std::string verdict(const MotionReport& report) {
-  const Response& response = report.answer.response;
-  std::string text = format("It {}", outcome_phrase(response.outcome));
-  if (response.stop_time && *response.stop_time > 0) {
-    text += format(", after tau = {}", time_text(report.physical, *response.stop_time));
-  }
-  return format("{}. Its peak is {}.", text, length_text(report.physical, response.peak_amplitude));
-}
-
 /// How long the load acts.
 double load_end(const SimulationRequest& request) {
   return std::min(duration(request.excitation).value_or(HUGE_VAL),
@@ -96,13 +87,53 @@ std::string lock_sentence(const MotionReport& report) {
                 *forced->largest_load_while_locked);
 }
 
+namespace {
+
+std::string verdict(const MotionReport& report) {
+  const Response& response = report.answer.response;
+  const Physical& physical = report.physical;
+  if (std::string locked = lock_sentence(report); !locked.empty()) {
+    locked.front() = 'L';
+    return locked + ".";
+  }
+  std::string text = format("It {}", outcome_phrase(response.outcome));
+  if (response.stop_time && *response.stop_time > 0) {
+    text += format(", after {}", time_shown(physical, *response.stop_time));
+  }
+  return text + ".";
+}
+
+void add_answer(Section& answer, const MotionReport& report) {
+  const auto& [p, f, delta, hold] = report.request.oscillator;
+  const Response& response = report.answer.response;
+  const Physical& physical = report.physical;
+  answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)));
+  answer.row("peak", length_text(physical, response.peak_amplitude), Tone::heading);
+  if (response.stop_position && *response.stop_position != 0) {
+    answer.row("rest", format("at x = {}", length_text(physical, *response.stop_position)),
+               Tone::heading);
+  }
+  answer.row("acceleration",
+             format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
+                    delta > 0 ? ", outside the notch" : ""));
+  if (report.answer.forced && response.outcome == Outcome::running) {
+    const ForcedResponse& forced = *report.answer.forced;
+    answer.row("at the end", format("x = {} at {}", length_text(physical, *forced.final_position),
+                                    time_shown(physical, *forced.end_time)));
+  }
+}
+
+}  // namespace
+
 Document document(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Start& start = report.request.start;
   Document document;
   document.title = is_forced(report.request) ? "Forced motion" : "Free motion";
   document.verdict = verdict(report);
-  Section& scene = document.section("Scene");
+  document.tone = lock_sentence(report).empty() ? Tone::plain : Tone::bad;
+  add_answer(document.answer, report);
+  Section& scene = document.detail("Scene");
   if (report.physical) {
     add_physical_input(scene, *report.physical);
   }
@@ -114,12 +145,9 @@ Document document(const MotionReport& report) {
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);
   }
-  Section& motion = document.section("Motion");
+  Section& motion = document.detail("Motion");
   if (report.answer.forced) {
     add_response(motion, *report.answer.forced, report.physical);
-    if (const std::string locked = lock_sentence(report); !locked.empty()) {
-      motion.row("note", locked, Tone::bad);
-    }
   } else {
     add_response(motion, report.answer.response, report.physical);
   }

@@ -2,6 +2,7 @@
 #include "json_parts.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace stillpoint::report {
@@ -27,6 +28,7 @@ ordered_json scale_values(const design::PhysicalInput& physical, double velocity
           {"gravity_m_per_s2", number(scales.gravity_m_per_s2)},
           {"omega_rad_per_s", number(scales.omega_rad_per_s)},
           {"period_s", number(physical.period_s)},
+          {"natural_frequency_hz", number(scales.omega_rad_per_s / (2 * std::numbers::pi))},
           {"mass_kg", number(scales.mass_kg)},
           {"stiffness_n_per_m", number(scales.stiffness_n_per_m())},
           {"velocity_m_per_s", number(velocity_m_per_s)}};
@@ -44,6 +46,7 @@ void add_mends(ordered_json& json, design::PhysicalInput physical,
                const std::vector<design::Mend>& mends) {
   const auto mended = [&](std::string_view field, bool by_stiffness) -> std::optional<double> {
     physical.by_stiffness = by_stiffness;
+    physical.by_frequency = false;
     for (const design::Mend& mend : mends) {
       if (mend.field == field) {
         return physical_mend(physical, mend)->value;
@@ -66,6 +69,50 @@ void add_damper(ordered_json& json, const design::Scales& scales, const std::opt
   json["friction_force_n"] = number(f ? finite(scales.friction_force_n(*f)) : std::nullopt);
   json["energy_per_passage_j"] =
       number(delta ? finite(scales.energy_per_passage_j(*delta)) : std::nullopt);
+}
+
+/// Null without a mass or the value.
+std::optional<double> times(const std::optional<double>& value, const std::optional<double>& unit) {
+  return unit ? finite(times(value, *unit)) : std::nullopt;
+}
+
+void add_served(ordered_json& json, const design::Scales& scales,
+                const std::optional<design::WorksFor>& served) {
+  json["works_for_velocity_m_per_s"] = nullptr;
+  json["works_for_period_s"] = nullptr;
+  if (served) {
+    const auto [velocity, period] = physical_works_for(scales, *served);
+    json["works_for_velocity_m_per_s"] = {number(velocity.low), number(velocity.high)};
+    json["works_for_period_s"] = {number(period.low), number(period.high)};
+  }
+}
+
+void add_hits(ordered_json& json, const design::Scales& scales,
+              const std::vector<design::Hits>& hits) {
+  ordered_json list = ordered_json::array();
+  for (const design::Hits& now : hits) {
+    list.push_back({{"from_m_per_s", number(now.from * scales.velocity_m_per_s)},
+                    {"to_m_per_s", number(now.to * scales.velocity_m_per_s)},
+                    {"rest_m", number(times(now.rest, scales.length_m))}});
+  }
+  json["hits"] = list;
+}
+
+void add_practice(ordered_json& json, const design::Scales& scales,
+                  const std::optional<design::Practice>& lines) {
+  const design::Practice now = lines.value_or(design::Practice());
+  const auto weight = scales.friction_force_n(1);
+  const auto energy = scales.energy_per_passage_j(now.notch_capacity);
+  std::optional<double> momentum;
+  if (scales.mass_kg) {
+    momentum = *scales.mass_kg * scales.velocity_m_per_s;
+  }
+  json["secant_stiffness_n_per_m"] =
+      number(weight ? times(now.secant_stiffness, *weight / scales.length_m) : std::nullopt);
+  json["impulse_at_stop_n_s"] = number(times(now.impulse_at_stop, momentum));
+  json["impulse_largest_n_s"] = number(times(now.impulse_largest, momentum));
+  json["energy_at_stop_j"] = number(times(now.notch_used, energy));
+  json["notch_width_min_m"] = number(times(now.notch_width_min, scales.length_m));
 }
 
 void add_response(ordered_json& json, const design::Scales& scales, const Response* response) {
@@ -96,6 +143,8 @@ void add_excitation(ordered_json& json, const design::Scales& scales,
       },
       excitation);
   json["excitation_rad_per_s"] = number(finite(times(lambda, 1 / scales.time_s)));
+  json["excitation_frequency_hz"] =
+      number(finite(times(lambda, 1 / (2 * std::numbers::pi * scales.time_s))));
   json["excitation_duration_s"] =
       number(lambda ? finite(times(duration(excitation), scales.time_s)) : std::nullopt);
 }
@@ -118,6 +167,12 @@ ordered_json physical_json(const DesignReport& report) {
   } else {
     add_damper(json, scales, {}, {});
   }
+  add_served(json, scales, finding ? finding->works_for : std::nullopt);
+  json["hits"] = nullptr;
+  if (finding && !request.pulse) {
+    add_hits(json, scales, shown_hits(request.problem, finding->point.f, finding->point.delta));
+  }
+  add_practice(json, scales, finding ? finding->practice : std::nullopt);
   add_response(json, scales, finding ? &finding->response : nullptr);
   add_excitation(json, scales, request.pulse ? design::excitation(*request.pulse) : NoExcitation{});
   return json;
@@ -133,6 +188,13 @@ ordered_json physical_json(const RegionReport& report) {
   add_region(json, *report.physical, answer.region);
   add_mends(json, *report.physical, answer.mends);
   add_damper(json, scales, report.request.f, report.request.delta);
+  const auto& [problem, limits, f, delta] = report.request;
+  add_served(json, scales, answer.works_for);
+  json["hits"] = nullptr;
+  if (f && delta) {
+    add_hits(json, scales, shown_hits(problem, *f, *delta));
+  }
+  add_practice(json, scales, answer.practice);
   json["delta1_published_m"] = number(times(answer.delta1_published, scales.length_m));
   json["delta1_exact_m"] = number(times(answer.delta1_exact, scales.length_m));
   return json;

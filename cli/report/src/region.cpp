@@ -25,6 +25,22 @@ void add_point(Section& section, const RegionReport& report) {
                            ? format(", less than the {:.4g} % asked for", 100 * limits.tolerance)
                            : ""));
   }
+  add_notch(section, answer.practice, report.physical);
+}
+
+/// "admissible", or what it violates.
+std::string judgement(const design::RegionAnswer& answer) {
+  if (*answer.admissible) {
+    return format("admissible: f and delta may both be off by +-{:.4g} %",
+                  100 * answer.tolerance.value_or(0));
+  }
+  std::string text;
+  for (const design::Constraint& now : answer.constraints) {
+    if (!now.satisfied) {
+      text += (text.empty() ? "not admissible; it violates " : ", ") + std::string(now.name);
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -35,7 +51,7 @@ Document document(const RegionReport& report) {
   Document document;
   document.title = "Admissible region";
   add_problem(document, problem, limits, report.physical);
-  add_region(document, answer.region, report.physical);
+  add_region(document, answer.region, report.physical).detail = false;
   if (answer.region.feasible) {
     document.verdict =
         format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
@@ -51,8 +67,9 @@ Document document(const RegionReport& report) {
     add_damper_physics(section, report.physical, *f, delta.value_or(0));
     if (delta) {
       add_point(section, report);
-      document.verdict +=
-          format(" The point (f, delta) is {}admissible.", *answer.admissible ? "" : "not ");
+      document.verdict += format(" The damper is {}.", judgement(answer));
+      add_works_for(document.answer, answer.works_for, report.physical);
+      add_practice(document.detail("In practice"), answer.practice, report.physical);
       add_constraints(document, answer.constraints);
     }
   }

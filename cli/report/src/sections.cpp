@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace stillpoint::report {
@@ -16,6 +17,9 @@ using fmt::format;
 void add_physical_input(Section& section, const design::PhysicalInput& physical) {
   const design::Scales& scales = physical.scales;
   std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
+  if (physical.by_frequency) {
+    isolator += format(" ({})", with_unit(scales.omega_rad_per_s / (2 * std::numbers::pi), "Hz"));
+  }
   if (scales.mass_kg) {
     isolator += format(", mass {:.6g} kg, stiffness {}", *scales.mass_kg,
                        with_unit(*scales.stiffness_n_per_m(), "N/m"));
@@ -39,7 +43,7 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
   }
   if (const auto energy = physical->scales.energy_per_passage_j(delta);
       energy && std::isfinite(*energy)) {
-    section.row("passage energy", with_unit(*energy, "J"));
+    section.row("notch capacity", with_unit(*energy, "J") + " for a whole passage");
   }
 }
 
@@ -75,7 +79,7 @@ void add_excitation(Section& section, const Excitation& excitation,
 
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical) {
-  Section& section = document.section("Task");
+  Section& section = document.detail("Task");
   if (physical) {
     add_physical_input(section, *physical);
   }
@@ -90,6 +94,9 @@ Section& add_problem(Document& document, const design::Problem& problem,
   if (limits.delta_max) {
     add(format("delta <= {}", length_text(physical, *limits.delta_max)));
   }
+  if (limits.acceleration_max) {
+    add(format("transmitted acceleration <= {:.6g} g", *limits.acceleration_max));
+  }
   if (limits.tolerance > 0) {
     add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
   }
@@ -99,17 +106,22 @@ Section& add_problem(Document& document, const design::Problem& problem,
   return section;
 }
 
-void add_region(Document& document, const design::Region& region, const Physical& physical) {
-  Section& section = document.section("Admissible region");
+Section& add_region(Document& document, const design::Region& region, const Physical& physical) {
+  Section& section = document.detail("Admissible region");
   section.row("amplitude",
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
   section.row("return", format("f <= f3 = {:.6g}", region.f3));
+  if (region.f4) {
+    section.row("acceleration", format("f <= f4 = {:.6g}{}", *region.f4,
+                                       *region.f4 < 0 ? "  (no f is small enough)" : ""));
+  }
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
   section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));
   section.row("smallest beta", length_text(physical, region.beta_min));
   if (region.feasible) {
     section.row("feasible f", format("{:.6g} to {:.6g}", *region.f_lower, *region.f_upper));
   }
+  return section;
 }
 
 namespace {
@@ -118,15 +130,15 @@ std::string bound(double value, bool upwards) {
   return format("at {} {}", upwards ? "least" : "most", limit_digits(value, upwards));
 }
 
-/// "at most 0.34", of a physical input in its unit as well.
+/// "v0 at most 0.34"; of a physical input that one, in its unit.
 void add_mend(Section& section, const design::Mend& mend, const Physical& physical) {
-  std::string text = bound(mend.value, mend.upwards);
-  if (physical) {
-    if (const auto now = physical_mend(*physical, mend)) {
-      text += format("   ({} {} {})", now->name, bound(now->value, now->upwards), now->unit);
-    }
+  if (const auto now = physical ? physical_mend(*physical, mend) : std::nullopt) {
+    section.row(std::string(now->name),
+                format("{} {}   ({} {})", bound(now->value, now->upwards), now->unit, mend.field,
+                       bound(mend.value, mend.upwards)));
+  } else {
+    section.row(std::string(mend.field), bound(mend.value, mend.upwards));
   }
-  section.row(std::string(mend.field), text);
 }
 
 }  // namespace
@@ -154,6 +166,7 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty,
 }
 
 void add_constraints(Document& document, std::span<const design::Constraint> constraints) {
+  const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
     table.rows.push_back({{std::string(now.name), std::string(now.variable), digits(now.value),
@@ -161,7 +174,8 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
                            now.satisfied ? "met" : "violated"},
                           now.satisfied ? Tone::good : Tone::bad});
   }
-  document.section("Constraints").parts.emplace_back(std::move(table));
+  Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
+  section.parts.emplace_back(std::move(table));
 }
 
 std::string outcome_phrase(Outcome outcome) {

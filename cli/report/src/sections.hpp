@@ -21,13 +21,21 @@ namespace stillpoint::report {
 void add_physical_input(Section& section, const design::PhysicalInput& physical);
 /// Force and energy of a damper, where there is a mass.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
+/// For which hits and periods it works, where that is known.
+void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
+                   const Physical& physical);
+/// How much of the notch the stop takes, and how wide it must be.
+void add_notch(Section& section, const std::optional<design::Practice>& lines,
+               const Physical& physical);
+void add_practice(Section& section, const std::optional<design::Practice>& lines,
+                  const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
 
 /// The section of the task.
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical);
-void add_region(Document& document, const design::Region& region, const Physical& physical);
+Section& add_region(Document& document, const design::Region& region, const Physical& physical);
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
                    const Physical& physical);

@@ -49,7 +49,7 @@ ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
   const bool design = spec.kind == SweepKind::design;
   ordered_json columns = ordered_json::array();
   for (const Quantity column : spec.columns) {
-    columns.push_back(name(column));
+    columns.push_back(name(column, spec.units));
   }
   const SweepState& state = summary.state;
   return {{"schema", "stillpoint/sweep-report/1"},

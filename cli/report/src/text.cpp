@@ -13,7 +13,35 @@ namespace stillpoint::report {
 namespace {
 
 constexpr std::size_t label_width = 18;
-constexpr std::size_t page_width = 96;
+constexpr std::size_t page_width = 80;
+constexpr std::size_t indent = 2;
+
+/// A line does not end within "f = 0.02" or "5.9 mm": what ends it is a word or a mark.
+bool may_end(std::string_view text, std::size_t space) {
+  constexpr std::string_view relations = "=<>+-";
+  constexpr std::string_view digits = "0123456789";
+  return digits.find(text[space - 1]) == std::string_view::npos &&
+         relations.find(text[space - 1]) == std::string_view::npos &&
+         relations.find(text[space + 1]) == std::string_view::npos;
+}
+
+/// `text` in lines of at most `width`, where its words allow it.
+std::vector<std::string_view> lines_of(std::string_view text, std::size_t width) {
+  std::vector<std::string_view> lines;
+  while (text.size() > width) {
+    std::size_t space = text.rfind(' ', width);
+    while (space != std::string_view::npos && space > 0 && !may_end(text, space)) {
+      space = text.rfind(' ', space - 1);
+    }
+    if (space == std::string_view::npos || space == 0) {
+      break;
+    }
+    lines.push_back(text.substr(0, space));
+    text.remove_prefix(space + 1);
+  }
+  lines.push_back(text);
+  return lines;
+}
 
 fmt::text_style look_of(Tone tone) {
   switch (tone) {
@@ -42,22 +70,29 @@ class Text {
   }
 
   std::string operator()(const Row& row) const {
-    return fmt::format("  {:<{}}{}\n", row.label, label_width, styled(row.tone, row.text));
+    std::string text;
+    std::string_view label = row.label;
+    for (const auto line : lines_of(row.text, page_width - indent - label_width)) {
+      text += fmt::format("  {:<{}}{}\n", label, label_width, styled(row.tone, line));
+      label = "";
+    }
+    return text;
   }
 
-  /// Broken at spaces where it is longer than a page is wide.
   std::string operator()(const Line& line) const {
     std::string text;
-    std::string_view rest = line.text;
-    while (rest.size() > page_width) {
-      const std::size_t space = rest.rfind(' ', page_width);
-      if (space == std::string_view::npos) {
-        break;
-      }
-      text += fmt::format("  {}\n", styled(line.tone, rest.substr(0, space)));
-      rest.remove_prefix(space + 1);
+    for (const auto part : lines_of(line.text, page_width - indent)) {
+      text += fmt::format("  {}\n", styled(line.tone, part));
     }
-    return text + fmt::format("  {}\n", styled(line.tone, rest));
+    return text;
+  }
+
+  std::string operator()(const Section& section) const {
+    std::string text;
+    for (const auto& part : section.parts) {
+      text += std::visit(*this, part);
+    }
+    return text;
   }
 
   /// Columns as wide as their widest cell, the first and the last one to the left, the others to
@@ -108,11 +143,19 @@ std::string text(const Document& document, const TextOptions& options) {
   if (!document.verdict.empty()) {
     text += rendered(Line{document.verdict, document.tone});
   }
+  if (!document.answer.parts.empty()) {
+    text += "\n" + rendered(document.answer);
+  }
+  bool more = false;
   for (const Section& section : document.sections) {
-    text += "\n" + rendered.styled(Tone::heading, section.heading) + "\n";
-    for (const auto& part : section.parts) {
-      text += std::visit(rendered, part);
+    if (section.detail && options.verbosity == Verbosity::normal) {
+      more = true;
+      continue;
     }
+    text += "\n" + rendered.styled(Tone::heading, section.heading) + "\n" + rendered(section);
+  }
+  if (more) {
+    text += "\n" + rendered(Line{"--verbose says more.", Tone::faint});
   }
   return text;
 }
@@ -127,6 +170,10 @@ void Section::line(std::string text, Tone tone) {
 
 Section& Document::section(std::string heading) {
   return sections.emplace_back(Section{std::move(heading), {}});
+}
+
+Section& Document::detail(std::string heading) {
+  return sections.emplace_back(Section{std::move(heading), {}, true});
 }
 
 std::string spelled_out(std::string_view text) {

@@ -9,6 +9,19 @@ namespace stillpoint::report {
 
 using fmt::format;
 
+std::string length_shown(const Physical& physical, double length) {
+  return physical && length != 0 ? with_unit(length * physical->scales.length_m, "m")
+                                 : digits(length);
+}
+
+std::string time_shown(const Physical& physical, double tau) {
+  return physical ? with_unit(tau * physical->scales.time_s, "s") : "tau = " + digits(tau);
+}
+
+std::string acceleration_shown(double acceleration) {
+  return format("{:.4g} g", acceleration);
+}
+
 std::string length_text(const Physical& physical, double length) {
   return digits(length) + (physical && length != 0
                                ? " = " + with_unit(length * physical->scales.length_m, "m")

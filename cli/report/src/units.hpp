@@ -12,6 +12,12 @@ namespace stillpoint::report {
 
 using Physical = std::optional<design::PhysicalInput>;
 
+/// A length, a tau and an acceleration in the units that people think in: "12.1 mm", "1.53 s",
+/// "0.0947 g"; dimensionless without physical input.
+[[nodiscard]] std::string length_shown(const Physical& physical, double length);
+[[nodiscard]] std::string time_shown(const Physical& physical, double tau);
+[[nodiscard]] std::string acceleration_shown(double acceleration);
+
 /// A length "0.259325 = 12.1 mm"; alone without physical input and for 0.
 [[nodiscard]] std::string length_text(const Physical& physical, double length);
 

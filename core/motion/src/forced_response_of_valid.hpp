@@ -10,4 +10,9 @@ ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Star
                                         const Excitation& excitation, const ForcedOptions& options,
                                         const Surface& surface);
 
+/// The same on a surface that is not the paper's.
+ForcedResponse zoned_response_of_valid(const Oscillator& oscillator, const Start& start,
+                                       const Excitation& excitation, const ForcedOptions& options,
+                                       const Surface& surface);
+
 }  // namespace stillpoint

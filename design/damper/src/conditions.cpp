@@ -84,6 +84,9 @@ std::vector<Constraint> constraints(const Problem& problem, const Limits& limits
   if (limits.delta_max) {
     list.push_back(compared("delta_max", "delta", "<=", delta, *limits.delta_max));
   }
+  if (limits.acceleration_max) {
+    list.push_back(compared("acceleration", "f", "<=", f, edges(problem, limits).f4));
+  }
   return list;
 }
 
@@ -94,7 +97,8 @@ bool box_admissible(const Problem& at_low, const Problem& at_high, const Limits&
   const bool low_holds = hold_at(Corner::low, at_low, f * low, delta * low);
   const bool high_holds = hold_at(Corner::high, at_high, f * high, delta * high);
   return low_holds && high_holds && (!limits.f_max || f * high <= *limits.f_max) &&
-         (!limits.delta_max || delta * high <= *limits.delta_max);
+         (!limits.delta_max || delta * high <= *limits.delta_max) &&
+         (!limits.acceleration_max || f * high <= edges(at_high, limits).f4);
 }
 
 }  // namespace stillpoint::design

@@ -14,7 +14,9 @@ Finding finding_of(const Problem& problem, const Limits& limits, const SearchRes
   finding.point = point;
   finding.search = record;
   finding.constraints = constraints(problem, limits, point.f, point.delta);
-  finding.response = free_response({problem.p, point.f, point.delta}, {0, problem.v0});
+  const Oscillator oscillator{problem.p, point.f, point.delta};
+  finding.response = free_response(oscillator, {0, problem.v0});
+  finding.practice = practice(oscillator, finding.response, limits.acceleration_max);
   finding.cross_check = cross_check(predict(problem, point.f), problem, point.f, point.delta);
   return finding;
 }
@@ -40,6 +42,7 @@ DesignResult design(const DesignRequest& request) {
     return result;
   }
   result.finding = finding_of(problem, limits, *found);
+  result.finding->works_for = works_for(problem, limits, found->point.f, found->point.delta);
   return result;
 }
 

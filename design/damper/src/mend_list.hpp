@@ -45,6 +45,10 @@ std::vector<Input<Case>> limit_inputs(const Limits& limits) {
     list.push_back({"delta_max", *limits.delta_max, largest_square,
                     [](Case& now, double value) { now.limits.delta_max = value; }});
   }
+  if (limits.acceleration_max) {
+    list.push_back({"acceleration_max", *limits.acceleration_max, largest_square,
+                    [](Case& now, double value) { now.limits.acceleration_max = value; }});
+  }
   if (limits.tolerance > 0) {
     list.push_back({"tolerance", limits.tolerance, 0.0,
                     [](Case& now, double value) { now.limits.tolerance = value; }});

@@ -7,6 +7,7 @@
 #include <stillpoint/design/region.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stillpoint::design {
 
@@ -22,44 +23,57 @@ bool amplitude_fits(const Case& now) {
   return amplitude_fits_return(edge, now.limits) && amplitude_fits_f_max(edge, now.limits);
 }
 
+bool acceleration_fits(const Case& now) {
+  return amplitude_fits_acceleration(edges(now.problem, now.limits), now.limits);
+}
+
 bool strip_fits(const Case& now) {
-  return stop_fits(now.problem, edges(now.problem, now.limits), now.limits);
+  const Edges edge = edges(now.problem, now.limits);
+  return edge.f4 >= 0 && stop_fits(now.problem, edge, now.limits);
 }
 
 bool feasible(const Case& now) {
-  return amplitude_fits(now) && strip_fits(now);
+  return amplitude_fits(now) && acceleration_fits(now) && strip_fits(now);
 }
 
-// How far an input is changed: as long as it stays valid (problem.hpp), but for one decade.
-constexpr double ratio = 1e99;
-
 Input<Case> v0_of(const Problem& problem) {
-  return {"v0", problem.v0, std::max(smallest_speed, problem.p * problem.beta / ratio),
+  return {"v0", problem.v0, valid_v0(problem).least,
           [](Case& now, double value) { now.problem.v0 = value; }};
 }
 
 Input<Case> beta_of(const Problem& problem) {
   return {"beta", problem.beta,
-          std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * ratio}),
+          std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * far_ratio}),
           [](Case& now, double value) { now.problem.beta = value; }};
 }
 
-double least_p(const Problem& problem) {
-  return std::max(
-      {smallest_speed, smallest_speed / problem.beta, problem.v0 / problem.beta / ratio});
-}
-
-double most_p(const Problem& problem) {
-  return std::min({largest_speed, largest_speed / problem.beta, problem.v0 / problem.beta * ratio});
+/// The p at which a box has the most room between f2 and f4, the root of (34).
+double roomiest_p(const Case& now) {
+  const auto& [v0, p, beta, criterion] = now.problem;
+  const double wider = (1 + now.limits.tolerance) / (1 - now.limits.tolerance);
+  const double f4 = v0 / beta / wider * v0;
+  const double most = now.limits.acceleration_max.value();
+  return f4 < most ? std::sqrt((most - f4) / v0) * std::sqrt((most + f4) / v0) : 0;
 }
 
 /// More p helps the amplitude and can only harm the stop, so both are tested one after the other.
+/// With a limit of the acceleration the p that fit are one interval; if it is not empty, the p with
+/// the most room is in it, as far as the other conditions let it.
 std::optional<double> mended_p(const Case& base, double least, double most) {
   const auto with = [&](double p) {
     Case changed = base;
     changed.problem.p = p;
     return changed;
   };
+  if (base.limits.acceleration_max) {
+    const auto low = nearest_fit(least, most, [&](double p) { return amplitude_fits(with(p)); });
+    const auto high = nearest_fit(most, least, [&](double p) { return strip_fits(with(p)); });
+    if (!low || !high || *low > *high) {
+      return std::nullopt;
+    }
+    return nearest_fit(base.problem.p, std::clamp(roomiest_p(base), *low, *high),
+                       [&](double p) { return feasible(with(p)); });
+  }
   const auto raised =
       nearest_fit(base.problem.p, most, [&](double p) { return amplitude_fits(with(p)); });
   if (!raised) {
@@ -79,7 +93,8 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
     return list;
   }
   add_mend(list, base, feasible, v0_of(problem));
-  if (const auto p = mended_p(base, least_p(problem), most_p(problem))) {
+  const auto [least_p, most_p] = valid_p(problem);
+  if (const auto p = mended_p(base, least_p, most_p)) {
     list.push_back({"p", *p, *p > problem.p});
   }
   add_mend(list, base, feasible, beta_of(problem));

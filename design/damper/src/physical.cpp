@@ -2,6 +2,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,10 +13,16 @@ namespace {
 /// Metres, seconds, kilograms and newtons of anything that is built, with room to spare.
 constexpr double smallest = 1e-30;
 constexpr double largest = 1e30;
+/// A conversion rounds a few times; so much to the safe side keeps the converted input feasible.
+constexpr double conversion_safety = 1e-14;
 
 double angular_frequency(const PhysicalIsolator& isolator) {
   if (isolator.mass_kg) {
     require_within("mass", *isolator.mass_kg, smallest, largest);
+  }
+  if (isolator.natural_frequency_hz && (isolator.period_s || isolator.stiffness_n_per_m)) {
+    throw InputError("natural-frequency", *isolator.natural_frequency_hz,
+                     "give one of period, natural-frequency and stiffness");
   }
   if (isolator.period_s && isolator.stiffness_n_per_m) {
     throw InputError("stiffness", *isolator.stiffness_n_per_m,
@@ -25,8 +32,12 @@ double angular_frequency(const PhysicalIsolator& isolator) {
     require_within("period", *isolator.period_s, smallest, largest);
     return 2 * std::numbers::pi / *isolator.period_s;
   }
+  if (isolator.natural_frequency_hz) {
+    require_within("natural-frequency", *isolator.natural_frequency_hz, smallest, largest);
+    return 2 * std::numbers::pi * *isolator.natural_frequency_hz;
+  }
   if (!isolator.stiffness_n_per_m) {
-    throw InputError::missing("period", "give period, or stiffness with mass");
+    throw InputError::missing("period", "give period, natural-frequency, or stiffness with mass");
   }
   require_within("stiffness", *isolator.stiffness_n_per_m, smallest, largest);
   if (!isolator.mass_kg) {
@@ -80,15 +91,28 @@ PhysicalInput physical_input(const PhysicalIsolator& isolator, double velocity_m
   physical.velocity_m_per_s = velocity_m_per_s;
   physical.period_s = 2 * std::numbers::pi / physical.scales.omega_rad_per_s;
   physical.by_stiffness = isolator.stiffness_n_per_m.has_value();
+  physical.by_frequency = isolator.natural_frequency_hz.has_value();
+  return physical;
+}
+
+PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served) {
+  const double velocity = scales.velocity_m_per_s;
+  const double period = 2 * std::numbers::pi * scales.time_s;
+  PhysicalWorksFor physical;
+  physical.velocity_m_per_s = {served.v0.low * velocity * (1 + conversion_safety),
+                               *served.v0.high * velocity * (1 - conversion_safety)};
+  physical.period_s = {served.p.high ? period / *served.p.high * (1 + conversion_safety) : 0,
+                       period / served.p.low * (1 - conversion_safety)};
+  for (ServedInterval* const interval : {&physical.velocity_m_per_s, &physical.period_s}) {
+    interval->low = std::min(interval->low, *interval->high);  // of a single value
+  }
   return physical;
 }
 
 std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const Mend& mend) {
   const Scales& scales = physical.scales;
-  // The conversion rounds a few times; so much to the safe side keeps the mended input feasible.
-  constexpr double safety = 1e-14;
   const auto outward = [&](double value, bool upwards) {
-    return value * (upwards ? 1 + safety : 1 - safety);
+    return value * (upwards ? 1 + conversion_safety : 1 - conversion_safety);
   };
   const bool up = mend.upwards;
   if (mend.field == "v0") {
@@ -97,6 +121,10 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
   if (mend.field == "p" && physical.by_stiffness && scales.mass_kg) {
     const double omega = mend.value / scales.time_s;
     return PhysicalMend{"stiffness", "N/m", outward(*scales.mass_kg * omega * omega, up), up};
+  }
+  if (mend.field == "p" && physical.by_frequency) {
+    const double frequency = mend.value / (2 * std::numbers::pi * scales.time_s);
+    return PhysicalMend{"natural_frequency", "Hz", outward(frequency, up), up};
   }
   if (mend.field == "p") {
     const double period = 2 * std::numbers::pi * scales.time_s / mend.value;

@@ -52,6 +52,9 @@ void require_valid(const Problem& problem, const Limits& limits) {
   if (limits.delta_max) {
     require_within("delta_max", *limits.delta_max, smallest_limit, largest_square);
   }
+  if (limits.acceleration_max) {
+    require_within("acceleration_max", *limits.acceleration_max, smallest_limit, largest_square);
+  }
   if (!(limits.tolerance >= 0 && limits.tolerance < 1)) {
     throw InputError("tolerance", limits.tolerance, "must be at least 0 and less than 1");
   }

@@ -25,6 +25,11 @@ void require_valid(const PulseProblem& problem, const Limits& limits) {
                                  lambda < problem.p ? "a longer pulse is no impulse"
                                                     : "a shorter pulse cannot be followed"));
   }
+  if (limits.acceleration_max) {
+    // S falls and then grows with f, since V(f) falls: no bound of f alone keeps it.
+    throw InputError("acceleration_max", *limits.acceleration_max,
+                     "cannot be combined with a pulse; give an initial velocity");
+  }
   require_valid(problem_at(problem, 0), limits);
 }
 

@@ -54,6 +54,12 @@ Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& l
   if (!amplitude_fits_f_max(edges, limits)) {
     return Conflict::amplitude_against_f_max;
   }
+  if (edges.f4 < 0) {
+    return Conflict::acceleration_alone;
+  }
+  if (!amplitude_fits_acceleration(edges, limits)) {
+    return Conflict::amplitude_against_acceleration;
+  }
   if (!stop_fits(problem, edges, limits)) {
     return limits.delta_max && *limits.delta_max == edges.delta_cap
                ? Conflict::stop_against_delta_max
@@ -104,6 +110,9 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
   region.f1 = problem.beta * problem.p * problem.p;
   region.f2 = edge.f2;
   region.f3 = edge.f3;
+  if (limits.acceleration_max) {
+    region.f4 = edge.f4;
+  }
   region.delta2 = problem.v0 * problem.v0 / 2;
   region.beta_min = least_beta(problem);
   region.conflict = conflict_of(problem, edge, limits);
@@ -137,6 +146,20 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
           "amplitude and f_max exclude each other: a peak within beta needs f >= f2 = {}, f_max is "
           "{}{}",
           least, most, box);
+    }
+    case Conflict::amplitude_against_acceleration: {
+      const auto [least, most] = told_apart(region.f2, *region.f4);
+      return fmt::format(
+          "amplitude and acceleration exclude each other: a peak within beta needs f >= f2 = {}, a "
+          "transmitted acceleration within {:.6g} g needs f <= f4 = {}{}",
+          least, *limits.acceleration_max, most, box);
+    }
+    case Conflict::acceleration_alone: {
+      const auto [least, most] = told_apart(problem.p * problem.v0, *limits.acceleration_max);
+      return fmt::format(
+          "even without friction the transmitted acceleration is p V0 = {} g, above the limit of "
+          "{} g",
+          least, most);
     }
     case Conflict::narrower_than_rounding:
       return "what the constraints leave lies between neighbouring doubles: no damper is that "
@@ -194,6 +217,12 @@ RegionAnswer answer(const RegionRequest& request) {
     answer.constraints = constraints(problem, limits, *f, *delta);
     answer.tolerance = largest_tolerance(problem, limits, *f, *delta);
     answer.admissible = admissible(problem, limits, *f, *delta);
+    answer.works_for = works_for(problem, limits, *f, *delta);
+    if (answer.works_for) {
+      const Oscillator oscillator{problem.p, *f, *delta};
+      answer.practice =
+          practice(oscillator, free_response(oscillator, {0, problem.v0}), limits.acceleration_max);
+    }
   }
   return answer;
 }

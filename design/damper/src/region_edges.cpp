@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
 
+#include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <algorithm>
@@ -21,10 +22,23 @@ double rounded_down(long double value) {
   return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
 }
 
-/// V0 = beta p, so that f2 = 0: each of the three is a decimal rounded by 2^-53 of itself at most,
-/// |V0 - beta p| <= 3 2^-53 V0, and their difference would be that rounding alone.
+/// f2 is v0^2 / beta at most, and must stay below 1e305.
+constexpr double sqrt_of_far_f2 = 1e152;
+
+/// V0 = beta p, so that f2 = 0 (or A = V0 p and f4 = 0): each of the three is a decimal rounded by
+/// 2^-53 of itself at most, |V0 - beta p| <= 3 2^-53 V0, and their difference would be that
+/// rounding alone.
 bool is_same(long double v0, long double speed) {
   return std::abs(v0 - speed) <= 0x3p-53L * v0;
+}
+
+/// (33). Where p V0 alone is above the limit, minus the root of the opposite: no f >= 0 meets that.
+double acceleration_edge(long double most, long double p_v0) {
+  if (is_same(p_v0, most)) {
+    return 0;
+  }
+  const long double square = (most - p_v0) * (most + p_v0);
+  return square < 0 ? rounded_down(-std::sqrt(-square)) : rounded_down(std::sqrt(square));
 }
 
 bool fits(double floor, double cap, double tolerance) {
@@ -41,7 +55,9 @@ Edges edges(const Problem& problem, const Limits& limits) {
   Edges result{};
   result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
   result.f3 = rounded_down(v0 * p / (2 * std::numbers::sqrt2_v<long double>));
-  result.f_cap = result.f3;
+  result.f4 =
+      limits.acceleration_max ? acceleration_edge(*limits.acceleration_max, v0 * p) : HUGE_VAL;
+  result.f_cap = std::min(result.f3, result.f4);
   if (limits.f_max) {
     result.f_cap = std::min(result.f_cap, *limits.f_max);
   }
@@ -60,10 +76,27 @@ bool amplitude_fits_f_max(const Edges& edges, const Limits& limits) {
   return !limits.f_max || fits(edges.f2, *limits.f_max, limits.tolerance);
 }
 
+bool amplitude_fits_acceleration(const Edges& edges, const Limits& limits) {
+  return std::isinf(edges.f4) || (edges.f4 >= 0 && fits(edges.f2, edges.f4, limits.tolerance));
+}
+
 bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits) {
   const double f = highest_centre(edges.f_cap, limits.tolerance);
   const double delta = highest_centre(edges.delta_cap, limits.tolerance);
   return delta1(problem, f * (1 - limits.tolerance)) < delta * (1 - limits.tolerance);
+}
+
+ValidInterval valid_v0(const Problem& problem) {
+  const double speed = problem.p * problem.beta;
+  return {std::max(smallest_speed, speed / far_ratio),
+          std::min({largest_speed, speed * far_ratio, std::sqrt(problem.beta) * sqrt_of_far_f2})};
+}
+
+ValidInterval valid_p(const Problem& problem) {
+  const double least = problem.v0 / problem.beta / far_ratio;
+  const double most = problem.v0 / problem.beta * far_ratio;
+  return {std::max({smallest_speed, smallest_speed / problem.beta, least}),
+          std::min({largest_speed, largest_speed / problem.beta, most})};
 }
 
 double highest_centre(double cap, double tolerance) {

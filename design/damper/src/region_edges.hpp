@@ -13,7 +13,8 @@ namespace stillpoint::design {
 struct Edges {
   double f2;
   double f3;
-  double f_cap;      ///< min(f3, f_max)
+  double f4;         ///< where S = acceleration_max, docs/theory.md (33); infinite without a limit
+  double f_cap;      ///< min(f3, f_max, f4)
   double delta_cap;  ///< min(Delta2, delta_max)
 };
 
@@ -23,10 +24,22 @@ struct Edges {
 /// smaller v0, only helps.
 [[nodiscard]] bool amplitude_fits_return(const Edges& edges, const Limits& limits);
 [[nodiscard]] bool amplitude_fits_f_max(const Edges& edges, const Limits& limits);
+/// The same of f4, which falls with p: a larger p may help or harm. Not met where f4 < 0.
+[[nodiscard]] bool amplitude_fits_acceleration(const Edges& edges, const Limits& limits);
 
 /// At the largest f within the limits, where Delta1 is smallest, there is a Delta between Delta1
 /// and the cap, for the whole box. A smaller v0 or p only helps.
 [[nodiscard]] bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits);
+
+/// As far as an input may be changed with the others as they are: as long as it stays valid
+/// (problem.hpp), but for one decade.
+struct ValidInterval {
+  double least;
+  double most;
+};
+inline constexpr double far_ratio = 1e99;  // of p beta to v0, or the other way round
+[[nodiscard]] ValidInterval valid_v0(const Problem& problem);
+[[nodiscard]] ValidInterval valid_p(const Problem& problem);
 
 /// The largest f whose box stays at or below the cap, and the smallest one at or above the floor,
 /// as double arithmetic evaluates f (1 + R) and f (1 - R).

@@ -24,7 +24,7 @@ using records::split;
 /// Below 2^53, so a double counts them exactly.
 constexpr std::int64_t most_values = 1'000'000'000'000'000;
 
-Axis parse_range(std::string_view field, std::string_view text) {
+Axis parse_range(std::string_view field, std::string_view text, const NumberReader& number) {
   const auto wrong = [&](std::string_view bound) {
     return InputError(std::string(field), std::string(text), std::string(bound));
   };
@@ -32,8 +32,8 @@ Axis parse_range(std::string_view field, std::string_view text) {
   if (parts.size() < 3 || parts.size() > 4 || (parts.size() == 4 && parts[3] != "log")) {
     throw wrong("must be first:last:count or first:last:count:log");
   }
-  const double first = parse_number(field, parts[0]);
-  const double last = parse_number(field, parts[1]);
+  const double first = number(parts[0]);
+  const double last = number(parts[1]);
   const std::int64_t count = parse_integer(field, parts[2]);
   if (count < 1 || count > most_values) {
     throw wrong(fmt::format("must have a count from 1 to {}", most_values));
@@ -102,12 +102,17 @@ std::string Axis::text() const {
 }
 
 Axis parse_axis(std::string_view field, std::string_view text) {
+  return parse_axis(field, text,
+                    [field](std::string_view value) { return parse_number(field, value); });
+}
+
+Axis parse_axis(std::string_view field, std::string_view text, const NumberReader& number) {
   if (text.find(':') != std::string_view::npos) {
-    return parse_range(field, text);
+    return parse_range(field, text, number);
   }
   std::vector<double> values;
   for (const std::string_view part : split(text, ',')) {
-    values.push_back(parse_number(field, part));
+    values.push_back(number(part));
   }
   return Axis(std::move(values));
 }

@@ -63,7 +63,7 @@ class Turning {
 
 class GridSource : public SweepSource {
  public:
-  explicit GridSource(std::vector<SweepAxis> axes) {
+  GridSource(std::vector<SweepAxis> axes, const std::optional<SweepUnits>& units) : units_(units) {
     std::ranges::sort(axes, std::greater(), &SweepAxis::quantity);
     for (SweepAxis& swept : axes) {
       const std::int64_t size = swept.axis.size();
@@ -95,8 +95,8 @@ class GridSource : public SweepSource {
     std::string values;
     for (const Turning& axis : axes_) {
       if (axis.varies()) {
-        values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", name(axis.quantity()),
-                              block[axis.quantity()][i]);
+        values += fmt::format("{}{} = {}", values.empty() ? "" : ", ",
+                              name(axis.quantity(), units_), block[axis.quantity()][i]);
       }
     }
     const std::int64_t entry = block.first + i;
@@ -108,6 +108,7 @@ class GridSource : public SweepSource {
 
  private:
   std::vector<Turning> axes_;
+  std::optional<SweepUnits> units_;
   std::int64_t total_{1};
   std::int64_t next_{0};
 };
@@ -115,7 +116,7 @@ class GridSource : public SweepSource {
 }  // namespace
 
 std::unique_ptr<SweepSource> grid_source(const SweepSpec& spec) {
-  return std::make_unique<GridSource>(spec.axes);
+  return std::make_unique<GridSource>(spec.axes, spec.units);
 }
 
 }  // namespace stillpoint::sweep

@@ -29,7 +29,7 @@ const SweepSpec& drawable(const SweepSpec& spec) {
   for (const SweepAxis& swept : spec.axes) {
     if (swept.quantity != Quantity::f && swept.quantity != Quantity::delta &&
         swept.axis.size() > 1) {
-      throw InputError(std::string(name(swept.quantity)), swept.axis.text(),
+      throw InputError(std::string(name(swept.quantity, spec.units)), swept.axis.text(),
                        "must be one number if a map of f and delta is drawn");
     }
   }

@@ -40,22 +40,25 @@ std::size_t width(Quantity column) {
   return is_byte(column) ? 1 : sizeof(double);
 }
 
-std::string description(const std::vector<Quantity>& columns, std::int64_t rows) {
+using Units = std::optional<SweepUnits>;
+
+std::string description(const std::vector<Quantity>& columns, const Units& units,
+                        std::int64_t rows) {
   std::string fields;
   for (const Quantity column : columns) {
-    fields += form(column) == Form::truth ? fmt::format("('{}', '|b1'), ", name(column))
-              : is_byte(column)           ? fmt::format("('{}', '|u1'), ", name(column))
-                                : fmt::format("('{}', '{}f8'), ", name(column), byte_order);
+    fields += form(column) == Form::truth ? fmt::format("('{}', '|b1'), ", name(column, units))
+              : is_byte(column)           ? fmt::format("('{}', '|u1'), ", name(column, units))
+                                : fmt::format("('{}', '{}f8'), ", name(column, units), byte_order);
   }
   fields.resize(fields.size() - 2);
   return fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}", fields, rows);
 }
 
 /// The names of the columns, in one line.
-std::string csv_header(const std::vector<Quantity>& columns) {
+std::string csv_header(const std::vector<Quantity>& columns, const Units& units) {
   std::string text;
   for (const Quantity column : columns) {
-    text += name(column);
+    text += name(column, units);
     text += ',';
   }
   text.back() = '\n';
@@ -88,14 +91,15 @@ void append_csv(const SweepBlock& block, const std::vector<Quantity>& columns, I
 
 /// The header of a NumPy file, version 1.0, of records with the columns as fields: 8-byte floats,
 /// but bytes for outcome and feasible. Its length does not depend on `rows`.
-std::string npy_header(const std::vector<Quantity>& columns, std::int64_t rows) {
+std::string npy_header(const std::vector<Quantity>& columns, const Units& units,
+                       std::int64_t rows) {
   constexpr std::size_t alignment = 64;
   constexpr std::int64_t most_rows = 1'000'000'000'000'000'000;
   using namespace std::string_literals;
   const std::string start = "\x93NUMPY\x01\x00"s;
-  const std::size_t longest = start.size() + 2 + description(columns, most_rows).size() + 1;
+  const std::size_t longest = start.size() + 2 + description(columns, units, most_rows).size() + 1;
   const std::size_t size = (longest + alignment - 1) / alignment * alignment;
-  std::string header = start + "  " + description(columns, rows);
+  std::string header = start + "  " + description(columns, units, rows);
   header.resize(size - 1, ' ');
   header += '\n';
   const std::size_t counted = size - start.size() - 2;
@@ -132,7 +136,8 @@ void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, I
 }  // namespace
 
 std::string RowWriter::header(std::int64_t rows) const {
-  return format_ == RowFormat::csv ? csv_header(columns_) : npy_header(columns_, rows);
+  return format_ == RowFormat::csv ? csv_header(columns_, units_)
+                                   : npy_header(columns_, units_, rows);
 }
 
 const std::vector<std::string>& RowWriter::rows(const SweepBlock& block) {

@@ -6,6 +6,7 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace stillpoint::sweep {
 class RowWriter {
  public:
   explicit RowWriter(const SweepSpec& spec)
-      : columns_(spec.columns), format_(spec.format), threads_(spec.threads) {}
+      : columns_(spec.columns), units_(spec.units), format_(spec.format), threads_(spec.threads) {}
 
   /// What comes before `rows` entries.
   [[nodiscard]] std::string header(std::int64_t rows) const;
@@ -24,6 +25,7 @@ class RowWriter {
 
  private:
   const std::vector<Quantity>& columns_;
+  const std::optional<SweepUnits>& units_;
   RowFormat format_;
   int threads_;
   std::vector<std::string> pieces_;

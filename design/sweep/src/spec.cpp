@@ -43,14 +43,21 @@ std::vector<Quantity> all_columns(SweepKind kind) {
   return all;
 }
 
+std::string underscored(std::string_view name) {
+  std::string result(name);
+  std::ranges::replace(result, '-', '_');
+  return result;
+}
+
 bool contains(const std::vector<Quantity>& columns, Quantity column) {
   return std::ranges::find(columns, column) != columns.end();
 }
 
-InputError unknown_column(std::string_view wanted, const std::vector<Quantity>& all) {
+InputError unknown_column(std::string_view wanted, const std::vector<Quantity>& all,
+                          const std::optional<SweepUnits>& units) {
   std::string names;
   for (const Quantity column : all) {
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(column));
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(column, units));
   }
   return {"columns", fmt::format("\"{}\"", records::shortened(wanted, records::longest_word)),
           "must be among " + names};
@@ -83,7 +90,7 @@ std::optional<std::int64_t> entries(const SweepSpec& spec) {
   std::int64_t count = 1;
   for (const SweepAxis& swept : spec.axes) {
     if (swept.axis.size() > most / count) {
-      throw InputError(std::string(name(swept.quantity)), swept.axis.text(),
+      throw InputError(std::string(name(swept.quantity, spec.units)), swept.axis.text(),
                        fmt::format("makes a grid of more than {} entries", most));
     }
     count *= swept.axis.size();
@@ -134,26 +141,27 @@ std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
   return columns;
 }
 
-std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind) {
+std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind,
+                                    const std::optional<SweepUnits>& units) {
   const std::vector<Quantity> all = all_columns(kind);
   std::vector<Quantity> columns;
   for (const std::string_view wanted : records::split(names, ',')) {
-    const auto quantity = find_quantity(wanted);
-    if (!quantity || !contains(all, *quantity)) {
-      throw unknown_column(wanted, all);
+    const auto found = std::ranges::find_if(
+        all, [&](Quantity quantity) { return name(quantity, units) == underscored(wanted); });
+    if (found == all.end()) {
+      throw unknown_column(wanted, all, units);
     }
-    if (contains(columns, *quantity)) {
+    if (contains(columns, *found)) {
       throw InputError("columns", std::string(wanted), "must not be named twice");
     }
-    columns.push_back(*quantity);
+    columns.push_back(*found);
   }
   return columns;
 }
 
 std::optional<Quantity> find_quantity(std::string_view name) {
-  std::string wanted(name);
-  std::ranges::replace(wanted, '-', '_');
-  const auto* const found = std::ranges::find(quantity_forms, wanted, &QuantityForm::name);
+  const auto* const found =
+      std::ranges::find(quantity_forms, underscored(name), &QuantityForm::name);
   return found == quantity_forms.end() ? std::nullopt : std::optional(found->quantity);
 }
 

@@ -89,6 +89,29 @@ SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
       one_v0_and_p_(!varies(spec, Quantity::v0) && !varies(spec, Quantity::p)) {}
 
 void SweepStep::operator()(SweepBlock& block) {
+  if (spec_.units) {
+    run_physical(block);
+  } else {
+    run(block);
+  }
+}
+
+/// The inputs of `block` stay as they are, whatever is thrown.
+void SweepStep::run_physical(SweepBlock& block) {
+  const SweepUnits& units = *spec_.units;
+  plain_.size = block.size;
+  plain_.first = block.first;
+  for (const Quantity input : inputs(spec_.kind)) {
+    plain_[input] =
+        block[input].unaryExpr([&units, input](double value) { return units.plain(input, value); });
+  }
+  run(plain_);
+  for (const Quantity result : results(spec_.kind)) {
+    block[result] = plain_[result] * units.unit(result);
+  }
+}
+
+void SweepStep::run(SweepBlock& block) {
   switch (spec_.kind) {
     case SweepKind::free:
       return run_free(block);

@@ -23,6 +23,8 @@ class SweepStep {
   void operator()(SweepBlock& block);
 
  private:
+  void run(SweepBlock& block);
+  void run_physical(SweepBlock& block);
   void run_free(SweepBlock& block);
   void run_free_one_by_one(SweepBlock& block) const;
   void run_forced(SweepBlock& block) const;
@@ -36,6 +38,7 @@ class SweepStep {
   bool from_zero_;
   bool one_v0_and_p_;
   BatchResult batch_;
+  SweepBlock plain_;  ///< the block without its units
 };
 
 }  // namespace stillpoint::sweep

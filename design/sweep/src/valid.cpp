@@ -23,7 +23,7 @@ bool contains(std::span<const Quantity> quantities, Quantity quantity) {
 /// Each input has one axis, or is a column of the list.
 void require_inputs(const SweepSpec& spec) {
   for (const SweepAxis& swept : spec.axes) {
-    const std::string field(name(swept.quantity));
+    const std::string field(name(swept.quantity, spec.units));
     const auto refuse = [&](const std::string& bound) {
       throw InputError(field, swept.axis.text(), bound);
     };
@@ -44,7 +44,7 @@ void require_inputs(const SweepSpec& spec) {
     const bool listed = spec.list && spec.list->has(input);
     if (!listed && std::ranges::find(spec.axes, input, &SweepAxis::quantity) == spec.axes.end()) {
       throw InputError::missing(
-          std::string(name(input)),
+          std::string(name(input, spec.units)),
           fmt::format("give a number, a range first:last:count, or numbers a,b,c{}",
                       spec.list ? ", or make it a column of the list" : ""));
     }
@@ -91,7 +91,9 @@ void check_corners(const SweepSpec& spec) {
     Corner corner{};
     for (std::size_t i = 0; i < spec.axes.size(); ++i) {
       const auto [least, most] = spec.axes[i].axis.ends();
-      corner[index(spec.axes[i].quantity)] = (chosen >> i & 1U) != 0 ? most : least;
+      const Quantity input = spec.axes[i].quantity;
+      const double value = (chosen >> i & 1U) != 0 ? most : least;
+      corner[index(input)] = spec.units ? spec.units->plain(input, value) : value;
     }
     check(corner, spec);
   }
@@ -107,6 +109,9 @@ void require_valid(const SweepSpec& spec) {
   }
   if (spec.half_cycle_limit) {
     require_within("half-cycle-limit", *spec.half_cycle_limit, 1, 1e15);
+  }
+  if (spec.units && spec.list) {
+    throw InputError("list", spec.list->source(), "must be dimensionless, like the other input");
   }
   if (entries(spec)) {
     check_corners(spec);

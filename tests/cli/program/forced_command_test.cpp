@@ -103,17 +103,44 @@ BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
   check_fields(report["input"]["excitation"],
                {"type:text", "k:number", "lambda:number", "phase:number", "duration:null",
                 "record:null", "samples:null"});
-  check_fields(report["response"],
-               {"peak_amplitude:number", "peak_acceleration:number", "half_cycles:count",
-                "turning_points:count", "zero_passages:count", "stop_time:null",
-                "stop_position:null", "stops_at_zero:bool", "outcome:text", "arrival_speed:number",
-                "decision_margin:number", "end_time:number", "final_position:number",
-                "final_velocity:number", "sticks:count", "stick_time:number"});
+  check_fields(
+      report["response"],
+      {"peak_amplitude:number", "peak_acceleration:number", "peak_absolute_acceleration:number",
+       "locked_from:null", "largest_load_while_locked:null", "half_cycles:count",
+       "turning_points:count", "zero_passages:count", "stop_time:null", "stop_position:null",
+       "stops_at_zero:bool", "outcome:text", "arrival_speed:number", "decision_margin:number",
+       "end_time:number", "final_position:number", "final_velocity:number", "sticks:count",
+       "stick_time:number"});
   for (const json& now : report["half_cycles"]) {
     check_fields(now,
                  {"index:count", "start_time:number", "departure_speed:number", "peak_time:number",
                   "peak:number", "end_time:number", "arrival_speed:number?"});
   }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {
+  // Caught at the start; physical: H = 0.1 m, so 20 tau are 20 sqrt(0.1 / 1) = 6.325 s.
+  const Arguments caught{"simulate", "--f", "0.02", "--delta",  "0.1", "--excitation",
+                         "harmonic", "--k", "0.3",  "--lambda", "1",   "--t-end",
+                         "20"};
+  const ProgramRun plain = run(joined(caught, {"--v0", "0.1", "--p", "1", "--json"}));
+  BOOST_TEST(plain.err ==
+             "stillpoint: locked at x = 0 from tau = 0 of 20; the structure then feels up to 0.3 "
+             "g\n");
+  const json response = plain.json()["response"];
+  BOOST_TEST(response["outcome"] == "caught_at_start");
+  BOOST_TEST(response["locked_from"] == 0);
+  BOOST_TEST(response["largest_load_while_locked"] == 0.3);
+  BOOST_TEST(response["peak_absolute_acceleration"] == 0.3);
+  BOOST_TEST(response["peak_acceleration"] == 0);
+  const ProgramRun physical =
+      run(joined(caught, {"--velocity", "0.1", "--period", "6.283185307179586", "--gravity", "1"}));
+  BOOST_TEST(physical.err ==
+             "stillpoint: locked at x = 0 from 0 s of 6.325 s; the structure then feels up to 0.3 "
+             "g\n");
+  BOOST_TEST(physical.out.find("Locked at x = 0 from 0 s of") != std::string::npos);
+  // A load that is over, or a start that is fast enough, does not lock.
+  BOOST_TEST(run(joined(pulse("half-sine"), {"--json"})).err.empty());
 }
 
 BOOST_AUTO_TEST_CASE(of_a_motion_that_stops_says_where_and_when) {
@@ -163,7 +190,7 @@ BOOST_AUTO_TEST_CASE(of_a_free_motion_has_no_excitation) {
 }
 
 BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
-  const ProgramRun sticking = run(s4);
+  const ProgramRun sticking = run(joined(s4, {"--verbose"}));
   BOOST_TEST(sticking.exit_code == 0);
   for (const char* part : {"Forced motion", "harmonic, k = 0.2, lambda = 0.35",
                            "is still moving at the end", "22 sticks", "tau = 200, x = 0.078877"}) {
@@ -461,7 +488,7 @@ BOOST_AUTO_TEST_CASE(synthetic_records_run) {
     BOOST_TEST(report["response"]["zero_passages"].get<int>() > 1);
     BOOST_TEST(report["physical"]["peak_m"].get<double>() > 0.05);
     BOOST_TEST(report["physical"]["peak_m"].get<double>() < 1);
-    const ProgramRun text = run(shaken);
+    const ProgramRun text = run(joined(shaken, {"--verbose"}));
     BOOST_TEST(text.exit_code == 0);
     BOOST_TEST(text.out.find("SYNTHETIC") != std::string::npos, text.out);
   }

@@ -11,6 +11,7 @@
 #include <array>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(help_test)
@@ -24,6 +25,33 @@ constexpr std::array commands{Command::design, Command::region, Command::simulat
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+Surroundings of_width(const char* columns) {
+  Surroundings surroundings;
+  surroundings.environment.emplace_back("COLUMNS", columns);
+  return surroundings;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The words of a text, whatever is between them; of an example a line's end is no word.
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) {
+    if (word != "\\") {
+      words.push_back(word);
+    }
+  }
+  return words;
 }
 
 }  // namespace
@@ -44,7 +72,7 @@ BOOST_AUTO_TEST_CASE(of_the_program_names_its_commands_with_examples) {
 
 BOOST_AUTO_TEST_CASE(of_a_command_names_its_options_and_no_other) {
   for (const Command command : commands) {
-    const ProgramRun answer = run({std::string(name(command)), "--help"});
+    const ProgramRun answer = run({std::string(name(command)), "--help"}, of_width("1000"));
     BOOST_TEST(answer.exit_code == 0);
     BOOST_TEST(answer.err.empty(), answer.err);
     for (const stillpoint::cli::Option& option : stillpoint::cli::options()) {
@@ -124,6 +152,62 @@ BOOST_AUTO_TEST_CASE(examples_work) {
     }
   }
   BOOST_TEST(tried >= 10);
+}
+
+BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_and_80_where_that_is_unknown) {
+  for (const Command command : commands) {
+    const Arguments help{std::string(name(command)), "--help"};
+    const auto whole = words_of(run(help, of_width("1000")).out);
+    for (const auto& [columns, width] :
+         {std::pair{"60", 60U}, std::pair{"100", 100U}, std::pair{"0", 80U}, std::pair{"x", 80U},
+          std::pair{"3", 50U}}) {
+      const std::string text = run(help, of_width(columns)).out;
+      bool full = false;
+      for (const std::string& line : lines_of(text)) {
+        // One word alone may be longer than the page is wide.
+        BOOST_TEST((line.size() <= width || words_of(line).size() <= 2), columns << ": " << line);
+        full = full || line.size() + 12 > width;
+      }
+      BOOST_TEST(full, "no line of " << columns << " columns is filled");
+      BOOST_TEST(words_of(text) == whole, boost::test_tools::per_element());
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(is_printed_by_the_command_help_as_well) {
+  BOOST_TEST(run({"help"}).out == run({"--help"}).out);
+  for (const Command command : commands) {
+    const std::string word(name(command));
+    BOOST_TEST(run({"help", word}).out == run({word, "--help"}).out);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(is_short_where_nothing_is_asked) {
+  const ProgramRun answer = run({});
+  BOOST_TEST(answer.exit_code == 2);
+  BOOST_TEST(answer.out.empty(), answer.out);
+  BOOST_TEST(answer.err_lines().size() <= 20U);
+  for (const Command command : commands) {
+    BOOST_TEST(contains(answer.err, "  " + std::string(name(command))));
+  }
+  BOOST_TEST(contains(answer.err, "stillpoint design --velocity"));
+}
+
+BOOST_AUTO_TEST_CASE(begins_with_a_scene_that_can_be_designed_as_it_is) {
+  BOOST_TEST(run({"init"}).out == run({"init", "building"}).out);
+  for (const char* kind : {"building", "machine", "equipment"}) {
+    const ProgramRun scene = run({"init", kind});
+    BOOST_TEST(scene.exit_code == 0);
+    BOOST_TEST(scene.err.empty(), scene.err);
+    BOOST_TEST(contains(scene.out, "// "));
+    Surroundings from_it;
+    from_it.input = scene.out;
+    const ProgramRun design = run({"design", "-", "--json"}, from_it);
+    BOOST_TEST(design.exit_code == 0, design.err);
+    BOOST_TEST(design.err.empty(), design.err);
+    BOOST_TEST(design.json()["design"]["tolerance"].get<double>() >=
+               design.json()["input"]["tolerance"].get<double>());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(wins_over_wrong_input) {

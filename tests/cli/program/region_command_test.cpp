@@ -142,11 +142,27 @@ BOOST_AUTO_TEST_CASE(criterion_decides_between_the_two_bounds) {
 
 BOOST_AUTO_TEST_CASE(limits_count_for_a_point) {
   const Arguments point{"--f", "0.3", "--delta", "0.4"};
-  for (const Arguments& limit : std::vector<Arguments>{
-           {"--f-max", "0.29"}, {"--delta-max", "0.39"}, {"--tolerance", "0.2"}}) {
+  for (const Arguments& limit : std::vector<Arguments>{{"--f-max", "0.29"},
+                                                       {"--delta-max", "0.39"},
+                                                       {"--acceleration-max", "1.04"},  // S = 1.044
+                                                       {"--tolerance", "0.2"}}) {
     BOOST_TEST(report_of(*this, region(joined(point, limit)))["admissible"] == false);
   }
   BOOST_TEST(report_of(*this, region(joined(point, {"--tolerance", "0.1"})))["admissible"] == true);
+}
+
+/// A point that is served has all three blocks; one that is not still has its hits.
+BOOST_AUTO_TEST_CASE(a_point_says_what_it_serves) {
+  const json good =
+      report_of(*this, region({"--f", "0.3", "--delta", "0.4", "--acceleration-max", "1.1"}));
+  BOOST_TEST(near(good["works_for"]["v0"][0], std::sqrt(0.8), 1e-15));
+  BOOST_TEST(near(good["works_for"]["p"][1], std::sqrt(1.1 * 1.1 - 0.3 * 0.3), 1e-15));
+  BOOST_TEST(near(good["practice"]["notch_width_min"], 0.5, 1e-14));
+  BOOST_TEST(good["hits"][1]["ends"] == "centred");
+  const json wrong = report_of(*this, region({"--f", "0.3", "--delta", "0.9"}));
+  check_fields(wrong, {"works_for:null", "practice:null"});
+  BOOST_TEST(wrong["hits"][0]["ends"] == "held");
+  check_fields(report_of(*this, region({"--f", "0.3"})), {"hits:null"});
 }
 
 /// Each bound names the variable that it bounds, in the report for people as in JSON.
@@ -162,7 +178,7 @@ BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
       {"dead_zone", "f"}, {"start", "delta"}, {"amplitude", "f"},    {"return", "f"},
       {"stop", "delta"},  {"f_max", "f"},     {"delta_max", "delta"}};
   BOOST_TEST(variable == expected);
-  std::istringstream text(run(arguments).out);
+  std::istringstream text(run(joined(arguments, {"--verbose"})).out);
   std::string line;
   std::size_t found = 0;
   while (std::getline(text, line)) {
@@ -261,8 +277,8 @@ BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
   };
   const ProgramRun text = run(isolator("6e5"));
   BOOST_TEST(text.exit_code == 3);
-  BOOST_TEST(text.out.find("(stiffness at least ") != std::string::npos, text.out);
-  BOOST_TEST(text.out.find("(period ") == std::string::npos, text.out);
+  BOOST_TEST(text.out.find("  stiffness         at least ") != std::string::npos, text.out);
+  BOOST_TEST(text.out.find("  period            at") == std::string::npos, text.out);
   // beta p / V0 = X omega / v = 1/sqrt 2, (10), so that k = m v^2 / (2 X^2).
   const json quantities = run(joined(isolator("6e5"), {"--json"})).json()["physical"];
   const double mended = quantities["stiffness_mend_n_per_m"];
@@ -275,7 +291,7 @@ BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
                             "2.5651", "--max-displacement", "0.1"};
   const json without_mass = run(joined(by_period, {"--json"})).json()["physical"];
   check_fields(without_mass, {"period_mend_s:number", "stiffness_mend_n_per_m:null"});
-  BOOST_TEST(run(by_period).out.find("(period at most ") != std::string::npos);
+  BOOST_TEST(run(by_period).out.find("  period            at most ") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {

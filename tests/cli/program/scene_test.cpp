@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
       }
       std::ifstream file(entry.path());
       const json text = json::parse(file);
-      BOOST_TEST(report["physical"].is_object() == text.contains("velocity"));
+      BOOST_TEST(report["physical"].is_object() == text.contains("period"));
       BOOST_TEST(text.contains("title"));
       const ProgramRun motion =
           run({"simulate", entry.path().string(), "--f", "0.01", "--delta", "0.001", "--json"});

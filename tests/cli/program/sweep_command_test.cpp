@@ -77,6 +77,22 @@ BOOST_AUTO_TEST_CASE(has_the_metrics_of_simulate_and_turns_its_last_axis_first) 
   BOOST_TEST(table.at(3, "outcome") == "stopped_in_dead_zone");
 }
 
+BOOST_AUTO_TEST_CASE(has_the_transmitted_acceleration_where_it_is_asked_for) {
+  const Arguments column{"peak_absolute_acceleration"};
+  for (const char* x0 : {"0", "0.5"}) {  // in lanes, and one by one
+    const SweepTable table =
+        table_of(run(sweep({"--f", "0,0.02,0.4", "--delta", "0.03,0.7", "--x0", x0, "--columns",
+                            "f,delta,peak-absolute-acceleration"})));
+    BOOST_TEST_REQUIRE(table.rows.size() == 6U);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      const json report = run({"simulate", "--v0", "1", "--p", "1", "--x0", x0, "--f",
+                               table.at(row, "f"), "--delta", table.at(row, "delta"), "--json"})
+                              .json();
+      check_row(table, row, report.at("response"), column);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(may_have_axes_of_the_start_and_the_spring) {
   const SweepTable table = table_of(run({"sweep", "--delta", "0.01,0.02", "--f", "0.05", "--x0",
                                          "-1:1:3", "--p", "1,2", "--v0", "0.5,1", "--times"}));
@@ -94,8 +110,9 @@ BOOST_AUTO_TEST_CASE(may_have_axes_of_the_start_and_the_spring) {
 
 BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_metrics_of_simulate) {
   const Arguments forced{"--excitation", "harmonic", "--k", "0.2", "--lambda", "0.35"};
-  const Arguments columns = joined(
-      free_columns, {"end_time", "final_position", "final_velocity", "sticks", "stick_time"});
+  const Arguments columns =
+      joined(free_columns, {"end_time", "final_position", "final_velocity", "sticks", "stick_time",
+                            "peak_absolute_acceleration"});
   for (const Arguments& more :
        {joined(forced, {"--t-end", "100"}), joined(forced, {"--duration", "20"})}) {
     const SweepTable table = table_of(run(joined(

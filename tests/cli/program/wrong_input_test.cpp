@@ -75,6 +75,22 @@ const std::vector<Wrong> values{
     {"x0_too_large", simulate({"--x0", "1e301"}), {"x0 = 1e+301", "1e+300"}},
     {"f_negative", with(simulate(), "--f", "-0.1"), {"f = -0.1", "from 0"}},
     {"delta_negative", with(simulate(), "--delta", "-0.1"), {"delta = -0.1", "from 0"}},
+    {"hold_negative", simulate({"--hold", "-0.1"}), {"hold = -0.1", "from 0"}},
+    {"hold_not_a_number", simulate({"--hold", "nan"}), {"hold = nan"}},
+    {"notch_width_zero", simulate({"--notch-width", "0"}), {"notch-width = 0", "from 1e-150"}},
+    {"notch_width_of_design", design({"--notch-width", "-1"}), {"notch-width = -1", "1e-150"}},
+    {"hold_and_width",
+     simulate({"--hold", "0.1", "--notch-width", "0.1"}),
+     {"hold", "notch-width", "exclude each other"}},
+    {"zones_fall",
+     simulate({"--friction-zones", "0.2:0.1,0.1:0.3"}),
+     {"friction-zones 2: to = 0.1", "greater", "0.2"}},
+    {"zone_without_friction",
+     simulate({"--friction-zones", "0.2:0.1,0.3"}),
+     {"friction-zones 2 = 0.3", "X:F"}},
+    {"zone_of_negative_friction",
+     simulate({"--friction-zones", "0.2:-0.1"}),
+     {"friction-zones 1: f = -0.1", "from 0"}},
     {"f_of_region_negative", region({"--f", "-1"}), {"f = -1", "from 0"}},
     {"delta_of_region_negative", region({"--f", "0.3", "--delta", "-1"}), {"delta = -1", "from 0"}},
     {"f_max_zero", design({"--f-max", "0"}), {"f_max = 0", "from 1e-300"}},
@@ -83,6 +99,13 @@ const std::vector<Wrong> values{
      {"design", "--velocity", "1", "--period", "3", "--max-displacement", "1", "--delta-max-m",
       "0"},
      {"delta-max-m = 0", "from"}},
+    {"acceleration_max_zero",
+     design({"--acceleration-max", "0"}),
+     {"acceleration_max = 0", "from 1e-300"}},
+    {"acceleration_max_with_pulse",
+     {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--p", "1", "--beta", "0.2",
+      "--acceleration-max", "1"},
+     {"acceleration_max = 1", "cannot be combined with a pulse"}},
     {"delta_max_zero", design({"--delta-max", "0"}), {"delta_max = 0", "from 1e-300"}},
     {"tolerance_one", design({"--tolerance", "1"}), {"tolerance = 1", "less than 1"}},
     {"tolerance_negative", design({"--tolerance", "-0.1"}), {"tolerance = -0.1", "at least 0"}},
@@ -266,10 +289,13 @@ BOOST_DATA_TEST_CASE_F(Sandbox, combination, data::make(combinations), wrong) {
 namespace {
 
 const std::vector<Wrong> command_lines{
-    {"no_command", {}, {"no command", "design, region, simulate, sweep or accuracy"}},
     {"unknown_command",
      {"dezign"},
-     {"command dezign", "design, region, simulate, sweep or accuracy"}},
+     {"command dezign", "design, region, simulate, sweep, accuracy or init", "mean design?"}},
+    {"quiet_and_verbose", design({"--quiet", "--verbose"}), {"quiet and verbose"}},
+    {"json_and_trajectory_on_standard_output",
+     simulate({"--trajectory", "-", "--json"}),
+     {"json and the trajectory", "standard output"}},
     {"command_behind_another", design({"region"}), {"region"}},
     {"unknown_option", design({"--betta", "2"}), {"--betta", "unknown option", "mean beta?"}},
     {"unknown_option_without_a_neighbour", design({"--frobnicate"}), {"--frobnicate", "unknown"}},
@@ -297,6 +323,15 @@ BOOST_DATA_TEST_CASE_F(Sandbox, command_line, data::make(command_lines), wrong) 
   check_refused(*this, wrong);
 }
 
+BOOST_FIXTURE_TEST_CASE(commands_that_take_no_options_say_what_they_take, Sandbox) {
+  check_refusal(run({"help", "swep"}), {"command swep", "mean sweep?"});
+  check_refusal(run({"help", "sweep", "design"}), {"help sweep", "one command"});
+  check_refusal(run({"init", "bulding"}),
+                {"init = bulding", "building, machine or equipment", "mean building?"});
+  check_refusal(run({"init", "building", "machine"}), {"machine", "unexpected"});
+  check_refusal(run({"init", "--json"}), {"--json", "not an option of init"});
+}
+
 // ---- scenes
 
 namespace {
@@ -315,7 +350,7 @@ const std::vector<Wrong> scenes{
     scene("truncated_in_a_text", R"({"v0": 1, "title": "half)", {"not valid JSON", "line 1"}),
     scene("more_behind_it", "{" + good + "} {}", {"not valid JSON", "end of input"}),
     scene("comma_behind_the_last_value", "{" + good + ",}", {"not valid JSON"}),
-    scene("comment", "{" + good + " // why\n}", {"not valid JSON"}),
+    scene("comment_that_does_not_end", "{" + good + " /* why\n}", {"not valid JSON"}),
     scene("not_utf8", "{\"title\": \"\xff\", " + good + "}", {"not valid JSON"}),
     scene("deeply_nested", std::string(500'000, '['), {"nested deeper"}),
     scene("an_array", "[1, 2]", {"array", "must be an object"}),
@@ -548,7 +583,7 @@ const std::vector<Wrong> sweeps{
      {"sweep", "-", "--list", "-"},
      {"scene and the list", "standard input"},
      "f,delta\n1,1\n"},
-    {"physical_option", sweep({"--period", "1"}), {"--period", "not an option of sweep"}},
+    {"physical_option", sweep({"--period", "1"}), {"p and period", "exclude each other"}},
     {"axis_for_simulate", with(simulate(), "--f", "0:1:2"), {"f = \"0:1:2\"", "finite number"}},
     {"scene_with_an_axis_of_texts",
      {"sweep", "-"},

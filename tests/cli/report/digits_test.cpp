@@ -18,6 +18,13 @@ BOOST_AUTO_TEST_CASE(six_digits_or_none) {
   BOOST_TEST(digits(std::optional<double>()) == "none");
 }
 
+BOOST_AUTO_TEST_CASE(an_interval_has_the_digits_that_its_width_needs) {
+  BOOST_TEST(interval_digits(0.34015, 0.42925) == "0.340 to 0.429");
+  BOOST_TEST(interval_digits(0.99996, 1.00004) == "0.999960 to 1.00004");
+  BOOST_TEST(interval_digits(0, 2) == "0.00 to 2.00");
+  BOOST_TEST(interval_digits(0.5, 0.5) == "0.500 to 0.500");
+}
+
 BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {
   BOOST_TEST(with_unit(0.0121, "m") == "12.1 mm");
   BOOST_TEST(with_unit(-0.0121, "m") == "-12.1 mm");

@@ -42,7 +42,7 @@ MotionReport free_motion() {
 BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
   const DesignReport report = isolator();
   const auto data = json(report);
-  const std::string plain = text(document(report));
+  const std::string plain = text(document(report), {.verbosity = Verbosity::full});
   const figures::HtmlPage made = page(report);
   for (const double value :
        {data["design"]["f"].get<double>(), data["design"]["delta"].get<double>(),

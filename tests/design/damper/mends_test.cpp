@@ -51,6 +51,9 @@ struct Case {
     if (name == "delta_max") {
       return *limits.delta_max;
     }
+    if (name == "acceleration_max") {
+      return *limits.acceleration_max;
+    }
     BOOST_REQUIRE(name == "tolerance");
     return limits.tolerance;
   }
@@ -89,6 +92,9 @@ Case random_case(RandomSource& random) {
   if (random.pick(2) == 0) {
     now.limits.tolerance = random.uniform(0, 0.6);
   }
+  if (random.pick(3) == 0) {
+    now.limits.acceleration_max = now.problem.v0 * now.problem.p * random.log_uniform(0.5, 2);
+  }
   return now;
 }
 
@@ -99,6 +105,9 @@ std::vector<std::string> fields_of(const Case& now) {
   }
   if (now.limits.delta_max) {
     list.emplace_back("delta_max");
+  }
+  if (now.limits.acceleration_max) {
+    list.emplace_back("acceleration_max");
   }
   if (now.limits.tolerance > 0) {
     list.emplace_back("tolerance");
@@ -176,7 +185,8 @@ BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
     // A smaller factor is not enough for any pair. (More p brings f_max nearer.)
     const double less = factor / (1 + 3 * smaller);
     for (const std::string& field : fields_of(now)) {
-      if (field == "tolerance" || (field == "p" && now.limits.f_max)) {
+      if (field == "tolerance" ||
+          (field == "p" && (now.limits.f_max || now.limits.acceleration_max))) {
         continue;
       }
       Case moved = now.with("tolerance", now.limits.tolerance / less);

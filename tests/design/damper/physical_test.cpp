@@ -179,6 +179,9 @@ BOOST_AUTO_TEST_CASE(wrong_physical_input_is_refused_with_the_name_of_its_field)
   PhysicalIsolator both = with_stiffness(1, 1);
   both.period_s = 3;
   check_refused("stiffness", both, 0.4);
+  PhysicalIsolator also_in_hertz = with_period(3);
+  also_in_hertz.natural_frequency_hz = 1.0 / 3;
+  check_refused("natural-frequency", also_in_hertz, 0.4);
   PhysicalIsolator massless;
   massless.stiffness_n_per_m = 1;
   check_refused("mass", massless, 0.4);

@@ -75,7 +75,8 @@ class Reference {
                                       const Precise& delta) const {
     return f < f1() && f >= f2() && f <= f3() && delta > delta1(f) && delta <= delta2() &&
            (!limits.f_max || f <= *limits.f_max) &&
-           (!limits.delta_max || delta <= *limits.delta_max);
+           (!limits.delta_max || delta <= *limits.delta_max) &&
+           (!limits.acceleration_max || s(f) <= *limits.acceleration_max);
   }
 
  private:

@@ -28,6 +28,9 @@ Limits random_limits(RandomSource& random, const Region& region) {
   if (random.pick(2) == 0) {
     limits.delta_max = region.delta2 * random.uniform(0.3, 1.1);
   }
+  if (random.pick(3) == 0) {
+    limits.acceleration_max = std::sqrt(8.0) * region.f3 * random.uniform(1, 1.1);
+  }
   return limits;
 }
 

@@ -81,6 +81,7 @@ BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_rows_of_forced_response) {
     check_same(rows[i].at(7), response.end_time);
     check_same(rows[i].at(8), response.final_position);
     check_same(rows[i].at(11), response.stick_time);
+    check_same(rows[i].at(12), response.peak_absolute_acceleration);
   }
 }
 
@@ -92,13 +93,16 @@ BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_search) {
   spec.columns = default_columns(spec);
   const Fields rows = rows_of(spec);
   BOOST_TEST_REQUIRE(rows.size() == 3U);
-  BOOST_TEST((rows[1] == std::vector<std::string>{"0.5", "false", "", "", "", ""}));
+  BOOST_TEST((rows[1] == std::vector<std::string>{"0.5", "false", "", "", "", "", ""}));
   const auto found = design::search({.v0 = 1, .p = 1, .beta = 0.8}, spec.limits, spec.search);
   BOOST_TEST_REQUIRE(found.has_value());
   BOOST_TEST(rows[2][1] == "true");
   check_same(rows[2][2], found->point.f);
   check_same(rows[2][3], found->point.delta);
   check_same(rows[2][4], found->point.tolerance);
+  const Response motion =
+      free_response({.p = 1, .f = found->point.f, .delta = found->point.delta}, {.x0 = 0, .v0 = 1});
+  check_same(rows[2][6], motion.peak_absolute_acceleration);
 }
 
 BOOST_AUTO_TEST_CASE(does_not_depend_on_the_threads) {

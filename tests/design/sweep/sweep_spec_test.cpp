@@ -41,8 +41,9 @@ BOOST_AUTO_TEST_CASE(default_columns_are_what_varies_and_the_results) {
   SweepSpec design;
   design.kind = SweepKind::design;
   design.axes = {{v0, Axis({1})}, {p, Axis({1})}, {beta, Axis({0.8, 0.9})}};
-  BOOST_TEST((default_columns(design, true) ==
-              std::vector{beta, feasible, f, delta, tolerance, peak_amplitude, stop_time}));
+  BOOST_TEST((default_columns(design, true) == std::vector{beta, feasible, f, delta, tolerance,
+                                                           peak_amplitude, stop_time,
+                                                           peak_absolute_acceleration}));
 }
 
 BOOST_AUTO_TEST_CASE(columns_are_read_by_name) {

@@ -6,8 +6,11 @@
 #include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/design/works_for.hpp>

@@ -17,6 +17,8 @@ namespace stillpoint::report {
 [[nodiscard]] std::string with_unit(double value, std::string_view unit);
 /// Ten digits, rounded up or down so that an input set to them meets the limit.
 [[nodiscard]] std::string limit_digits(double value, bool upwards);
+/// "0.340 to 0.429": three digits, or as many as hold both ends to 1 % of the width.
+[[nodiscard]] std::string interval_digits(double low, double high);
 /// A count: every digit up to 2^53, six of a larger one; or "none".
 [[nodiscard]] std::string whole(const std::optional<double>& count);
 /// "1 turning point", "2 turning points".

@@ -37,6 +37,7 @@ struct Table {
 struct Section {
   std::string heading;
   std::vector<std::variant<Row, Line, Table>> parts;
+  bool detail{false};  ///< for those who want to know more than the answer
 
   void row(std::string label, std::string text, Tone tone = Tone::plain);
   void line(std::string text, Tone tone = Tone::plain);
@@ -44,21 +45,27 @@ struct Section {
 
 struct Document {
   std::string title;
-  std::string verdict;     ///< what the reader wants to know, in a sentence
+  std::string verdict;     ///< what the reader wants to know, in a sentence or two
   Tone tone{Tone::plain};  ///< of the verdict
+  Section answer{};        ///< the rest of the answer, without a heading
   std::vector<Section> sections;
 
   /// A new section at the end; the reference is good until the next one.
   Section& section(std::string heading);
+  Section& detail(std::string heading);
 };
+
+/// How much of a document the text has: the answer and what is no detail, or everything.
+enum class Verbosity { normal, full };
 
 struct TextOptions {
   std::string title{};   ///< the scene's own, behind that of the document
   bool coloured{false};  ///< for a terminal
+  Verbosity verbosity{Verbosity::normal};
 };
 
-/// For a terminal or a file: headed sections of aligned columns. Control characters in the title
-/// are spelled out.
+/// For a terminal or a file, at most 80 columns wide where its words allow it: the answer, then
+/// headed sections of aligned columns. Control characters in the title are spelled out.
 [[nodiscard]] std::string text(const Document& document, const TextOptions& options = {});
 
 /// The sections as HTML, without a page around them.

@@ -28,7 +28,10 @@ struct Finding {
   Response response;  ///< by the half-cycle map
   SearchRecord search;
   CrossCheck cross_check;
-  std::optional<PulseCheck> pulse;  ///< if a pulse gave the initial velocity
+  /// Empty for a pulse: its velocity depends on f, and the forced motion is what counts.
+  std::optional<WorksFor> works_for;
+  std::optional<Practice> practice;  ///< of `response`
+  std::optional<PulseCheck> pulse;   ///< if a pulse gave the initial velocity
 };
 
 /// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the

@@ -30,10 +30,11 @@ struct Scales {
   [[nodiscard]] std::optional<double> stiffness_n_per_m() const;
 };
 
-/// What an engineer knows about an isolator. Exactly one of period_s and stiffness_n_per_m; the
-/// latter needs mass_kg. All positive.
+/// What an engineer knows about an isolator. Exactly one of period_s, natural_frequency_hz and
+/// stiffness_n_per_m; the last needs mass_kg. All positive.
 struct PhysicalIsolator {
   std::optional<double> period_s;
+  std::optional<double> natural_frequency_hz;
   std::optional<double> stiffness_n_per_m;
   std::optional<double> mass_kg;
   double gravity_m_per_s2{9.80665};
@@ -49,6 +50,7 @@ struct PhysicalInput {
   double velocity_m_per_s{0};
   double period_s{0};
   bool by_stiffness{false};  ///< not by the period
+  bool by_frequency{false};  ///< the same
   std::optional<double> max_displacement_m{};
 };
 
@@ -56,6 +58,13 @@ struct PhysicalInput {
 /// InputError as physical_scales does.
 [[nodiscard]] PhysicalInput physical_input(const PhysicalIsolator& isolator,
                                            double velocity_m_per_s, double x0_m);
+
+/// Intervals of velocity and period, the ends moved inwards by the rounding of the conversion.
+struct PhysicalWorksFor {
+  ServedInterval velocity_m_per_s;
+  ServedInterval period_s;  ///< the longest is always there; a `low` of 0 where no p is too large
+};
+[[nodiscard]] PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served);
 
 /// The physical value of a mended input, by the name under which it was given; H, a mere unit of
 /// length, stays.

@@ -27,12 +27,14 @@ struct Limits {
   std::optional<double> f_max{};
   std::optional<double> delta_max{};
   double tolerance{0};  ///< in [0, 1)
+  /// In g, of what the mass feels outside the notch: S = sqrt(f^2 + p^2 V0^2) at most.
+  std::optional<double> acceleration_max{};
 };
 
 /// Throws InputError, naming the field, unless
 ///   v0, p in [1e-150, 1e150]; beta in [1e-300, 1e300]; p beta in [1e-155, 1e155];
 ///   p beta / v0 in [1e-100, 1e100]; v0^2 / beta <= 1e305;
-///   f_max, delta_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
+///   f_max, delta_max, acceleration_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
 void require_valid(const Problem& problem, const Limits& limits = {});
 
 /// "published" or "exact".

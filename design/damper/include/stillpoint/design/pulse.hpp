@@ -26,7 +26,8 @@ struct PulseProblem {
 };
 
 /// Throws InputError, naming the field, unless k > 0, lambda >= p (a longer pulse is not an
-/// impulse), and the problem of the velocity left without friction is valid (problem.hpp).
+/// impulse), there is no acceleration_max, and the problem of the velocity left without friction is
+/// valid (problem.hpp).
 void require_valid(const PulseProblem& problem, const Limits& limits = {});
 
 [[nodiscard]] double peak_load(const Pulse& pulse);          ///< k

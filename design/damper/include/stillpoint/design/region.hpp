@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/works_for.hpp>
 
 #include <array>
 #include <optional>
@@ -14,11 +16,13 @@ namespace stillpoint::design {
 /// Why no (f, Delta) is admissible, by the two constraints that exclude each other.
 enum class Conflict {
   none,
-  amplitude_against_return,  ///< f2 > f3, or their boxes do not fit: condition (10) fails
-  amplitude_against_f_max,   ///< f2 > f_max
-  stop_against_start,        ///< Delta1 > Delta2 over the tolerance box
-  stop_against_delta_max,    ///< Delta1 > delta_max
-  narrower_than_rounding,    ///< the rest of the region lies between neighbouring doubles
+  amplitude_against_return,        ///< f2 > f3, or their boxes do not fit: condition (10) fails
+  amplitude_against_f_max,         ///< f2 > f_max
+  amplitude_against_acceleration,  ///< f2 > f4
+  acceleration_alone,              ///< S > acceleration_max without any friction
+  stop_against_start,              ///< Delta1 > Delta2 over the tolerance box
+  stop_against_delta_max,          ///< Delta1 > delta_max
+  narrower_than_rounding,          ///< the rest of the region lies between neighbouring doubles
 };
 
 /// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2, and its part within
@@ -29,6 +33,9 @@ struct Region {
   double f1{0};
   double f2{0};
   double f3{0};
+  /// f <= f4 keeps S = sqrt(f^2 + p^2 V0^2) within acceleration_max; negative where p V0 alone is
+  /// above that. Empty without the limit.
+  std::optional<double> f4;
   double delta2{0};
   double beta_min{0};  ///< V0/(sqrt(2) p), condition (10); the least double that is feasible
   /// The interval of feasible f within every limit, for the middle of the tolerance box. Empty if
@@ -79,7 +86,8 @@ struct Constraint {
 /// 1e300].
 [[nodiscard]] std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta);
 
-/// With one more row for each limit that is given: f_max and delta_max.
+/// With one more row for each limit that is given: f_max, delta_max, and acceleration, which is
+/// f <= f4.
 [[nodiscard]] std::vector<Constraint> constraints(const Problem& problem, const Limits& limits,
                                                   double f, double delta);
 
@@ -95,7 +103,9 @@ struct Constraint {
 
 /// The least change of one input, with the others unchanged, that makes the region not empty.
 struct Mend {
-  std::string_view field;  ///< v0 (of a pulse k, lambda), p, beta, f_max, delta_max or tolerance
+  std::string_view
+      field;  ///< v0 (of a pulse k, lambda), p, beta, f_max, delta_max, acceleration_max
+  ///< or tolerance
   double value{0};
   bool upwards{false};  ///< it must grow, not shrink
 };
@@ -139,6 +149,8 @@ struct RegionAnswer : RegionVerdict {
   std::optional<bool> admissible{};          ///< this and what follows with f and delta
   std::optional<double> tolerance{};         ///< the largest that the damper has
   std::vector<Constraint> constraints{};
+  std::optional<WorksFor> works_for{};  ///< these two if the point itself is admissible
+  std::optional<Practice> practice{};
 };
 
 /// Throws InputError as admissible_region does, for f or delta not in [0, 1e300], and for delta

@@ -17,7 +17,7 @@ enum class Objective {
   robust,        ///< largest R with every f (1 +- R), Delta (1 +- R) admissible
   amplitude,     ///< least peak displacement: the largest f
   time,          ///< least stop time: the smallest f
-  acceleration,  ///< least peak acceleration: the smallest f
+  acceleration,  ///< least acceleration of the free motion, transmitted and relative: smallest f
 };
 
 /// "robust", "amplitude", "time" or "acceleration".

@@ -4,6 +4,7 @@
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,5 +51,10 @@ struct SweepAxis {
 /// "3", "first:last:count", "first:last:count:log" or "3,4,7". Throws InputError, which names the
 /// field.
 [[nodiscard]] Axis parse_axis(std::string_view field, std::string_view text);
+
+/// The same where `number` reads each number, which may carry a unit.
+using NumberReader = std::function<double(std::string_view text)>;
+[[nodiscard]] Axis parse_axis(std::string_view field, std::string_view text,
+                              const NumberReader& number);
 
 }  // namespace stillpoint::sweep

@@ -6,6 +6,7 @@
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/list.hpp>
+#include <stillpoint/sweep/units.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -29,9 +30,12 @@ enum class RowFormat { csv, npy };
 
 [[nodiscard]] std::string_view name(RowFormat format) noexcept;
 
-/// What a sweep is to compute, and where its rows go. Everything is dimensionless.
+/// What a sweep is to compute, and where its rows go. Without `units` everything is dimensionless.
 struct SweepSpec {
   SweepKind kind{SweepKind::free};
+  /// Inputs and results of the rows are physical, see units.hpp; not beside a list. Excitation,
+  /// t_end and limits are dimensionless by these units.
+  std::optional<SweepUnits> units{};
   /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has
   /// one value and stands for an input that is not a column.
   std::vector<SweepAxis> axes;
@@ -79,6 +83,7 @@ void require_valid(const SweepSpec& spec);
 
 /// "f,delta,peak_amplitude". Throws InputError for a name that is not a column of this kind, and
 /// for one that occurs twice.
-[[nodiscard]] std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind);
+[[nodiscard]] std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind,
+                                                  const std::optional<SweepUnits>& units = {});
 
 }  // namespace stillpoint::sweep

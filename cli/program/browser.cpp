@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "browser.hpp"
+
+#include "settings.hpp"
+
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
+
+namespace stillpoint::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+bool is_program(const std::string& path) {
+  std::error_code unreachable;
+  return fs::is_regular_file(path, unreachable) && ::access(path.c_str(), X_OK) == 0;
+}
+
+/// By its path, or by its name in $PATH.
+bool can_be_run(const std::string& program) {
+  if (program.find('/') != std::string::npos) {
+    return is_program(program);
+  }
+  const std::string path = variable("PATH");
+  for (const std::string_view folder : records::split(path, ':')) {
+    if (!program.empty() && is_program(fmt::format("{}/{}", folder, program))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::string> words(std::string_view command) {
+  std::vector<std::string> words;
+  for (const std::string_view word : records::split(command, ' ')) {
+    if (!word.empty()) {
+      words.emplace_back(word);
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string> browser() {
+  const std::string chosen = variable("BROWSER");
+  for (const std::string_view command : records::split(chosen, ':')) {
+    std::vector<std::string> asked = words(command);
+    if (!asked.empty() && can_be_run(asked.front())) {
+      return asked;
+    }
+  }
+  for (const char* const usual : {"xdg-open", "open"}) {
+    if (can_be_run(usual)) {
+      return {usual};
+    }
+  }
+  throw UsageError(
+      "open: no browser is found: set BROWSER to a program, or write the page with --html FILE");
+}
+
+TemporaryPage::TemporaryPage() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  std::string made = (folder / "stillpoint-XXXXXX").string();
+  if (error || ::mkdtemp(made.data()) == nullptr) {
+    throw UsageError(fmt::format("open: there is no room for a temporary page in {}: {}",
+                                 folder.string(), error ? error.message() : std::strerror(errno)));
+  }
+  folder_ = made;
+}
+
+TemporaryPage::~TemporaryPage() {
+  std::error_code has_a_page;
+  fs::remove(folder_, has_a_page);
+}
+
+void open_page(std::vector<std::string> browser, const std::string& path) {
+  const std::string page = fs::absolute(path).string();
+  bool placed = false;
+  for (std::string& word : browser) {
+    if (const std::size_t place = word.find("%s"); place != std::string::npos) {
+      word.replace(place, 2, page);
+      placed = true;
+    }
+  }
+  if (!placed) {
+    browser.push_back(page);
+  }
+  std::vector<char*> arguments;
+  for (std::string& word : browser) {
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
+  // It outlives this program, whose output must not wait for it.
+  ::posix_spawn_file_actions_t actions{};
+  ::posix_spawn_file_actions_init(&actions);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+  }
+  ::pid_t process = 0;
+  const int error =
+      ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    throw UsageError(
+        fmt::format("open: {} cannot be started: {}", arguments.front(), std::strerror(error)));
+  }
+}
+
+}  // namespace stillpoint::cli

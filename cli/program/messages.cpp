@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "messages.hpp"
+
+#include <stillpoint/report/document.hpp>
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cstdio>
+
+namespace stillpoint::cli {
+
+namespace {
+
+std::atomic<bool> silent{false};
+
+}  // namespace
+
+void hush() {
+  silent = true;
+}
+
+bool hushed() {
+  return silent;
+}
+
+void say(const std::string& text) {
+  fmt::print(stderr, "stillpoint: {}\n", report::spelled_out(text));
+}
+
+void remark(const std::string& text) {
+  if (!silent) {
+    say(text);
+  }
+}
+
+}  // namespace stillpoint::cli

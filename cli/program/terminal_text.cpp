@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "terminal_text.hpp"
+
+#include <stillpoint/records/text.hpp>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// How the continuation of a line begins and how the line itself ends.
+struct Fold {
+  std::size_t indent{0};
+  std::string_view end;
+};
+
+Fold fold_of(std::string_view line) {
+  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+  const std::string_view words = line.substr(begin);
+  if (begin > 0 && words.starts_with("stillpoint ")) {
+    return {begin + 4, " \\"};
+  }
+  // "  --name VALUE     what it is for"
+  const std::size_t gap = words.find("  ");
+  if (begin > 0 && gap != std::string_view::npos) {
+    return {begin + std::min(words.find_first_not_of(' ', gap), words.size()), ""};
+  }
+  return {begin, ""};
+}
+
+void add_line(std::string& text, std::string_view line, std::size_t width) {
+  const Fold fold = fold_of(line);
+  std::string now;
+  std::string_view rest = line;
+  while (now.size() + rest.size() > width) {
+    const std::size_t room = width - std::min(width, now.size() + fold.end.size());
+    const std::size_t first = std::min(rest.find_first_not_of(' '), rest.size());
+    // What stands in front of the fold's column is no place to break a line at.
+    const std::size_t least =
+        now.empty() ? std::max(first, fold.end.empty() ? fold.indent : first) : first;
+    std::size_t space = rest.rfind(' ', room);
+    if (space == std::string_view::npos || space < least) {
+      space = rest.find(' ', std::max(least, room));
+    }
+    if (space == std::string_view::npos) {
+      break;
+    }
+    text += now;
+    text += rest.substr(0, space);
+    text += fold.end;
+    text += '\n';
+    now = std::string(fold.indent, ' ');
+    rest.remove_prefix(space + 1);
+  }
+  text += now;
+  text += rest;
+}
+
+}  // namespace
+
+std::size_t help_width() {
+  constexpr std::size_t usual = 80;
+  constexpr std::size_t least = 50;
+  const char* const columns = std::getenv("COLUMNS");
+  const std::string_view given = columns == nullptr ? "" : columns;
+  std::size_t width = 0;
+  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), width);
+  if (error == std::errc() && end == given.data() + given.size() && width > 0) {
+    return std::max(width, least);
+  }
+  ::winsize size{};
+  const bool known = ::isatty(STDOUT_FILENO) == 1 &&
+                     ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? std::max<std::size_t>(size.ws_col, least) : usual;
+}
+
+std::string wrapped(std::string_view text, std::size_t width) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    add_line(result, text.substr(0, end), width);
+    if (end < text.size()) {
+      result += '\n';
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result;
+}
+
+}  // namespace stillpoint::cli

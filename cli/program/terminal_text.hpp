@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::cli {
+
+/// How wide help may be: $COLUMNS, else the width of the terminal on standard output, else 80; at
+/// least 50.
+[[nodiscard]] std::size_t help_width();
+
+/// The text with lines of at most `width` characters, broken at blanks. What follows a break is
+/// indented: in the list of options as the help above it, in a command behind a backslash. A word
+/// longer than the width stays whole.
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t width);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "value_units.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using enum Dimension;
+
+constexpr std::array units{
+    // name, dimension, power of ten; the SI unit of each dimension first
+    Unit{"m", length, 0},
+    Unit{"cm", length, -2},
+    Unit{"mm", length, -3},
+    Unit{"m/s", velocity, 0},
+    Unit{"cm/s", velocity, -2},
+    Unit{"mm/s", velocity, -3},
+    Unit{"s", time, 0},
+    Unit{"ms", time, -3},
+    Unit{"Hz", frequency, 0},
+    Unit{"mHz", frequency, -3},
+    Unit{"kHz", frequency, 3},
+    Unit{"kg", mass, 0},
+    Unit{"g", mass, -3},
+    Unit{"t", mass, 3},
+    Unit{"N/m", stiffness, 0},
+    Unit{"kN/m", stiffness, 3},
+    Unit{"MN/m", stiffness, 6},
+    Unit{"N/mm", stiffness, 3},
+    Unit{"kN/mm", stiffness, 6},
+    Unit{"m/s2", acceleration, 0},
+    Unit{"cm/s2", acceleration, -2},
+    Unit{"mm/s2", acceleration, -3},
+    Unit{"g", gravities, 0},
+};
+
+/// A text divided into a number and the unit behind it.
+struct Parts {
+  std::string_view number;
+  std::string_view unit;
+};
+
+/// Empty where it does not begin with a finite number. Between number and unit may be blanks.
+std::optional<Parts> divided(std::string_view text) {
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  if (text.substr(sign).find_first_of("0123456789.") > 1) {
+    return std::nullopt;  // inf, nan
+  }
+  double ignored = 0;
+  const char* const end = text.data() + text.size();
+  const char* const stop = std::from_chars(text.data() + sign, end, ignored).ptr;
+  if (stop == text.data() + sign) {
+    return std::nullopt;
+  }
+  const auto length = static_cast<std::size_t>(stop - text.data());
+  std::string_view unit = text.substr(length);
+  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+  return Parts{text.substr(0, length), unit};
+}
+
+/// The number times the power of ten, in digits: its exponent is moved.
+std::string moved(std::string_view number, int power_of_ten) {
+  const std::size_t e = number.find_first_of("eE");
+  long long exponent = 0;
+  if (e != std::string_view::npos) {
+    std::string_view digits = number.substr(e + 1);
+    if (digits.starts_with('+')) {
+      digits.remove_prefix(1);
+    }
+    const auto [stop, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (error != std::errc()) {
+      return std::string(number);  // beyond any double, and said to be
+    }
+  }
+  constexpr long long far = 1'000'000'000;
+  return fmt::format("{}e{}", number.substr(0, e), std::clamp(exponent, -far, far) + power_of_ten);
+}
+
+bool is_known(std::string_view unit) {
+  return std::ranges::find(units, unit, &Unit::name) != units.end();
+}
+
+/// "; in physical units give --period or --stiffness", for an option that has such rivals.
+std::string physical_rivals(const Option& option) {
+  std::string found;
+  for (const Option& other : options()) {
+    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
+        other.traits.dimension != none) {
+      found += fmt::format("{}--{}", found.empty() ? "" : " or ", other.name);
+    }
+  }
+  return found.empty() ? "" : fmt::format("; with a unit give {}", found);
+}
+
+InputError wrong_unit(const Option& option, std::string_view text) {
+  const std::vector<Unit> accepted = units_of(option.traits.dimension);
+  return {
+      std::string(option.name), fmt::format("\"{}\"", text),
+      accepted.empty()
+          ? fmt::format("must be a number without a unit{}", physical_rivals(option))
+          : fmt::format("must be a number in {}, or end in {}", accepted.front().name,
+                        accepted.size() == 1 ? "this unit" : unit_names(option.traits.dimension))};
+}
+
+}  // namespace
+
+std::vector<Unit> units_of(Dimension dimension) {
+  std::vector<Unit> accepted;
+  std::ranges::copy_if(units, std::back_inserter(accepted),
+                       [dimension](const Unit& unit) { return unit.dimension == dimension; });
+  return accepted;
+}
+
+std::string unit_names(Dimension dimension) {
+  std::vector<std::string_view> list;
+  for (const Unit& unit : units_of(dimension)) {
+    list.push_back(unit.name);
+  }
+  return list.empty() ? "" : list.size() == 1 ? std::string(list.front()) : listed(list);
+}
+
+double parse_value(const Option& option, std::string_view text) {
+  const auto parts = divided(text);
+  if (!parts || parts->unit.empty() ||
+      (option.traits.dimension == none && !is_known(parts->unit))) {
+    return records::parse_number(option.name, text);
+  }
+  for (const Unit& unit : units_of(option.traits.dimension)) {
+    if (unit.name == parts->unit) {
+      const auto scanned = records::scan_number(moved(parts->number, unit.power_of_ten));
+      if (scanned.fault != records::NumberFault::none) {
+        throw InputError(std::string(option.name), std::string(text),
+                         "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+      }
+      return scanned.value;
+    }
+  }
+  throw wrong_unit(option, records::shortened(text, records::longest_word));
+}
+
+Axis axis_value(const Option& option, std::string_view text) {
+  return sweep::parse_axis(option.name, text, [&option](std::string_view number) {
+    return parse_value(option, number);
+  });
+}
+
+bool has_unit(std::string_view text) {
+  const auto parts = divided(text);
+  return parts && !parts->unit.empty();
+}
+
+}  // namespace stillpoint::cli

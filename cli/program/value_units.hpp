@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options.hpp"
+#include "settings.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// A unit is a power of ten of the SI unit of its dimension.
+struct Unit {
+  std::string_view name;
+  Dimension dimension;
+  int power_of_ten;
+};
+
+/// The units of a dimension, the SI unit first; of k that is g. None for a plain number.
+[[nodiscard]] std::vector<Unit> units_of(Dimension dimension);
+
+/// "m, cm or mm"; "" for a plain number.
+[[nodiscard]] std::string unit_names(Dimension dimension);
+
+/// "150mm" is 0.15 for a length: the number is scaled as decimal digits before it is rounded, so
+/// 150mm and 0.15 are the same double. A bare number is in the SI unit. Throws InputError, which
+/// names the option, the text and the units that it accepts.
+[[nodiscard]] double parse_value(const Option& option, std::string_view text);
+
+/// The same for each number of an axis: "100mm:200mm:5".
+[[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
+
+/// Whether something follows the number of `text`.
+[[nodiscard]] bool has_unit(std::string_view text);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What a damper serves and what practice asks of it.
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+namespace {
+
+std::string interval_text(const design::ServedInterval& interval) {
+  return interval.high ? interval_digits(interval.low, *interval.high)
+                       : format("at least {}", limit_digits(interval.low, true));
+}
+
+}  // namespace
+
+void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
+                   const Physical& physical) {
+  if (!served) {
+    return;
+  }
+  if (!physical) {
+    section.row("works for", format("hits v0 of {}", interval_text(served->v0)));
+    section.row("", format("p of {} with v0 as given", interval_text(served->p)));
+    return;
+  }
+  const auto [velocity, period] = physical_works_for(physical->scales, *served);
+  section.row("works for", format("hits of {} m/s", interval_text(velocity)));
+  section.row("", format("periods of {} s with the hit as given", interval_text(period)));
+}
+
+void add_notch(Section& section, const std::optional<design::Practice>& lines,
+               const Physical& physical) {
+  if (!lines) {
+    return;
+  }
+  if (lines->notch_used) {
+    const double energy = *lines->notch_used * lines->notch_capacity;
+    const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
+    section.row("used at the stop", format("{}, {:.3g} % of the notch's capacity",
+                                           joules ? with_unit(*joules, "J") : digits(energy),
+                                           100 * *lines->notch_used));
+  }
+  if (lines->notch_width_min) {
+    section.row("notch width", format("at least {} keeps f + delta/width within the acceleration",
+                                      length_text(physical, *lines->notch_width_min)));
+  }
+}
+
+void add_practice(Section& section, const std::optional<design::Practice>& lines,
+                  const Physical& physical) {
+  if (!lines) {
+    return;
+  }
+  section.row("base shear/weight",
+              format("{:.4g}, restoring {:.4g}", lines->base_shear, lines->restoring));
+  std::string secant = digits(lines->secant_stiffness);
+  const auto weight = physical ? physical->scales.friction_force_n(1) : std::nullopt;
+  if (weight && lines->secant_stiffness) {
+    secant +=
+        " = " + with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m");
+  }
+  section.row("secant stiffness", secant);
+  if (lines->equivalent_damping) {
+    section.row("equiv. damping", format("{:.3g} % of critical, of a full cycle at this peak",
+                                         100 * *lines->equivalent_damping));
+  }
+  if (lines->energy_ratio && lines->residual_ratio) {
+    section.row("re-centring", format("E_s/E_h = {:.3g} (EN 15129), d/d_rm = {:.3g} (EN 1998-2)",
+                                      *lines->energy_ratio, *lines->residual_ratio));
+  }
+  if (lines->impulse_at_stop) {
+    std::string impulse = digits(*lines->impulse_at_stop);
+    if (physical && physical->scales.mass_kg) {
+      impulse += " = " + with_unit(*lines->impulse_at_stop * physical->scales.velocity_m_per_s *
+                                       *physical->scales.mass_kg,
+                                   "N s");
+    }
+    section.row("impulse at stop", impulse);
+  }
+}
+
+}  // namespace stillpoint::report

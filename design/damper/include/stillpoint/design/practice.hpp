@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <optional>
+
+namespace stillpoint::design {
+
+/// What engineers ask of an isolator, of a free motion from x = 0 with the peak A; dimensionless:
+/// forces over the weight, energies over m g H. docs/theory.md section 11. What does not exist
+/// (without friction, without a stop at x = 0) is empty, as is what no double holds.
+struct Practice {
+  std::optional<double> secant_stiffness;    ///< (f + p^2 A)/A; p^2 is the spring's
+  std::optional<double> equivalent_damping;  ///< of a full cycle of amplitude A, (43)
+  double base_shear{0};                      ///< f + p^2 A, which is S
+  double restoring{0};                       ///< p^2 A
+  std::optional<double> energy_ratio;        ///< E_s/E_h = p^2 A/(2f), EN 15129
+  std::optional<double> residual_ratio;      ///< d/d_rm = p^2 A/f, EN 1998-2
+  /// Per mass, a speed: the arrival that stops at x = 0, and the largest of all passages and that.
+  std::optional<double> impulse_at_stop;
+  std::optional<double> impulse_largest;
+  double notch_capacity{0};          ///< Delta, the energy that a whole passage takes
+  std::optional<double> notch_used;  ///< energy of the arrival that stops, over the capacity
+  /// least_notch_width for the limit that was asked for.
+  std::optional<double> notch_width_min;
+};
+
+/// Of a motion with that response. Empty if nothing moves.
+[[nodiscard]] std::optional<Practice> practice(const Oscillator& oscillator,
+                                               const Response& response,
+                                               const std::optional<double>& acceleration_max);
+
+/// f + Delta/w: what the mass feels inside a notch of width w > 0, away from the spring, which adds
+/// p^2 w/2 at most.
+[[nodiscard]] double notch_acceleration(double f, double delta, double width);
+/// The least width that keeps that at or below `limit`; empty where even f alone is not below it.
+[[nodiscard]] std::optional<double> least_notch_width(double f, double delta, double limit);
+
+}  // namespace stillpoint::design

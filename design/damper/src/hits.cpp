@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// In speeds: phi = f/p, d = 2 Delta, and the radius r_n of the n-th half-cycle. An edge is a radius
+// r_n followed back to r_1 and V0 by (39).
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/design/hits.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+using Wide = long double;
+
+constexpr Names ends(std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
+                                                   {HitEnd::centred, "centred"},
+                                                   {HitEnd::off_centre, "off_centre"},
+                                                   {HitEnd::alternating, "alternating"},
+                                                   {HitEnd::too_far, "too_far"},
+                                                   {HitEnd::never_stops, "never_stops"}}));
+
+constexpr double smallest_beta = 1e-300;  // as problem.hpp has it
+
+struct Damper {
+  Wide p;
+  Wide phi;
+  Wide d;
+
+  /// The radius of the half-cycle before, (39).
+  [[nodiscard]] Wide before(Wide radius) const { return 2 * phi + std::sqrt(radius * radius + d); }
+  /// The V0 of a first radius.
+  [[nodiscard]] Wide speed(Wide radius) const {
+    return std::sqrt(std::max(Wide(0), (radius - phi) * (radius + phi)));
+  }
+  [[nodiscard]] Wide radius_of_half_cycle(int n, Wide v0) const {
+    Wide radius = std::sqrt(v0 * v0 + phi * phi);
+    for (int i = 1; i < n; ++i) {
+      const Wide t = radius - 2 * phi;
+      radius = std::sqrt(std::max(Wide(0), t * t - d));
+    }
+    return radius;
+  }
+};
+
+/// The farthest rest of the n-th half-cycle for V0 from `from` to `to`; it is f/p^2 at `farthest`.
+double rest(const Damper& damper, int n, Wide from, Wide to, Wide farthest) {
+  Wide rest = damper.phi;
+  if (farthest > to) {
+    rest = damper.radius_of_half_cycle(n, to) - damper.phi;  // (5)
+  } else if (farthest < from) {
+    rest = 3 * damper.phi - damper.radius_of_half_cycle(n, from);  // (6)
+  }
+  const auto x = static_cast<double>(std::clamp(rest, Wide(0), damper.phi) / damper.p);
+  return n % 2 == 1 ? x : -x;
+}
+
+/// The list as it grows, from the lowest V0 that starts a motion to the highest that is listed.
+struct Listing {
+  Wide lowest;
+  Wide highest;
+  std::vector<Hits> list;
+
+  void add(Wide from, Wide to, HitEnd end, const std::optional<double>& arrivals = {}) {
+    list.push_back({static_cast<double>(from), static_cast<double>(to), end, arrivals, {}});
+  }
+};
+
+void add_motions(Listing& now, const Damper& damper) {
+  Wide stop = damper.phi;       // radius of the stop edge of the arrival before, (41)
+  Wide reach = 3 * damper.phi;  // of the reach edge, (40)
+  Wide far = 2 * damper.phi;    // of the farthest rest, (42)
+  for (int n = 1; damper.speed(stop) < now.highest; ++n) {
+    const Wide stop_here = damper.before(stop);
+    const Wide low = std::max(now.lowest, damper.speed(stop));
+    const Wide middle = std::clamp(damper.speed(reach), low, std::max(low, now.highest));
+    const Wide high = std::clamp(damper.speed(stop_here), low, std::max(low, now.highest));
+    if (static_cast<int>(now.list.size()) >= most_hit_segments) {
+      now.add(low, now.highest, HitEnd::alternating, n - 1);
+      return;
+    }
+    if (static_cast<double>(low) < static_cast<double>(middle)) {
+      now.add(low, middle, HitEnd::off_centre, n - 1);
+      now.list.back().rest = rest(damper, n, low, middle, damper.speed(far));
+    }
+    if (static_cast<double>(middle) < static_cast<double>(high)) {
+      now.add(middle, high, HitEnd::centred, n);
+    }
+    stop = stop_here;
+    reach = damper.before(reach);
+    far = damper.before(far);
+  }
+}
+
+}  // namespace
+
+std::string_view name(HitEnd end) noexcept {
+  return ends.name(end);
+}
+
+std::optional<HitEnd> parse_hit_end(std::string_view name) noexcept {
+  return ends.parse(name);
+}
+
+std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most) {
+  require_valid(oscillator);
+  require_within("beta", beta, smallest_beta, largest_square);
+  require_within("v0", v0_most, smallest_speed, largest_speed);
+  const auto& [p, f, delta, hold] = oscillator;
+  const Damper damper{p, f / Wide(p), 2 * Wide(delta)};
+  const Wide start = std::min(Wide(v0_most), std::sqrt(damper.d));
+  const Wide speed = Wide(beta) * p;
+  const Wide peak_limit = std::sqrt(speed) * std::sqrt(speed + 2 * damper.phi);
+  Listing now{start, std::clamp(peak_limit, start, Wide(v0_most)), {}};
+  if (start > 0) {
+    now.add(0, start, HitEnd::held);
+  }
+  if (now.lowest < now.highest) {
+    if (f == 0 && delta == 0) {
+      now.add(0, now.highest, HitEnd::never_stops);
+    } else {
+      add_motions(now, damper);
+    }
+  }
+  if (now.highest < v0_most) {
+    now.add(now.highest, v0_most, HitEnd::too_far);
+  }
+  return now.list;
+}
+
+std::vector<Hits> shown_hits(const Problem& problem, double f, double delta) {
+  return hits({problem.p, f, delta}, problem.beta, std::min(2 * problem.v0, largest_speed));
+}
+
+}  // namespace stillpoint::design

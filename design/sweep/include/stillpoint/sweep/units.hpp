@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/sweep/quantity.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace stillpoint::sweep {
+
+/// What stands for p in metres and seconds.
+enum class Restoring { period, natural_frequency, stiffness };
+
+/// A sweep in metres, seconds and kilograms: what its quantities are then. The length unit is H =
+/// 1 m for all entries, so every input is converted by itself, and lengths are metres as they are.
+struct SweepUnits {
+  Restoring restoring{Restoring::period};
+  double mass_kg{1};  ///< for a stiffness
+  double gravity_m_per_s2{9.80665};
+
+  [[nodiscard]] double time_s() const;            ///< of one tau
+  [[nodiscard]] double velocity_m_per_s() const;  ///< of one x'
+  /// An input without its unit.
+  [[nodiscard]] double plain(Quantity input, double value) const;
+  /// What a result without its unit is multiplied with.
+  [[nodiscard]] double unit(Quantity result) const;
+};
+
+/// The name of a column: "stop_time", and with units "stop_time_s".
+[[nodiscard]] std::string_view name(Quantity quantity, const std::optional<SweepUnits>& units);
+
+}  // namespace stillpoint::sweep

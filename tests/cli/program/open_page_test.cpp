@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "refusal.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+BOOST_AUTO_TEST_SUITE(open_page_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+namespace fs = std::filesystem;
+
+const Arguments region{"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--open"};
+
+/// A browser that writes its arguments to a file, in one step, once it has seen the page.
+void write_browser(const Sandbox& sandbox) {
+  sandbox.write("browser.sh",
+                "#!/bin/sh\n"
+                "for page; do :; done\n"
+                "if [ -s \"$page\" ]; then echo \"$@\" > seen.part; mv seen.part seen.txt; fi\n");
+  fs::permissions(sandbox.path("browser.sh"), fs::perms::owner_all);
+}
+
+Surroundings with_browser(const std::string& command) {
+  Surroundings surroundings;
+  surroundings.environment.emplace_back("BROWSER", command);
+  return surroundings;
+}
+
+/// What the browser was started with; the program does not wait for it.
+std::string seen(const Sandbox& sandbox) {
+  for (int i = 0; i < 3000 && !fs::exists(sandbox.path("seen.txt")); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return sandbox.read("seen.txt");
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(shows_the_page_that_is_written, Sandbox) {
+  write_browser(*this);
+  const std::string program = path("browser.sh").string();
+  const ProgramRun answer = run(joined(region, {"--html", "page.html"}), with_browser(program));
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.err.empty(), answer.err);
+  BOOST_TEST(seen(*this) == path("page.html").string() + "\n");
+}
+
+BOOST_FIXTURE_TEST_CASE(shows_a_temporary_page_where_none_is_asked_for, Sandbox) {
+  write_browser(*this);
+  fs::create_directory(path("tmp"));
+  // The first that can be run is taken; %s is the page.
+  Surroundings surroundings =
+      with_browser("no-such-browser:" + path("browser.sh").string() + " --new-window %s");
+  surroundings.environment.emplace_back("TMPDIR", path("tmp").string());
+  const ProgramRun answer = run(region, surroundings);
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const std::string shown = seen(*this);
+  BOOST_TEST(shown.starts_with("--new-window " + path("tmp").string() + "/stillpoint-"), shown);
+  BOOST_TEST(shown.ends_with("/page.html\n"), shown);
+}
+
+BOOST_FIXTURE_TEST_CASE(is_refused_where_there_is_no_browser, Sandbox) {
+  Surroundings nothing = with_browser("no-such-browser");
+  nothing.environment.emplace_back("PATH", path("").string());
+  const auto before = contents();
+  check_refusal(run(joined(region, {"--html", "page.html"}), nothing),
+                {"open", "no browser is found", "BROWSER", "--html"});
+  BOOST_TEST(contents() == before);
+  Surroundings no_room = with_browser("/bin/sh");
+  no_room.environment.emplace_back("TMPDIR", path("nowhere").string());
+  check_refusal(run(region, no_room), {"open", "temporary page"});
+}
+
+BOOST_FIXTURE_TEST_CASE(is_not_done_after_a_wrong_input, Sandbox) {
+  write_browser(*this);
+  check_refusal(run(joined(region, {"--f", "-1"}), with_browser(path("browser.sh").string())),
+                {"f = -1"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  BOOST_TEST(!fs::exists(path("seen.txt")));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

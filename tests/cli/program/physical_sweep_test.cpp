@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "refusal.hpp"
+#include "report_fields.hpp"
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(physical_sweep_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+namespace data = boost::unit_test::data;
+using nlohmann::json;
+
+/// A sweep has another unit of length than one motion, so both are rounded differently; a motion
+/// magnifies that by some hundreds.
+constexpr double row_tolerance = 1e-12;
+
+SweepTable rows(const Sandbox& sandbox, const Arguments& arguments) {
+  const ProgramRun answer = sandbox.run(joined({"sweep"}, arguments));
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.err.empty(), answer.err);
+  return read_csv(answer.out);
+}
+
+/// A row's results against the report of its motion alone: metres and seconds, and the outcome.
+void check_row(const SweepTable& table, std::size_t row, const json& report,
+               const std::vector<std::string>& columns) {
+  for (const std::string& column : columns) {
+    const json& expected = report["physical"][column];
+    const std::string& found = table.at(row, column);
+    if (expected.is_null()) {
+      BOOST_TEST(found.empty(), column << " = " << found);
+    } else {
+      const double scale = std::abs(report["physical"]["peak_m"].get<double>());
+      BOOST_TEST(std::abs(table.number(row, column) - expected.get<double>()) <=
+                     row_tolerance * std::max(std::abs(expected.get<double>()), scale),
+                 column << " = " << found << ", " << expected);
+    }
+  }
+  BOOST_TEST(table.at(row, "outcome") == report["response"]["outcome"].get<std::string>());
+  BOOST_TEST(table.number(row, "half_cycles") == report["response"]["half_cycles"].get<double>());
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(rows_are_the_motions_one_by_one, Sandbox) {
+  const SweepTable table = rows(*this, {"--velocity", "200mm/s,0.4", "--period", "2s:3s:3", "--f",
+                                        "0.011", "--delta-m", "0.7mm:2.3mm:3", "--times"});
+  BOOST_TEST(table.columns ==
+                 (std::vector<std::string>{"velocity", "period", "delta_m", "peak_m", "half_cycles",
+                                           "outcome", "stop_position_m", "stop_time_s"}),
+             boost::test_tools::per_element());
+  BOOST_TEST_REQUIRE(table.rows.size() == 18U);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    check_row(
+        table, i,
+        report_of(*this, {"simulate", "--f", "0.011", "--velocity", table.at(i, "velocity"),
+                          "--period", table.at(i, "period"), "--delta-m", table.at(i, "delta_m")}),
+        {"peak_m", "stop_position_m", "stop_time_s"});
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(of_frequencies_and_stiffnesses_are_those_of_periods, Sandbox) {
+  const Arguments rest{"--velocity", "0.4", "--f", "0.02", "--delta-m", "1mm"};
+  const auto peaks = [&](const Arguments& isolator) {
+    const SweepTable table = rows(*this, joined(isolator, rest));
+    return std::pair{table.number(0, "peak_m"), table.number(1, "peak_m")};
+  };
+  const auto by_period = peaks({"--period", "4s,2s"});
+  const auto by_frequency = peaks({"--natural-frequency", "250mHz,0.5"});
+  BOOST_TEST(by_frequency.first == by_period.first);
+  BOOST_TEST(by_frequency.second == by_period.second);
+  // k = m omega^2
+  const double omega = 2 * std::acos(-1.0) / 4;
+  const std::string stiffness = in_full(omega * omega) + "kN/m";
+  const auto by_stiffness =
+      peaks({"--stiffness", stiffness + "," + in_full(4 * omega * omega) + "kN/m", "--mass", "1t"});
+  BOOST_TEST(near(by_stiffness.first, by_period.first, row_tolerance));
+  BOOST_TEST(near(by_stiffness.second, by_period.second, row_tolerance));
+}
+
+BOOST_FIXTURE_TEST_CASE(designs_are_those_of_design, Sandbox) {
+  const SweepTable table =
+      rows(*this, {"--velocity", "0.4", "--period", "2.8s", "--max-displacement", "120mm:150mm:3",
+                   "--delta-max-m", "5.5mm", "--times"});
+  BOOST_TEST_REQUIRE(table.rows.size() == 3U);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const ProgramRun design =
+        run({"design", "--velocity", "0.4", "--period", "2.8", "--delta-max-m", "5.5mm", "--json",
+             "--max-displacement", table.at(i, "max_displacement")});
+    const bool feasible = table.at(i, "feasible") == "true";
+    BOOST_TEST(feasible == (design.exit_code == 0));
+    if (feasible) {
+      // The search ends within its own tolerance of the best tolerance.
+      constexpr double search_tolerance = 1e-6;
+      const json report = design.json();
+      BOOST_TEST(
+          near(table.number(i, "tolerance"), report["design"]["tolerance"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "delta_m"), report["physical"]["delta_m"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "peak_m"), report["physical"]["peak_m"], search_tolerance));
+    }
+  }
+  BOOST_TEST(table.at(0, "feasible") == "false");
+  BOOST_TEST(table.at(2, "feasible") == "true");
+}
+
+BOOST_FIXTURE_TEST_CASE(loads_are_in_hertz_and_seconds, Sandbox) {
+  write("record.csv", "0 0\n0.3 0.2\n0.9 -0.15\n1.4 0\n");
+  const std::vector<std::string> columns{"peak_m", "stop_position_m", "end_time_s",
+                                         "final_position_m", "stick_time_s"};
+  for (const Arguments& load : std::vector<Arguments>{
+           {"--excitation", "half-sine", "--k", "0.2g", "--pulse-duration", "300ms"},
+           {"--excitation", "harmonic", "--k", "0.2g", "--excitation-frequency", "0.5Hz",
+            "--excitation-duration", "3s", "--end-time", "8s"},
+           {"--record", "record.csv"}}) {
+    const SweepTable table =
+        rows(*this, joined({"--period", "2.8s", "--f", "0.031", "--delta-m", "1mm,3mm"}, load));
+    BOOST_TEST_REQUIRE(table.rows.size() == 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      check_row(table, i,
+                report_of(*this, joined({"simulate", "--period", "2.8", "--f", "0.031", "--delta-m",
+                                         table.at(i, "delta_m")},
+                                        load)),
+                columns);
+    }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(scenes_and_columns_and_files_serve, Sandbox) {
+  write("scene.json", R"({"velocity": "0.4m/s", "period": ["2s", 3], "f": 0.02,
+      "delta_m": "1mm:3mm:3", "mass": "1200t"})");
+  const ProgramRun by_scene = run({"sweep", "scene.json", "--columns", "period,delta-m,peak_m"});
+  BOOST_TEST(by_scene.exit_code == 0, by_scene.err);
+  BOOST_TEST(by_scene.err.empty(), by_scene.err);
+  BOOST_TEST(by_scene.out ==
+             run({"sweep", "--velocity", "0.4", "--period", "2,3", "--f", "0.02", "--delta-m",
+                  "0.001:0.003:3", "--columns", "period,delta_m,peak_m"})
+                 .out);
+  const ProgramRun drawn =
+      run({"sweep", "--velocity", "0.4", "--period", "2.8", "--f", "0.001:0.1:20", "--delta-m",
+           "0:8mm:20", "--output", "rows.npy", "--html", "map.html", "--json"});
+  BOOST_TEST(drawn.exit_code == 0, drawn.err);
+  BOOST_TEST(drawn.json()["output"]["columns"][1] == "delta_m");
+  BOOST_TEST(read("map.html").find("in m") != std::string::npos);
+  BOOST_TEST(read("rows.npy").find("'peak_m'") != std::string::npos);
+}
+
+namespace {
+
+Arguments sweep(const Arguments& more) {
+  return joined({"sweep", "--velocity", "1", "--f", "0.1"}, more);
+}
+
+const std::vector<Wrong> wrongs{
+    {"mixed", sweep({"--p", "1", "--delta-m", "0"}), {"p and velocity", "exclude each other"}},
+    {"delta", sweep({"--period", "1", "--delta", "0"}), {"delta is dimensionless", "--delta-m"}},
+    {"delta_max",
+     {"sweep", "--velocity", "1", "--period", "1", "--max-displacement", "1", "--delta-max", "1"},
+     {"delta-max is dimensionless", "--delta-max-m"}},
+    {"lambda",
+     sweep({"--period", "1", "--delta-m", "0", "--excitation", "half-sine", "--k", "1", "--lambda",
+            "1"}),
+     {"lambda is dimensionless", "--excitation-frequency"}},
+    {"list",
+     sweep({"--period", "1", "--delta-m", "0", "--list", "l.csv"}),
+     {"list", "dimensionless"}},
+    {"period_zero", sweep({"--period", "0:1:3", "--delta-m", "0"}), {"period = 0", "from 1e-30"}},
+    {"mass_missing", sweep({"--stiffness", "1", "--delta-m", "0"}), {"mass is missing"}},
+    {"period_missing", sweep({"--delta-m", "0"}), {"period is missing"}},
+    {"dimensionless_column",
+     sweep({"--period", "1", "--delta-m", "0", "--columns", "stop_time"}),
+     {"columns = \"stop_time\"", "stop_time_s"}},
+    {"friction_of_a_design",
+     sweep({"--period", "1", "--max-displacement", "1"}),
+     {"max-displacement and f exclude each other"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_input, data::make(wrongs), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

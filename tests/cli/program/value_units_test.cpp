@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "value_units.hpp"
+#include "refusal.hpp"
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(value_units_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+namespace cli = stillpoint::cli;
+namespace data = boost::unit_test::data;
+using nlohmann::json;
+
+/// A number converted once between hertz or seconds and tau, and back: some roundings.
+constexpr double conversion_tolerance = 1e-14;
+
+const Arguments isolator{"design", "--velocity", "0.4",  "--period", "2.8", "--max-displacement",
+                         "0.15",   "--mass",     "1.2e6"};
+
+Arguments forced(const Arguments& more) {
+  return joined({"simulate", "--period", "2.8", "--f", "0.02", "--delta-m", "0.001", "--k", "0.1"},
+                more);
+}
+
+}  // namespace
+
+// The C library rounds the decimal 1.5e-1 correctly; so must 150e-3 and 150mm.
+BOOST_AUTO_TEST_CASE(scales_decimal_digits_not_doubles) {
+  constexpr unsigned seed = 20261122;
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<std::int64_t> mantissa(-999'999'999'999, 999'999'999'999);
+  std::uniform_int_distribution<int> exponent(-30, 30);
+  std::uniform_int_distribution<int> form(0, 3);
+  int tried = 0;
+  for (const cli::Option& option : cli::options()) {
+    for (const cli::Unit& unit : cli::units_of(option.traits.dimension)) {
+      for (int i = 0; i < 100; ++i, ++tried) {
+        const std::int64_t digits = mantissa(random);
+        const int e = exponent(random);
+        // 12345e-3, 12345.0E-3, +12345.e-3 and 12345
+        const int how = form(random);
+        const std::string number = how == 0   ? fmt::format("{}e{}", digits, e)
+                                   : how == 1 ? fmt::format("{}.0E{:+}", digits, e)
+                                   : how == 2 ? fmt::format("{}.e{}", digits, e)
+                                              : fmt::format("{}", digits);
+        const int power = unit.power_of_ten + (how == 3 ? 0 : e);
+        const std::string plain = fmt::format("{}e{}", digits, power);
+        const double expected = std::strtod(plain.c_str(), nullptr);
+        BOOST_TEST(cli::parse_value(option, number + std::string(unit.name)) == expected,
+                   option.name << " " << number << unit.name << ", seed " << seed);
+        BOOST_TEST(cli::parse_value(option, number + " " + std::string(unit.name)) == expected);
+      }
+    }
+  }
+  BOOST_TEST(tried > 3000);
+}
+
+BOOST_FIXTURE_TEST_CASE(with_values_make_the_same_report, Sandbox) {
+  const json plain = without_wall_times(report_of(*this, isolator));
+  for (const Arguments& given : std::vector<Arguments>{{"400mm/s", "2.8s", "150mm", "1200t"},
+                                                       {"0.4m/s", "2800ms", "15cm", "1200000kg"},
+                                                       {"40cm/s", "2800 ms", "0.15m", "1.2e9g"}}) {
+    const Arguments arguments{"design",   "--velocity", given[0],
+                              "--period", given[1],     "--max-displacement",
+                              given[2],   "--mass",     given[3]};
+    BOOST_TEST(without_wall_times(report_of(*this, arguments)) == plain, given[0]);
+  }
+  write("scene.json", R"(// an isolator
+    {"velocity": "400mm/s", /* slow */ "period": "2.8s", "max_displacement": "150mm", "mass": "1200t"})");
+  BOOST_TEST(without_wall_times(report_of(*this, {"design", "scene.json"})) == plain);
+  // The flag's number, not what the scene had in another unit.
+  BOOST_TEST(report_of(*this, {"design", "scene.json", "--period", "3"})["physical"]["period_s"] ==
+             3);
+  BOOST_TEST(run({"design", "scene.json", "--html", "page.html"}).exit_code == 0);
+  BOOST_TEST(read("page.html").find("150mm") != std::string::npos);
+}
+
+namespace {
+
+const std::vector<Wrong> wrong_units{
+    {"velocity_in_m",
+     joined(isolator, {"--gravity", "9.8m"}),
+     {"gravity = \"9.8m\"", "m/s2, cm/s2"}},
+    {"unknown",
+     {"design", "--velocity", "3knots"},
+     {"velocity = \"3knots\"", "a number in m/s", "m/s, cm/s or mm/s"}},
+    {"in_capitals", {"design", "--period", "3S"}, {"period = \"3S\"", "s or ms"}},
+    {"stress", {"design", "--stiffness", "6MN"}, {"stiffness = \"6MN\"", "MN/m"}},
+    {"peak_in_m_per_s2",
+     {"simulate", "--period", "2", "--f", "0", "--delta", "0", "--excitation", "harmonic", "--k",
+      "3m/s2"},
+     {"k = \"3m/s2\"", "a number in g"}},
+    {"dimensionless_v0",
+     {"design", "--v0", "1m/s"},
+     {"v0 = \"1m/s\"", "without a unit", "--velocity"}},
+    {"dimensionless_p",
+     {"design", "--p", "2.8s"},
+     {"p = \"2.8s\"", "--period", "--natural-frequency", "--stiffness"}},
+    {"dimensionless_lambda",
+     {"design", "--lambda", "2Hz"},
+     {"lambda = \"2Hz\"", "--excitation-frequency", "--pulse-duration"}},
+    {"tolerance", {"design", "--tolerance", "3mm"}, {"tolerance = \"3mm\"", "without a unit"}},
+    {"no_number", {"design", "--period", "s"}, {"period = \"s\"", "finite number"}},
+    {"infinite", {"design", "--period", "infs"}, {"period = \"infs\"", "finite number"}},
+    {"beyond_a_double", {"design", "--period", "1e400ms"}, {"period = 1e400ms", "1.8e308"}},
+    {"exponent_beyond_an_integer",
+     {"design", "--period", "1e99999999999999999999ms"},
+     {"period = 1e99999999999999999999ms", "1.8e308"}},
+    {"two", {"design", "--period", "3s s"}, {"period = \"3s s\"", "s or ms"}},
+    {"in_a_scene",
+     {"design", "-"},
+     {"period = \"3kg\"", "s or ms"},
+     R"({"velocity": 1, "period": "3kg", "max_displacement": 1})"},
+    {"text_without_a_unit",
+     {"design", "-"},
+     {"period = \"3\"", "must be a number"},
+     R"({"velocity": 1, "period": "3", "max_displacement": 1})"},
+    {"dimensionless_in_a_scene",
+     {"design", "-"},
+     {"v0 = \"3m/s\"", "must be a number"},
+     R"({"v0": "3m/s", "p": 1, "beta": 1})"},
+    {"record_step_in_tau",
+     {"simulate", "--p", "1", "--f", "0", "--delta", "0", "--record", "r.txt", "--record-step",
+      "10ms"},
+     {"record-step = 10ms", "without a unit", "tau"}},
+    {"axis", {"sweep", "--period", "1s:2kg:3"}, {"period = \"2kg\"", "s or ms"}},
+    {"period_and_frequency",
+     {"design", "--period", "3", "--natural-frequency", "0.3", "--velocity", "1"},
+     {"period and natural-frequency exclude each other"}},
+    {"lambda_and_frequency",
+     forced({"--excitation", "half-sine", "--lambda", "2", "--excitation-frequency", "3"}),
+     {"excitation-frequency and lambda exclude each other"}},
+    {"frequency_and_duration",
+     forced({"--excitation", "half-sine", "--pulse-duration", "2", "--excitation-frequency", "3"}),
+     {"excitation-frequency and pulse-duration exclude each other"}},
+    {"duration_twice",
+     forced({"--excitation", "harmonic", "--lambda", "2", "--duration", "3",
+             "--excitation-duration", "2"}),
+     {"excitation-duration and duration exclude each other"}},
+    {"end_twice",
+     forced({"--excitation", "harmonic", "--lambda", "2", "--t-end", "3", "--end-time", "2"}),
+     {"end-time and t-end exclude each other"}},
+    {"frequency_of_dimensionless_input",
+     {"simulate", "--p", "1", "--f", "0", "--delta", "0", "--excitation", "harmonic", "--k", "1",
+      "--excitation-frequency", "2"},
+     {"p and excitation-frequency exclude each other"}},
+    {"pulse_duration_of_a_harmonic",
+     forced({"--excitation", "harmonic", "--pulse-duration", "2"}),
+     {"pulse-duration and excitation harmonic exclude each other"}},
+    {"pulse_duration_without_a_pulse",
+     joined(isolator, {"--pulse-duration", "2"}),
+     {"pulse-duration is for a pulse"}},
+    {"frequency_missing",
+     forced({"--excitation", "half-sine"}),
+     {"lambda is missing", "--pulse-duration in s", "--excitation-frequency in Hz"}},
+    {"end_missing",
+     forced({"--excitation", "harmonic", "--excitation-frequency", "1"}),
+     {"end-time is missing", "--end-time in s"}},
+    {"end_without_a_load",
+     {"simulate", "--velocity", "1", "--period", "3", "--f", "0.1", "--delta", "0", "--end-time",
+      "3"},
+     {"end-time is for a trajectory"}},
+    {"frequency_zero",
+     forced({"--excitation", "half-sine", "--excitation-frequency", "0"}),
+     {"excitation-frequency = 0", "from 1e-30"}},
+    {"pulse_duration_negative",
+     forced({"--excitation", "half-sine", "--pulse-duration", "-1ms"}),
+     {"pulse-duration = -0.001", "from 1e-30"}},
+    {"end_time_negative",
+     forced({"--excitation", "half-sine", "--pulse-duration", "1", "--end-time", "-1"}),
+     {"end-time = -1", "from 1e-30"}},
+    {"natural_frequency_zero",
+     {"design", "--velocity", "1", "--natural-frequency", "0", "--max-displacement", "1"},
+     {"natural-frequency = 0", "from 1e-30"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_unit, data::make(wrong_units), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_FIXTURE_TEST_CASE(natural_frequency_stands_for_its_period, Sandbox) {
+  // 1/4 and 4 are exact.
+  const Arguments rest{"--velocity", "0.4", "--max-displacement", "0.2"};
+  BOOST_TEST(without_wall_times(
+                 report_of(*this, joined({"design", "--natural-frequency", "0.25Hz"}, rest))) ==
+             without_wall_times(report_of(*this, joined({"design", "--period", "4s"}, rest))));
+  // The mend of p is in hertz, and mends.
+  const Arguments narrow{"region", "--velocity", "0.4", "--max-displacement", "0.1"};
+  const ProgramRun empty = run(joined(narrow, {"--natural-frequency", "0.25"}));
+  BOOST_TEST(empty.exit_code == 3);
+  const std::string words = "natural_frequency at least ";
+  const std::size_t place = empty.out.find(words);
+  BOOST_TEST_REQUIRE(place != std::string::npos, empty.out);
+  const std::string rest_of_it = empty.out.substr(place + words.size());
+  BOOST_TEST(rest_of_it.substr(rest_of_it.find(' ')).starts_with(" Hz"));
+  BOOST_TEST(run(joined(narrow,
+                        {"--natural-frequency", rest_of_it.substr(0, rest_of_it.find(' ')) + "Hz"}))
+                 .exit_code == 0);
+}
+
+// A frequency in hertz is lambda/(2 pi) over a unit of time; a half-sine lasts pi/lambda of them, a
+// full sine twice that.
+BOOST_FIXTURE_TEST_CASE(frequencies_and_durations_are_those_of_the_load, Sandbox) {
+  for (const auto& [type, periods] :
+       {std::pair{"half-sine", 0.5}, std::pair{"rectangle", 0.5}, std::pair{"full-sine", 1.0}}) {
+    const json by_duration =
+        report_of(*this, forced({"--excitation", type, "--pulse-duration", "70ms"}));
+    const json& physical = by_duration["physical"];
+    BOOST_TEST(near(physical["excitation_duration_s"], 0.07, conversion_tolerance));
+    BOOST_TEST(near(physical["excitation_frequency_hz"], periods / 0.07, conversion_tolerance));
+    const double lambda = by_duration["input"]["excitation"]["lambda"];
+    BOOST_TEST(report_of(*this, forced({"--excitation", type, "--lambda", in_full(lambda)})) ==
+               by_duration);
+    const json by_frequency = report_of(
+        *this, forced({"--excitation", type, "--excitation-frequency", in_full(periods / 0.07)}));
+    BOOST_TEST(near(by_frequency["input"]["excitation"]["lambda"], lambda, conversion_tolerance));
+  }
+  const json harmonic =
+      report_of(*this, forced({"--excitation", "harmonic", "--excitation-frequency", "0.36Hz",
+                               "--excitation-duration", "20s", "--end-time", "30000ms"}));
+  BOOST_TEST(near(harmonic["physical"]["excitation_frequency_hz"], 0.36, conversion_tolerance));
+  BOOST_TEST(near(harmonic["physical"]["excitation_duration_s"], 20, conversion_tolerance));
+  BOOST_TEST(near(harmonic["physical"]["end_time_s"], 30, conversion_tolerance));
+  // As keys of a scene, flat or in an object, with a flag that takes their place.
+  write("flat.json", R"({"period": "2.8s", "f": 0.02, "delta_m": "1mm", "excitation": "harmonic",
+      "k": "0.1g", "excitation_frequency": "0.36Hz", "excitation_duration": 20, "end_time": "30s"})");
+  write("object.json", R"({"period": "2.8s", "f": 0.02, "delta_m": "1mm", "excitation": {
+      "type": "harmonic", "k": "0.1g", "excitation_frequency": "0.36Hz", "excitation_duration": 20,
+      "end_time": "30s"}})");
+  BOOST_TEST(report_of(*this, {"simulate", "flat.json"}) == harmonic);
+  BOOST_TEST(report_of(*this, {"simulate", "object.json"}) == harmonic);
+  BOOST_TEST(report_of(*this, {"simulate", "flat.json", "--lambda",
+                               "2"})["input"]["excitation"]["lambda"] == 2);
+}
+
+BOOST_FIXTURE_TEST_CASE(pulses_of_a_design_are_in_seconds, Sandbox) {
+  const Arguments task{"design",   "--pulse", "half-sine",          "--k",  "0.5g",
+                       "--period", "2.8s",    "--max-displacement", "100mm"};
+  const json in_seconds = report_of(*this, joined(task, {"--pulse-duration", "70ms"}));
+  BOOST_TEST(near(in_seconds["physical"]["excitation_duration_s"], 0.07, conversion_tolerance));
+  const double lambda = in_seconds["input"]["lambda"];
+  BOOST_TEST(without_wall_times(report_of(*this, joined(task, {"--lambda", in_full(lambda)}))) ==
+             without_wall_times(in_seconds));
+  write("scene.json", R"({"pulse": "half-sine", "k": "0.5g", "pulse_duration": "70ms",
+      "period": "2.8s", "max_displacement": "100mm"})");
+  BOOST_TEST(without_wall_times(report_of(*this, {"design", "scene.json"})) ==
+             without_wall_times(in_seconds));
+  // Another hit takes the place of the pulse with all that is its.
+  BOOST_TEST(run({"region", "scene.json", "--velocity", "0.2"}).exit_code == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(trajectories_end_at_their_second, Sandbox) {
+  const ProgramRun answer =
+      run({"simulate", "--velocity", "0.4", "--period", "2.8", "--f", "0.02", "--delta-m", "1mm",
+           "--trajectory", "-", "--end-time", "1s", "--samples", "11"});
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.out.starts_with("tau,x,v,t_s,x_m,v_m_per_s\n"));
+  const std::size_t last = answer.out.rfind('\n', answer.out.size() - 2) + 1;
+  std::string line = answer.out.substr(last);
+  for (int i = 0; i < 3; ++i) {
+    line.erase(0, line.find(',') + 1);
+  }
+  BOOST_TEST(near(std::stod(line), 1, conversion_tolerance), line);
+  // The report goes to its file all the same.
+  const ProgramRun both = run({"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0",
+                               "--trajectory", "-", "--output", "report.json"});
+  BOOST_TEST(both.out.starts_with("tau,x,v\n"));
+  BOOST_TEST(json::parse(read("report.json"))["schema"] == "stillpoint/simulation-report/1");
+}
+
+BOOST_FIXTURE_TEST_CASE(quiet_leaves_errors_alone, Sandbox) {
+  write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "f": 0.3})");
+  const ProgramRun loud = run({"design", "scene.json"});
+  BOOST_TEST(loud.err.find("note: f") != std::string::npos);
+  BOOST_TEST(run({"design", "scene.json", "--quiet"}).err.empty());
+  check_refusal(run({"design", "scene.json", "--quiet", "--v0", "-1"}), {"v0 = -1"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

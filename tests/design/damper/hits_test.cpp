@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/hits.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(hits_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// Of an edge, relative: inside of it by so much the motion itself ends as the segment says. Some
+/// hundred half-cycles, each good to 2e-16.
+constexpr double beside = 1e-12;
+/// Of a rest, relative to f/p^2: near an edge of the dead zone it moves as the radius does.
+constexpr double rest_tolerance = 1e-9;
+
+struct Case {
+  Oscillator oscillator;
+  double beta;
+  double most;
+};
+
+Case random_case(RandomSource& random) {
+  const double p = random.log_uniform(1e-3, 1e3);
+  const double v0 = random.log_uniform(1e-3, 1e3);
+  Case now{{p, random.log_uniform(3e-3, 2) * v0 * p, random.log_uniform(1e-3, 2) * v0 * v0},
+           random.log_uniform(0.2, 3) * v0 / p,
+           2 * v0};
+  if (const int kind = random.pick(6); kind == 0) {
+    now.oscillator.f = 0;
+  } else if (kind == 1) {
+    now.oscillator.delta = 0;
+  }
+  return now;
+}
+
+void check_motion(const Case& now, const Hits& hit, double v0) {
+  const Response motion = free_response(now.oscillator, {0, v0});
+  BOOST_TEST_CONTEXT("v0 " << v0 << ", " << name(hit.end) << " from " << hit.from << " to "
+                           << hit.to) {
+    BOOST_TEST((motion.peak_amplitude > now.beta) == (hit.end == HitEnd::too_far));
+    if (hit.end == HitEnd::too_far) {
+      return;
+    }
+    BOOST_TEST((motion.outcome == Outcome::caught_at_start) == (hit.end == HitEnd::held));
+    if (hit.end == HitEnd::centred) {
+      BOOST_TEST(motion.stops_at_zero);
+      BOOST_TEST(*motion.zero_passages + 1 == *hit.arrivals);
+    } else if (hit.end == HitEnd::off_centre) {
+      BOOST_TEST(!motion.stops_at_zero);
+      BOOST_TEST(*motion.zero_passages == *hit.arrivals);
+      BOOST_TEST(std::signbit(*motion.stop_position) == std::signbit(*hit.rest));
+      const double dead_zone = now.oscillator.f / now.oscillator.p / now.oscillator.p;
+      BOOST_TEST(std::abs(*motion.stop_position) <=
+                 std::abs(*hit.rest) + rest_tolerance * dead_zone);
+    } else if (hit.end == HitEnd::alternating) {
+      BOOST_TEST(*motion.zero_passages >= *hit.arrivals - 1);
+    }
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_motion_ends_as_its_segment_says_up_to_both_edges) {
+  RandomSource random(2401);
+  std::array<int, 6> seen{};
+  for (int i = 0; i < 1500; ++i) {
+    const Case now = random_case(random);
+    const std::vector<Hits> list = hits(now.oscillator, now.beta, now.most);
+    for (const Hits& hit : list) {
+      const double inset = beside * hit.to;
+      if (hit.to - hit.from < 4 * inset) {
+        continue;
+      }
+      ++seen.at(static_cast<std::size_t>(hit.end));
+      check_motion(now, hit, std::max(hit.from + inset, 1e-9 * hit.to));
+      check_motion(now, hit, hit.to - inset);
+      check_motion(now, hit, random.uniform(hit.from + inset, hit.to - inset));
+    }
+  }
+  for (const HitEnd end : {HitEnd::held, HitEnd::centred, HitEnd::off_centre, HitEnd::too_far}) {
+    BOOST_TEST(seen.at(static_cast<std::size_t>(end)) > 500, name(end));
+  }
+  BOOST_TEST(seen.at(static_cast<std::size_t>(HitEnd::alternating)) > 5);
+}
+
+BOOST_AUTO_TEST_CASE(the_segments_are_in_order_without_gaps_and_bounded_in_number) {
+  RandomSource random(2402);
+  for (int i = 0; i < 1500; ++i) {
+    const Case now = random_case(random);
+    const std::vector<Hits> list = hits(now.oscillator, now.beta, now.most);
+    BOOST_TEST_REQUIRE(!list.empty());
+    BOOST_TEST(list.front().from == 0);
+    BOOST_TEST(list.back().to == now.most);
+    BOOST_TEST(list.size() <= static_cast<std::size_t>(most_hit_segments) + 4);
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      BOOST_TEST(list[k].from < list[k].to);
+      BOOST_TEST((k == 0 || list[k].from == list[k - 1].to));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_farthest_rest_is_reached) {
+  // f = 0.5, p = 1, Delta = 0.02: no passage up to V0 = sqrt(8)/2, rests at the peak
+  // sqrt(V0^2 + 1/4) - 1/2 up to 1/2 at V0 = sqrt(3)/2.
+  const Oscillator oscillator{1, 0.5, 0.02};
+  const auto rest = [&](double most) {
+    const auto list = hits(oscillator, 9, most);
+    return list.back().rest.value_or(0);
+  };
+  BOOST_TEST(std::abs(rest(0.5) - (std::sqrt(0.5) - 0.5)) < 1e-15);
+  BOOST_TEST(std::abs(rest(1.2) - 0.5) < 1e-15);
+  // A start beyond that: Delta = 0.5 holds up to 1, then it rests at 3 f - sqrt(1 + f^2).
+  const auto beyond = hits({1, 0.5, 0.5}, 9, 1.2);
+  BOOST_TEST(beyond.size() == 2U);
+  BOOST_TEST(std::abs(*beyond.back().rest - (1.5 - std::sqrt(1.25))) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(point_friction_alone_is_centred_at_each_square_root) {
+  // Stops at the n-th arrival for 2 (n - 1) Delta < V0^2 <= 2 n Delta.
+  const auto list = hits({1, 0, 0.5}, 2.5, 3);
+  BOOST_TEST_REQUIRE(list.size() == 8U);
+  BOOST_TEST((list[0].end == HitEnd::held));
+  for (int n = 2; n <= 7; ++n) {
+    const Hits& hit = list[static_cast<std::size_t>(n - 1)];
+    BOOST_TEST((hit.end == HitEnd::centred));
+    BOOST_TEST(*hit.arrivals == n);
+    BOOST_TEST(std::abs(hit.from - std::sqrt(n - 1.0)) < 1e-15);
+    BOOST_TEST(std::abs(hit.to - std::min(2.5, std::sqrt(double(n)))) < 1e-15);
+  }
+  BOOST_TEST((list[7].end == HitEnd::too_far));
+  BOOST_TEST(list[7].from == 2.5);
+}
+
+BOOST_AUTO_TEST_CASE(constant_friction_alone_is_off_centre_and_none_never_stops) {
+  // A_k = A_1 - 2 (k - 1) f: it rests off x = 0 but for single V0 = 2 f sqrt(n (n + 1)).
+  const auto list = hits({1, 0.25, 0}, 9, 1);
+  BOOST_TEST_REQUIRE(list.size() == 2U);
+  BOOST_TEST((list[0].end == HitEnd::off_centre));
+  BOOST_TEST(std::abs(list[0].to - 0.5 * std::sqrt(2.0)) < 1e-15);
+  BOOST_TEST(*list[0].rest == 0.25);
+  BOOST_TEST(*list[1].arrivals == 1);
+  BOOST_TEST(*list[1].rest < 0);
+  const auto frictionless = hits({2, 0, 0}, 1, 3);
+  BOOST_TEST_REQUIRE(frictionless.size() == 2U);
+  BOOST_TEST((frictionless[0].end == HitEnd::never_stops));
+  BOOST_TEST(frictionless[0].to == 2);
+}
+
+BOOST_AUTO_TEST_CASE(many_segments_become_one) {
+  const auto list = hits({1, 1e-6, 1e-6}, 1, 2);
+  BOOST_TEST_REQUIRE(list.size() == static_cast<std::size_t>(most_hit_segments) + 2);
+  const Hits& rest = list[list.size() - 2];
+  BOOST_TEST((rest.end == HitEnd::alternating));
+  BOOST_TEST((list.back().end == HitEnd::too_far));
+  BOOST_TEST(rest.from == list[list.size() - 3].to);
+}
+
+/// The first centred segment, cut at beta, is what a damper serves by the exact criterion.
+BOOST_AUTO_TEST_CASE(the_first_centred_segment_is_what_works_for_says) {
+  RandomSource random(2403);
+  constexpr double edge_tolerance = 1e-13;
+  int met = 0;
+  for (int i = 0; i < 500; ++i) {
+    Problem problem = random_feasible_problem(random);
+    problem.criterion = Criterion::exact;
+    const Region region = admissible_region(problem);
+    const double f = region.f3 * random.uniform(0, 1);
+    const double delta = region.delta2 * random.uniform(0, 1);
+    if (const auto served = works_for(problem, {}, f, delta)) {
+      ++met;
+      const auto list = shown_hits(problem, f, delta);
+      const auto hit = std::ranges::find_if(
+          list, [](const Hits& now) { return now.end == HitEnd::centred && now.arrivals == 1.0; });
+      BOOST_TEST_REQUIRE((hit != list.end()));
+      BOOST_TEST(std::abs(hit->from / served->v0.low - 1) < edge_tolerance);
+      BOOST_TEST(std::abs(hit->to / *served->v0.high - 1) < edge_tolerance);
+    }
+  }
+  BOOST_TEST(met > 100);
+}
+
+BOOST_AUTO_TEST_CASE(names_are_read_back_and_wrong_input_is_refused) {
+  for (const HitEnd end : {HitEnd::held, HitEnd::centred, HitEnd::off_centre, HitEnd::alternating,
+                           HitEnd::too_far, HitEnd::never_stops}) {
+    BOOST_TEST((parse_hit_end(name(end)) == end));
+  }
+  BOOST_TEST(!parse_hit_end("nowhere"));
+  BOOST_CHECK_THROW((void)hits({1, -1, 0}, 1, 1), InputError);
+  BOOST_CHECK_THROW((void)hits({1, 1, 1}, 0, 1), InputError);
+  BOOST_CHECK_THROW((void)hits({1, 1, 1}, 1, 0), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

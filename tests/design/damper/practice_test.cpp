@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/practice.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+BOOST_AUTO_TEST_SUITE(practice_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// A few roundings, and those of the motion's arrival speed.
+constexpr double tolerance = 1e-13;
+
+void check_close(const std::optional<double>& value, double expected) {
+  BOOST_TEST_REQUIRE(value.has_value());
+  BOOST_TEST(std::abs(*value - expected) <= tolerance * std::abs(expected),
+             *value << " instead of " << expected);
+}
+
+std::optional<Practice> of(const Oscillator& oscillator, double v0,
+                           const std::optional<double>& limit = {}) {
+  return practice(oscillator, free_response(oscillator, {0, v0}), limit);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(by_hand) {
+  // f = 0.5, p = 1, V0 = sqrt(6): S = 2.5, A = 2, w^2 = (S - f)(S - 3f) = 2. Delta = 2 holds it.
+  const Practice lines = of({1, 0.5, 2}, std::sqrt(6.0), 4.5).value();
+  check_close(lines.base_shear, 2.5);
+  check_close(lines.restoring, 2);
+  check_close(lines.secant_stiffness, 1.25);
+  check_close(lines.energy_ratio, 2);
+  check_close(lines.residual_ratio, 4);
+  check_close(lines.impulse_at_stop, std::sqrt(2.0));
+  check_close(lines.impulse_largest, std::sqrt(2.0));
+  check_close(lines.notch_used, 0.5);
+  BOOST_TEST(lines.notch_capacity == 2);
+  check_close(lines.notch_width_min, 0.5);
+  // (4 f A + 2 Delta)/(4 pi 1/2 2.5 A) = 8/(10 pi).
+  check_close(lines.equivalent_damping, 0.8 / std::numbers::pi);
+}
+
+/// The energy of the definition, from the force along a cycle of amplitude A by the midpoint rule.
+BOOST_AUTO_TEST_CASE(the_equivalent_damping_is_that_of_the_cycle) {
+  RandomSource random(2601);
+  for (int i = 0; i < 50; ++i) {
+    const Oscillator oscillator{random.log_uniform(0.1, 10), random.log_uniform(0.01, 1),
+                                random.log_uniform(0.01, 1)};
+    const auto& [p, f, delta, hold] = oscillator;
+    const double v0 = std::sqrt(2 * delta) * random.uniform(1.01, 3);
+    const Response motion = free_response(oscillator, {0, v0});
+    const double peak = motion.peak_amplitude;
+    constexpr int steps = 1000;
+    double lost = 2 * delta;
+    for (int k = 0; k < steps; ++k) {
+      const double x = -peak + 2 * peak * (k + 0.5) / steps;
+      const double there = f + p * p * x;
+      const double back = -f + p * p * x;
+      lost += (there - back) * 2 * peak / steps;
+    }
+    const double stored = (f + p * p * peak) * peak / 2;
+    const auto lines = practice(oscillator, motion, {});
+    BOOST_TEST(std::abs(*lines->equivalent_damping / (lost / (4 * std::numbers::pi * stored)) - 1) <
+               1e-11);
+    check_close(lines->base_shear, std::hypot(f, p * v0));
+    check_close(lines->base_shear, motion.peak_acceleration);
+  }
+}
+
+/// Of each half-cycle of the motion: the largest change of speed at x = 0.
+BOOST_AUTO_TEST_CASE(the_largest_impulse_is_that_of_all_passages) {
+  RandomSource random(2602);
+  int stops_largest = 0;
+  int passages_largest = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double v0 = random.log_uniform(1e-2, 1e2);
+    const double p = random.log_uniform(1e-2, 1e2);
+    const Oscillator oscillator{p, random.log_uniform(1e-3, 0.3) * v0 * p,
+                                random.log_uniform(1e-3, 0.4) * v0 * v0};
+    double largest = 0;
+    const auto halves = first_half_cycles(oscillator, {0, v0}, 2000);
+    for (std::size_t k = 0; k < halves.size(); ++k) {
+      if (halves[k].arrival_speed) {
+        const double left = k + 1 < halves.size() ? halves[k + 1].departure_speed : 0;
+        largest = std::max(largest, *halves[k].arrival_speed - left);
+      }
+    }
+    const auto lines = of(oscillator, v0);
+    const double shown = lines->impulse_largest.value_or(0);
+    BOOST_TEST(std::abs(shown - largest) <= 1e-11 * v0);
+    if (lines->impulse_at_stop) {
+      (*lines->impulse_at_stop < shown ? passages_largest : stops_largest) += 1;
+    }
+  }
+  BOOST_TEST(stops_largest > 50);
+  BOOST_TEST(passages_largest > 50);
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_exist_is_empty) {
+  BOOST_TEST(!of({1, 0.1, 1}, 0.5));  // caught at the start
+  const Practice undamped = of({2, 0, 0}, 1).value();
+  check_close(undamped.secant_stiffness, 4);
+  BOOST_TEST(*undamped.equivalent_damping == 0);
+  BOOST_TEST(!undamped.energy_ratio);
+  BOOST_TEST(!undamped.residual_ratio);
+  BOOST_TEST(!undamped.impulse_at_stop);
+  BOOST_TEST(!undamped.notch_used);
+  BOOST_TEST(!undamped.notch_width_min);
+  const Practice off_centre = of({1, 1, 0.1}, 1, 0.9).value();
+  BOOST_TEST(!off_centre.impulse_largest);
+  BOOST_TEST(!off_centre.notch_width_min);  // f alone is above it
+  const Practice notch_alone = of({1, 0, 0.5}, 1).value();
+  BOOST_TEST(!notch_alone.energy_ratio);
+  BOOST_TEST(*notch_alone.impulse_at_stop == 1);
+}
+
+BOOST_AUTO_TEST_CASE(every_design_recentres) {
+  // B >= 2 f at a return: E_s/E_h >= 1, d/d_rm >= 2.
+  RandomSource random(2603);
+  for (int i = 0; i < 50; ++i) {
+    const Problem problem = random_feasible_problem(random);
+    const DesignResult result = design::design({problem});
+    BOOST_TEST_REQUIRE(result.finding.has_value());
+    BOOST_TEST(*result.finding->practice->energy_ratio >= 1 - tolerance);
+    BOOST_TEST(*result.finding->practice->residual_ratio >= 2 - 2 * tolerance);
+    BOOST_TEST(*result.finding->practice->notch_used <= 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_least_width_keeps_the_limit_and_the_isolator_feels_0_32_g) {
+  // The isolator of data/scenes with a notch of 20 mm: f = 0.0241, Delta = 5.90 mm.
+  BOOST_TEST(std::abs(notch_acceleration(0.0241172, 5.8993e-3, 0.020) - 0.319) < 1e-3);
+  RandomSource random(2604);
+  for (int i = 0; i < 1000; ++i) {
+    const double f = random.log_uniform(1e-3, 1);
+    const double delta = random.log_uniform(1e-6, 1);
+    const double limit = f * (1 + random.log_uniform(1e-6, 100));
+    const double width = least_notch_width(f, delta, limit).value();
+    BOOST_TEST(notch_acceleration(f, delta, width) <= limit);
+    // An ulp of f + Delta/w is of the limit; the width is felt through Delta/w alone.
+    const double coarse = 1e-15 * limit / (limit - f);
+    BOOST_TEST(notch_acceleration(f, delta, width * (1 - 2 * coarse)) > limit);
+  }
+  BOOST_TEST(!least_notch_width(0.3, 0.1, 0.3));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
