@@ -76,7 +76,7 @@ const std::vector<Wrong> values{
     {"f_negative", with(simulate(), "--f", "-0.1"), {"f = -0.1", "from 0"}},
     {"delta_negative", with(simulate(), "--delta", "-0.1"), {"delta = -0.1", "from 0"}},
     {"hold_negative", simulate({"--hold", "-0.1"}), {"hold = -0.1", "from 0"}},
-    {"hold_not_a_number", simulate({"--hold", "nan"}), {"hold = nan"}},
+    {"hold_not_a_number", simulate({"--hold", "nan"}), {"hold = \"nan\"", "finite"}},
     {"notch_width_zero", simulate({"--notch-width", "0"}), {"notch-width = 0", "from 1e-150"}},
     {"notch_width_of_design", design({"--notch-width", "-1"}), {"notch-width = -1", "1e-150"}},
     {"hold_and_width",
