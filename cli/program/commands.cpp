@@ -5,6 +5,7 @@
 #include "pages.hpp"
 #include "progress.hpp"
 #include "request.hpp"
+#include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/peers/comparison.hpp>
@@ -99,7 +100,12 @@ ExitCode exit_code(const design::DesignResult& result) {
 
 ExitCode run_design(const Settings& settings, Output& output) {
   DesignInput input = design_input(settings);
-  const report::DesignReport report{design::design(input.request), input.physical};
+  const std::optional<double> width = notch_width(settings, input.physical);
+  require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
+  report::DesignReport report{design::design(input.request), input.physical, {}};
+  if (width && report.result.finding) {
+    report.built_notch = built_notch(report.result.request, report.result.finding->point, *width);
+  }
   write_page_of(report, Command::design, settings, output);
   print_report(report, settings, output);
   return exit_code(report.result);
@@ -135,6 +141,7 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
 }
 
 ExitCode run_accuracy(const Settings& settings, Output& output) {
+  require_paper_notch(settings, Command::accuracy);
   const SimulateInput input = simulate_input(settings);
   const peers::Scene scene = peers::comparison_scene(input.request);
   print_report(

@@ -60,6 +60,7 @@ enum class Rivals {
   frequency,
   duration,
   end,
+  notch,
 };
 
 /// A task is given either dimensionless or in metres and seconds, not in both.

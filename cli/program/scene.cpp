@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene.hpp"
 
+#include "surface_input.hpp"
 #include "value_units.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -184,6 +185,9 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
       }
       return value.get<std::int64_t>();
     case OptionKind::text:
+      if (option.name == "friction-zones" && value.is_array()) {
+        return zones_text(value);
+      }
       if (!value.is_string()) {
         throw wrong_type("a text in quotes");
       }

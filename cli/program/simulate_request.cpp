@@ -2,6 +2,7 @@
 #include "excitation_input.hpp"
 #include "motion_input.hpp"
 #include "request.hpp"
+#include "surface_input.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -21,7 +22,8 @@ Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
   if (!delta) {
     throw InputError::missing("delta", "give --delta, the point friction (0 for none)");
   }
-  return {motion.p, f, *delta};
+  return {motion.p, f, *delta,
+          settings.number("hold").value_or(std::numeric_limits<double>::infinity())};
 }
 
 void add_output(const Settings& settings, SimulateInput& input) {
@@ -78,7 +80,9 @@ SimulateInput simulate_input(const Settings& settings) {
   request.oscillator = oscillator(settings, motion);
   request.half_cycle_limit = half_cycle_limit(settings);
   add_output(settings, input);
+  request.surface = surface_input(settings, motion.physical);
   require_valid(request.oscillator, request.start);
+  require_valid(request.oscillator, request.surface);
   auto excitation = excitation_input(settings, motion.physical, motion.p);
   if (!excitation) {
     request.t_end = free_end(settings, motion.physical);

@@ -2,6 +2,7 @@
 #include "excitation_input.hpp"
 #include "motion_input.hpp"
 #include "request.hpp"
+#include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -240,6 +241,7 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
 }  // namespace
 
 SweepSpec sweep_request(const Settings& settings) {
+  require_paper_notch(settings, Command::sweep);
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);

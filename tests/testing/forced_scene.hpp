@@ -6,6 +6,7 @@
 
 #include "kernel/excitation_run.hpp"
 #include "kernel/forced_run.hpp"
+#include "kernel/on_surface.hpp"
 #include "testing/exact_run.hpp"
 #include "testing/random_scene.hpp"
 #include "testing/scene.hpp"
@@ -15,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <variant>
@@ -31,6 +33,12 @@ struct ForcedScene {
   Scene<Real> motion;
   AnyExcitation<Real> excitation;
   Real t_end{1};
+  Real hold{std::numeric_limits<Real>::infinity()};
+  BasicSurface<Real> surface{};
+
+  [[nodiscard]] BasicOscillator<Real> oscillator() const {
+    return {motion.p, motion.f, motion.delta, hold};
+  }
 };
 
 /// A piece and how long the motion stayed on it, for looking at it closely.
@@ -74,11 +82,13 @@ struct ForcedRecord {
 template <class Real>
 ForcedRecord<Real> run_forced(const ForcedScene<Real>& scene) {
   ForcedRecord<Real> record;
-  ForcedRun<Real, Recorder<Real>> run(scene.motion.oscillator(), scene.motion.start(), record.seen);
-  run.state().transmitted.largest_load = largest_load_of(scene.excitation, scene.motion.p);
-  std::visit([&](const auto& kind) { run_until(run, kind, scene.t_end); }, scene.excitation);
-  feel_the_end(run.state(), run.map(), ExactSum<Real>::product(scene.motion.p, scene.t_end));
-  record.state = run.state();
+  record.state = on_surface(
+      scene.oscillator(), scene.surface, scene.motion.start(), record.seen, {}, [&](auto& run) {
+        run.state().transmitted.largest_load = largest_load_of(scene.excitation, scene.motion.p);
+        std::visit([&](const auto& kind) { run_until(run, kind, scene.t_end); }, scene.excitation);
+        feel_the_end(run.state(), run.law(), ExactSum<Real>::product(scene.motion.p, scene.t_end));
+        return run.state();
+      });
   record.state.transmitted.largest_load = {};  // it refers to the scene
   return record;
 }
@@ -107,8 +117,15 @@ struct Widen {
 
 template <class Wide>
 ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
+  BasicSurface<Wide> surface;
+  if (scene.surface.notch_width) {
+    surface.notch_width = Wide(*scene.surface.notch_width);
+  }
+  for (const FrictionZone& zone : scene.surface.zones) {
+    surface.zones.push_back({Wide(zone.to), Wide(zone.f)});
+  }
   return {widened<Wide>(scene.motion), std::visit(Widen<Wide>(), scene.excitation),
-          Wide(scene.t_end)};
+          Wide(scene.t_end), Wide(scene.hold), surface};
 }
 
 /// So that a failing scene can be pasted into a test.
@@ -135,7 +152,12 @@ inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& sc
     }
   };
   std::visit(Print{out}, scene.excitation);
-  out << ", t_end " << scene.t_end << '}';
+  out << ", t_end " << scene.t_end << ", hold " << scene.hold << ", width "
+      << scene.surface.notch_width.value_or(0) << ", zones";
+  for (const FrictionZone& zone : scene.surface.zones) {
+    out << ' ' << zone.to << ':' << zone.f;
+  }
+  out << '}';
   out.precision(digits);
   return out;
 }
@@ -192,6 +214,32 @@ inline ForcedScene<> random_forced_scene(Dice& dice) {
       scene.excitation = random_record(dice, k);
   }
   scene.t_end = dice.uniform(1, 60) / p;
+  return scene;
+}
+
+/// The same with a notch that holds only so much, one with a width, steps of friction, or all that
+/// goes together.
+inline ForcedScene<> random_notched_scene(Dice& dice) {
+  ForcedScene<> scene = random_forced_scene(dice);
+  auto& [x0, v0, p, f, delta] = scene.motion;
+  const double force = f + dice.power_of_ten(-1, 0) * (f > 0 ? f : 0.1);
+  const double length = force / (p * p) * dice.power_of_ten(-1, 0.7);
+  const unsigned kind = dice.below(4);
+  if (kind == 0) {
+    scene.hold = dice.once_in(4) ? 0 : force * dice.power_of_ten(-1, 0.5);
+  } else if (kind == 1) {
+    scene.surface.notch_width = length * dice.power_of_ten(-1.5, 0);
+  }
+  if (kind >= 2 || dice.once_in(3)) {
+    double to = 0;
+    for (unsigned zones = 1 + dice.below(3); zones > 0; --zones) {
+      to += length * dice.power_of_ten(-1, 0);
+      scene.surface.zones.push_back({to, dice.once_in(5) ? 0 : force * dice.power_of_ten(-1, 0.3)});
+    }
+  }
+  if (kind == 3 && dice.once_in(2)) {
+    scene.surface.notch_width = length * dice.power_of_ten(-1.5, 0.5);
+  }
   return scene;
 }
 

@@ -75,7 +75,21 @@ class IntegratedMotion {
  public:
   /// `size` of x and v, for the absolute tolerance.
   IntegratedMotion(const ForcedScene<>& scene, double size)
-      : scene_(scene.motion), loads_(smooth_loads(scene.excitation)), size_(size) {}
+      : scene_(scene.motion),
+        hold_(scene.hold),
+        surface_(scene.surface),
+        loads_(smooth_loads(scene.excitation)),
+        size_(size) {
+    if (surface_.notch_width) {
+      wall_ = scene_.delta / *surface_.notch_width;
+      scene_.delta = 0;
+      edges_.push_back(*surface_.notch_width / 2);
+    }
+    for (const FrictionZone& zone : surface_.zones) {
+      edges_.push_back(zone.to);
+    }
+    std::sort(edges_.begin(), edges_.end());
+  }
 
   double x{0};
   double v{0};
@@ -88,8 +102,12 @@ class IntegratedMotion {
     v = scene_.v0;
     if (x == 0 && v != 0 && v * v < 2 * scene_.delta) {
       v = 0;
-      return;
+      if (std::isinf(hold_)) {
+        return;
+      }
     }
+    leaving_ = surface_.notch_width && x == 0 && v != 0;
+    moved_ = v != 0;
     direction_ = v > 0 ? 1 : -1;
     resting_ = v == 0;
     for (const SmoothLoad& load : loads_) {
@@ -112,35 +130,72 @@ class IntegratedMotion {
   /// The bisection of a rest that ends at once leaves some rounding of its length.
   void count_stick() { sticks += scene_.p * (t_ - rest_begin_) > 1e-12 ? 1 : 0; }
 
+  /// Friction just beyond |x| = place.
+  [[nodiscard]] double friction_at(double place) const {
+    double f = scene_.f;
+    for (std::size_t i = surface_.zones.size(); i > 0; --i) {
+      f = place < surface_.zones[i - 1].to ? surface_.zones[i - 1].f : f;
+    }
+    const bool walled = surface_.notch_width && place < *surface_.notch_width / 2 && !leaving_;
+    return walled ? f + wall_ : f;
+  }
+
+  /// Friction against a motion from x in the direction s.
+  [[nodiscard]] double friction_towards(double s) const {
+    const double y = s * x;
+    return friction_at(y >= 0 ? y : std::nextafter(-y, 0.0));
+  }
+
+  /// The next |x| of the law on the way, as s x; infinite where there is none.
+  [[nodiscard]] double edge_towards(double s) const {
+    const double y = s * x;
+    double next = y < 0 ? 0 : std::numeric_limits<double>::infinity();
+    for (const double edge : edges_) {
+      for (const double there : {-edge, edge}) {
+        next = there > y ? std::min(next, there) : next;
+      }
+    }
+    return next;
+  }
+
+  [[nodiscard]] bool held(double t) const {
+    const bool notched = scene_.delta > 0 && x == 0 && !std::isinf(hold_);
+    const double now = load(t);
+    return std::abs(now) <= friction_towards(now > 0 ? -1 : 1) + (notched ? hold_ : 0);
+  }
+
   void rest(double end) {
     const double step = std::min({1e-3 * load_->scale, (end - t_) / 8, 0.1 / scene_.p});
     double before = t_;
-    while (t_ < end && std::abs(load(t_)) <= scene_.f) {
+    while (t_ < end && held(t_)) {
       before = t_;
       t_ = std::min(t_ + step, end);
     }
-    if (std::abs(load(t_)) <= scene_.f) {
+    if (held(t_)) {
       return;
     }
     if (t_ > before) {
-      t_ = bisected(before, t_, [&](double t) { return std::abs(load(t)) <= scene_.f; });
+      t_ = bisected(before, t_, [&](double t) { return held(t); });
     }
     count_stick();
     resting_ = false;
     direction_ = load(t_) > 0 ? -1 : 1;
     v = 0;
+    passages += moved_ && x == 0 && scene_.delta > 0 ? 1 : 0;  // out of the notch
+    moved_ = true;
   }
 
   void slide(double end) {
     namespace odeint = boost::numeric::odeint;
     const double s = direction_;
+    const double f = friction_towards(s);
+    const double edge = edge_towards(s);
     const auto motion = [&](const State& state, State& rate, double t) {
-      rate = {state[1], -load_->w(t) - scene_.p * scene_.p * state[0] - s * scene_.f};
+      rate = {state[1], -load_->w(t) - scene_.p * scene_.p * state[0] - s * f};
     };
     auto stepper =
         odeint::make_dense_output(1e-14 * size_, 1e-13, odeint::runge_kutta_dopri5<State>());
     stepper.initialize(State{x, v}, t_, std::min({1e-4 * load_->scale, 1e-4 / scene_.p, end - t_}));
-    const bool inward = s * x < 0;
     while (t_ < end) {
       const auto [from, to] = stepper.do_step(motion);
       const double until = std::min(to, end);
@@ -153,19 +208,19 @@ class IntegratedMotion {
       for (int look = 1; look <= looks; ++look) {
         const double t = look == looks ? until : from + (until - from) * look / looks;
         const State state = at(t);
-        if (inward && s * state[0] >= 0 && scene_.delta > 0) {
-          return arrive(bisected(t_, t, [&](double when) { return s * at(when)[0] < 0; }), at);
+        if (s * state[0] >= edge) {
+          t_ = bisected(t_, t, [&](double when) { return s * at(when)[0] < edge; });
+          return arrive(edge, at(t_)[1]);
         }
         if (s * state[1] < 0) {
           t_ = bisected(t_, t, [&](double when) { return s * at(when)[1] >= 0; });
-          return turn(at(t_)[0], inward);
+          return turn(at(t_)[0]);
         }
         t_ = t;
       }
     }
     State state;
     stepper.calc_state(t_, state);
-    passages += inward && s * state[0] >= 0 ? 1 : 0;
     x = state[0];
     v = state[1];
   }
@@ -179,27 +234,41 @@ class IntegratedMotion {
     return high;
   }
 
-  template <class At>
-  void arrive(double t, At at) {
-    t_ = t;
-    const double speed = at(t)[1];
-    x = 0;
+  void arrive(double edge, double speed) {
+    x = direction_ * edge;
+    v = speed;
+    leaving_ = leaving_ && edge < *surface_.notch_width / 2;
+    if (edge != 0) {
+      return;
+    }
     const double left = speed * speed - 2 * scene_.delta;
-    held_ = left <= 0;
-    v = held_ ? 0 : direction_ * std::sqrt(left);
-    passages += held_ ? 0 : 1;
+    if (left > 0) {
+      v = direction_ * std::sqrt(left);
+      ++passages;
+      return;
+    }
+    v = 0;
+    held_ = std::isinf(hold_);
+    resting_ = true;
+    rest_begin_ = t_;
   }
 
-  void turn(double where, bool inward) {
-    passages += inward && direction_ * where >= 0 ? 1 : 0;
+  void turn(double where) {
     x = where;
     v = 0;
+    leaving_ = false;
     ++turns;
     resting_ = true;
     rest_begin_ = t_;
   }
 
   Scene<> scene_;
+  double hold_;
+  Surface surface_;
+  std::vector<double> edges_{};
+  double wall_{0};  ///< of the notch
+  bool leaving_{false};
+  bool moved_{false};
   std::vector<SmoothLoad> loads_;
   double size_;
   const SmoothLoad* load_{nullptr};

@@ -40,6 +40,14 @@ ordered_json type_of(const Option& option) {
     case OptionKind::integer:
       return {{"type", "integer"}};
     case OptionKind::text:
+      if (option.name == "friction-zones") {
+        const ordered_json zone{
+            {"type", "object"},
+            {"required", {"to", "f"}},
+            {"properties", {{"to", {{"type", "number"}}}, {"f", {{"type", "number"}}}}},
+            {"additionalProperties", false}};
+        return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", zone}};
+      }
       return option.traits.values.empty()
                  ? ordered_json{{"type", "string"}}
                  : ordered_json{{"type", "string"}, {"enum", option.traits.values}};

@@ -59,7 +59,7 @@ ordered_json method_json(const peers::MethodRow& now, bool used) {
 
 /// Why simulate uses the first method.
 std::string_view reason(const SimulationRequest& request) {
-  const auto& [p, f, delta] = request.oscillator;
+  const auto& [p, f, delta, hold] = request.oscillator;
   if (!is_forced(request)) {
     return f > 0 && delta > 0
                ? "the half-cycle map is exact from peak to peak, one square root each, and has no "
@@ -128,7 +128,7 @@ TableRow method_row(const peers::MethodRow& now) {
 }  // namespace
 
 Document document(const AccuracyReport& report) {
-  const auto& [p, f, delta] = report.request.oscillator;
+  const auto& [p, f, delta, hold] = report.request.oscillator;
   const Start& start = report.request.start;
   const peers::Result& truth = report.comparison.exact.rounded;
   const bool stops = truth.outcome != Outcome::running;

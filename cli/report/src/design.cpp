@@ -70,6 +70,35 @@ void add_pulse_check(Document& document, const design::PulseCheck& check,
   }
 }
 
+/// What a notch of finite width changes.
+void add_built_notch(Document& document, const design::BuiltNotch& built,
+                     const design::Finding& finding, const Physical& physical) {
+  const auto& [width, friction, response] = built;
+  const Response& paper = finding.pulse ? finding.pulse->response : finding.response;
+  Section& section = document.section("With the notch as built");
+  section.row("width", length_text(physical, width));
+  section.row("friction inside", format("f + delta/width = {:.6g}", friction));
+  if (response.half_cycles == 0) {
+    section.line("This notch holds the mass all through the pulse.", Tone::bad);
+    return;
+  }
+  section.row("outcome", outcome_phrase(response.outcome));
+  section.row("peak", length_text(physical, response.peak_amplitude));
+  if (response.stop_position && response.stop_time) {
+    section.row("rest", format("x = {}", length_text(physical, *response.stop_position)));
+    section.row("stop time", time_text(physical, *response.stop_time));
+  }
+  if (response.stop_time && paper.stop_time) {
+    section.row("change", format("stops {:.3g} % {} than with the paper's notch",
+                                 100 * std::abs(*response.stop_time / *paper.stop_time - 1),
+                                 *response.stop_time < *paper.stop_time ? "earlier" : "later"));
+  }
+  section.row("acceleration",
+              format("up to {:.4g} g is transmitted, the notch included ({:.4g} g "
+                     "with the paper's, outside of it)",
+                     response.peak_absolute_acceleration, paper.peak_absolute_acceleration));
+}
+
 std::string judgement(const design::CheckMethod& method) {
   if (!method.passed) {
     return "disagrees";
@@ -205,6 +234,9 @@ Document document(const DesignReport& report) {
   add_practice(motion, finding.practice, physical);
   if (finding.pulse) {
     add_pulse_check(document, *finding.pulse, physical);
+  }
+  if (report.built_notch) {
+    add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_checks(document, finding.cross_check, physical);
   document.detail("Search").line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms",

@@ -80,10 +80,11 @@ DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
 }
 
 DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start,
-                                const Excitation& excitation, double horizon) {
+                                const Excitation& excitation, double horizon,
+                                const Surface& surface) {
   ForcedTrajectoryOptions limits;
   limits.horizon = horizon;
-  const ForcedTrajectory path(oscillator, start, excitation, limits);
+  const ForcedTrajectory path(oscillator, start, excitation, limits, surface);
   DrawnMotion motion;
   motion.oscillator = oscillator;
   motion.states =
@@ -130,16 +131,19 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   const Oscillator& oscillator = request.oscillator;
   const Start& start = request.start;
   const Excitation& excitation = request.excitation;
-  if (!is_forced(request)) {
+  const Surface& surface = request.surface;
+  if (!is_forced(request) && surface.plain()) {
     const auto cut = end_of_beginning(first_half_cycles(oscillator, start, most_drawn_half_cycles));
     DrawnMotion motion = drawn_free_motion(oscillator, start, cut);
     motion.whole = !cut;
     return motion;
   }
   const double rate = fastest_rate(oscillator.p, excitation);
-  double last = std::min(answer.horizon, most_drawn_periods * 2 * std::numbers::pi / rate);
+  const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
+  const double horizon = is_forced(request) ? answer.horizon : longest;
+  double last = std::min(horizon, longest);
   const auto listed =
-      forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles);
+      forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
   const auto& stop_time = answer.response.stop_time;
   const bool rests = stop_time && *stop_time > 0;
@@ -147,17 +151,17 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   if (rest_is_seen) {
     last = seen_until(excitation, *stop_time);
   }
-  DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last);
+  DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
   if (rest_is_seen) {
     motion.rest = State{*stop_time, *answer.response.stop_position, 0};
     if (motion.states.back().tau < last) {
       motion.states.push_back({last, motion.rest->x, 0});
     }
-    motion.locked_from = answer.forced->locked_from;
+    motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
     std::erase_if(motion.frictionless,  // it hides the load that goes on
                   [last = 1.25 * *stop_time](const State& state) { return state.tau > last; });
   }
-  motion.whole = last >= answer.horizon || rest_is_seen;
+  motion.whole = last >= horizon || rest_is_seen;
   return motion;
 }
 

@@ -68,6 +68,33 @@ ordered_json pulse_check_json(const design::PulseCheck& check) {
 
 }  // namespace
 
+namespace {
+
+/// In metres where the input was.
+ordered_json built_notch_json(const DesignReport& report) {
+  if (!report.built_notch) {
+    return nullptr;
+  }
+  const auto& [width, friction, response] = *report.built_notch;
+  const auto metres = [&](const std::optional<double>& length) {
+    return number(report.physical && length
+                      ? std::optional(*length * report.physical->scales.length_m)
+                      : std::nullopt);
+  };
+  return {{"width", number(width)},
+          {"width_m", metres(width)},
+          {"friction", number(friction)},
+          {"outcome", name(response.outcome)},
+          {"zero_passages", number(response.zero_passages)},
+          {"stop_time", number(response.stop_time)},
+          {"stop_position", number(response.stop_position)},
+          {"stop_position_m", metres(response.stop_position)},
+          {"peak_amplitude", number(response.peak_amplitude)},
+          {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)}};
+}
+
+}  // namespace
+
 ordered_json json(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse] = result.request;
@@ -88,6 +115,7 @@ ordered_json json(const DesignReport& report) {
                     {"search", nullptr},
                     {"cross_check", nullptr},
                     {"pulse", nullptr},
+                    {"built_notch", built_notch_json(report)},
                     {"physical", physical_json(report)}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;

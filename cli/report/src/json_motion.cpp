@@ -2,6 +2,7 @@
 #include <stillpoint/report/report.hpp>
 #include "json_parts.hpp"
 
+#include <cmath>
 #include <variant>
 
 namespace stillpoint::report {
@@ -59,6 +60,25 @@ ordered_json half_cycles_json(const std::vector<HalfCycle>& half_cycles) {
   return list;
 }
 
+ordered_json zones_json(const std::vector<FrictionZone>& zones) {
+  ordered_json list = ordered_json::array();
+  for (const FrictionZone& zone : zones) {
+    list.push_back({{"to", number(zone.to)}, {"f", number(zone.f)}});
+  }
+  return list.empty() ? ordered_json() : list;
+}
+
+/// With what differs from the paper's notch and friction.
+ordered_json simulated_input_json(const MotionReport& report) {
+  const SimulationRequest& request = report.request;
+  ordered_json json = motion_input_json(request, report.record);
+  const double hold = request.oscillator.hold;
+  json["hold"] = std::isinf(hold) ? ordered_json() : number(hold);
+  json["notch_width"] = number(request.surface.notch_width);
+  json["friction_zones"] = zones_json(request.surface.zones);
+  return json;
+}
+
 }  // namespace
 
 ordered_json motion_input_json(const SimulationRequest& request,
@@ -77,7 +97,7 @@ ordered_json json(const MotionReport& report) {
   return {
       {"schema", "stillpoint/simulation-report/1"},
       {"program", program_json()},
-      {"input", motion_input_json(report.request, report.record)},
+      {"input", simulated_input_json(report)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
       {"half_cycles", half_cycles_json(answer.half_cycles)},
       {"half_cycles_listed", answer.half_cycles.size()},

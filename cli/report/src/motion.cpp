@@ -15,11 +15,30 @@ using fmt::format;
 
 namespace {
 
+/// What differs from the paper's notch and friction.
+void add_notch(Section& scene, const MotionReport& report) {
+  const auto& [p, f, delta, hold] = report.request.oscillator;
+  const Surface& surface = report.request.surface;
+  if (!std::isinf(hold)) {
+    scene.row("notch", format("holds a load of up to f + {:.6g} g", hold));
+  }
+  if (surface.notch_width) {
+    const double half = *surface.notch_width / 2;
+    scene.row("notch", format("friction {:.6g} for |x| < {}", f + delta / *surface.notch_width,
+                              length_text(report.physical, half)));
+  }
+  for (const FrictionZone& zone : surface.zones) {
+    scene.row("friction",
+              format("{:.6g} for |x| < {}", zone.f, length_text(report.physical, zone.to)));
+  }
+}
+
 std::string arrival(const HalfCycle& half_cycle, Outcome outcome, const FigureUnits& units) {
   if (half_cycle.arrival_speed) {
     return digits(*half_cycle.arrival_speed * units.velocity);
   }
-  const bool stops = outcome == Outcome::stopped_in_dead_zone;
+  const bool stops =
+      outcome == Outcome::stopped_in_dead_zone || outcome == Outcome::stopped_in_notch;
   return format("{} at {}{}{}", stops ? "rests" : "is",
                 digits(half_cycle.end_position * units.length),
                 units.length_unit.empty() ? "" : " ", units.length_unit);
@@ -95,7 +114,7 @@ std::string verdict(const MotionReport& report) {
 }
 
 void add_answer(Section& answer, const MotionReport& report) {
-  const auto& [p, f, delta] = report.request.oscillator;
+  const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
   answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)));
@@ -124,7 +143,7 @@ void add_answer(Section& answer, const MotionReport& report) {
 }  // namespace
 
 Document document(const MotionReport& report) {
-  const auto& [p, f, delta] = report.request.oscillator;
+  const auto& [p, f, delta, hold] = report.request.oscillator;
   const Start& start = report.request.start;
   Document document;
   document.title = is_forced(report.request) ? "Forced motion" : "Free motion";
@@ -138,6 +157,7 @@ Document document(const MotionReport& report) {
   scene.row("dimensionless",
             format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", start.v0, p, start.x0));
   scene.row("damper", format("f = {:.6g}   delta = {}", f, length_text(report.physical, delta)));
+  add_notch(scene, report);
   add_damper_physics(scene, report.physical, f, delta);
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);

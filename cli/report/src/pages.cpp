@@ -163,7 +163,7 @@ HtmlPage page(const MotionReport& report) {
     page.figures.push_back(excitation_figure(report.request.excitation, motion, units));
   }
   page.figures.push_back(phase_figure(motion, units));
-  if (!is_forced(report.request)) {
+  if (!is_forced(report.request) && report.request.surface.plain()) {
     page.figures.push_back(energy_figure(motion, units));
   }
   return page;

@@ -205,7 +205,7 @@ ordered_json physical_json(const MotionReport& report) {
     return nullptr;
   }
   const design::Scales& scales = report.physical->scales;
-  const auto& [p, f, delta] = report.request.oscillator;
+  const auto& [p, f, delta, hold] = report.request.oscillator;
   ordered_json json = scale_values(*report.physical, report.physical->velocity_m_per_s);
   add_damper(json, scales, f, delta);
   add_response(json, scales, &report.answer.response);

@@ -63,9 +63,10 @@ inline constexpr std::size_t most_single_half_cycles = 40;
 /// A free motion up to `horizon`; empty: to its end.
 [[nodiscard]] DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
                                             const std::optional<double>& horizon);
-/// A forced one up to `horizon`.
+/// A forced one up to `horizon`, or one on a surface of its own.
 [[nodiscard]] DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start,
-                                              const Excitation& excitation, double horizon);
+                                              const Excitation& excitation, double horizon,
+                                              const Surface& surface = {});
 /// The motion of an answer, or its beginning.
 [[nodiscard]] DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer);
 

@@ -190,6 +190,8 @@ std::string outcome_phrase(Outcome outcome) {
       return "stops at x = 0";
     case Outcome::stopped_in_dead_zone:
       return "stops off x = 0, in the dead zone";
+    case Outcome::stopped_in_notch:
+      return "stops off x = 0, in the notch";
     case Outcome::never_stops:
       return "never stops: there is no friction";
     case Outcome::caught_at_start:

@@ -41,11 +41,12 @@ std::vector<ForcedResponse> run(const BatchEntries& entries, const Excitation& e
     for (EntryRange scene = work.next(); scene.begin < scene.end; scene = work.next()) {
       const std::ptrdiff_t i = scene.begin;
       work.guard(i, [&] {
-        const Oscillator oscillator{entries.p[i], entries.f[i], entries.delta[i]};
+        const Oscillator oscillator{entries.p[i], entries.f[i], entries.delta[i], options.hold};
         const Start start{0, entries.v0[i]};
         check.require(oscillator, start);
+        require_valid(oscillator, options.surface);
         responses[static_cast<std::size_t>(i)] =
-            forced_response_of_valid(oscillator, start, excitation, options.scene);
+            forced_response_of_valid(oscillator, start, excitation, options.scene, options.surface);
       });
     }
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kernel/excitation_run.hpp"
 #include "kernel/forced_run.hpp"
+#include "kernel/on_surface.hpp"
 
 #include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
@@ -29,9 +30,11 @@ class HalfCycleCollector {
         break;
       case ForcedEventKind::arrival:
         now_.arrival_speed = std::abs(v);
+        arrival_ = tau;
         break;
       case ForcedEventKind::passage:
-        close(tau, 0);
+        close(arrival_, 0);
+        now_.start_time = now_.peak_time = tau;  // later, where the notch held the mass for a while
         now_.departure_speed = std::abs(v);
         break;
       case ForcedEventKind::rest:
@@ -83,6 +86,7 @@ class HalfCycleCollector {
 
   double p_;
   std::int64_t most_;
+  double arrival_{0};  ///< tau of the last arrival at x = 0
   bool over_{false};
   HalfCycle now_;
   std::vector<HalfCycle> list_;
@@ -93,20 +97,23 @@ class HalfCycleCollector {
 std::vector<HalfCycle> forced_half_cycles(const Oscillator& oscillator, const Start& start,
                                           const Excitation& excitation, double t_end,
                                           std::int64_t most,
-                                          const std::function<bool(double)>& go_on) {
+                                          const std::function<bool(double)>& go_on,
+                                          const Surface& surface) {
   require_valid(oscillator, start, excitation, t_end);
+  require_valid(oscillator, surface);
   HalfCycleCollector collector(oscillator.p, most);
   Patience asked(go_on, ForcedOptions().ask_every);
   const auto goes_on = [&](double tau) {
     return !collector.full() && asked.lasts([tau] { return tau; });
   };
-  ForcedRun<double, HalfCycleCollector> run(oscillator, start, collector, Patience{goes_on, 1});
-  std::visit([&](const auto& kind) { run_until(run, kind, t_end); }, excitation);
-  if (run.state().moved) {
-    collector.finish(run.state().now.value() / oscillator.p, run.state().u);
-    return collector.list();
-  }
-  return {};
+  return on_surface(oscillator, surface, start, collector, Patience{goes_on, 1}, [&](auto& run) {
+    std::visit([&](const auto& kind) { run_until(run, kind, t_end); }, excitation);
+    if (run.state().moved) {
+      collector.finish(run.state().now.value() / oscillator.p, run.state().u);
+      return collector.list();
+    }
+    return std::vector<HalfCycle>();
+  });
 }
 
 }  // namespace stillpoint

@@ -7,6 +7,12 @@ namespace stillpoint {
 
 /// forced_response for input that has been checked.
 ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
-                                        const Excitation& excitation, const ForcedOptions& options);
+                                        const Excitation& excitation, const ForcedOptions& options,
+                                        const Surface& surface);
+
+/// The same on a surface that is not the paper's.
+ForcedResponse zoned_response_of_valid(const Oscillator& oscillator, const Start& start,
+                                       const Excitation& excitation, const ForcedOptions& options,
+                                       const Surface& surface);
 
 }  // namespace stillpoint

@@ -4,6 +4,7 @@
 #include "kernel/forced_run.hpp"
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/linear_piece.hpp"
+#include "kernel/on_surface.hpp"
 #include "sampling.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -107,22 +108,26 @@ class ForcedTrajectory::Watcher {
 
 ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& start,
                                    const Excitation& excitation,
-                                   const ForcedTrajectoryOptions& limits)
+                                   const ForcedTrajectoryOptions& limits, const Surface& surface)
     : horizon_(limits.horizon) {
   require_valid(oscillator, start, excitation, limits.horizon);
+  require_valid(oscillator, surface);
   const double p = oscillator.p;
   const auto pieces = std::make_shared<Pieces>(p, limits.pieces);
   pieces_ = pieces;
   Watcher watcher(*this, *pieces);
   constexpr int ask_every = 1024;
-  ForcedRun<double, Watcher> run(oscillator, start, watcher, Patience{limits.go_on, ask_every});
-  std::visit([&](const auto& kind) { run_until(run, kind, limits.horizon); }, excitation);
-  if (limits.to_rest && run.state().outcome && run.state().rest_begin.value() > 0) {
-    horizon_ = run.state().rest_begin.value() / p;
+  const ForcedState<double> state = on_surface(
+      oscillator, surface, start, watcher, Patience{limits.go_on, ask_every}, [&](auto& run) {
+        std::visit([&](const auto& kind) { run_until(run, kind, limits.horizon); }, excitation);
+        return run.state();
+      });
+  if (limits.to_rest && state.outcome && state.rest_begin.value() > 0) {
+    horizon_ = state.rest_begin.value() / p;
     std::erase_if(events_, [this](const ForcedEvent& event) { return event.state.tau > horizon_; });
   }
-  if (!run.state().outcome) {
-    events_.push_back({ForcedEventKind::end, {horizon_, run.state().u / p, run.state().v}});
+  if (!state.outcome) {
+    events_.push_back({ForcedEventKind::end, {horizon_, state.u / p, state.v}});
   }
 }
 

@@ -20,17 +20,25 @@ void require_speed(const char* field, double value, double speed, const char* wh
                                smallest_speed, largest_speed));
 }
 
+/// A friction, or what a notch holds.
+void require_friction(const char* field, double f, double p) {
+  require_within(field, f, 0, largest_square);
+  const double phi = f / p;
+  if (f != 0 && !(phi >= smallest_friction_speed && phi <= largest_speed)) {
+    throw InputError(field, f,
+                     fmt::format("{} / p must be 0 or from {} to {} (p = {})", field,
+                                 smallest_friction_speed, largest_speed, p));
+  }
+}
+
 }  // namespace
 
 void require_valid(const Oscillator& oscillator) {
   require_within("p", oscillator.p, smallest_speed, largest_speed);
-  require_within("f", oscillator.f, 0, largest_square);
+  require_friction("f", oscillator.f, oscillator.p);
   require_within("delta", oscillator.delta, 0, largest_square);
-  const double phi = oscillator.f / oscillator.p;
-  if (oscillator.f != 0 && !(phi >= smallest_friction_speed && phi <= largest_speed)) {
-    throw InputError("f", oscillator.f,
-                     fmt::format("f / p must be 0 or from {} to {} (p = {})",
-                                 smallest_friction_speed, largest_speed, oscillator.p));
+  if (!std::isinf(oscillator.hold) || oscillator.hold < 0) {
+    require_friction("hold", oscillator.hold, oscillator.p);
   }
 }
 

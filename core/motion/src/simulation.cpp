@@ -37,13 +37,18 @@ Simulation free_simulation(const SimulationRequest& request) {
   return result;
 }
 
+/// The end of the run, if that is told; the t_end of a free motion is that of its trajectory.
+std::optional<double> run_end(const SimulationRequest& request) {
+  return is_forced(request) ? request.t_end : std::nullopt;
+}
+
 /// Until the rest is known to be final; if the motion never stops, ten periods more.
 double horizon_of(const SimulationRequest& request, const ForcedResponse& response) {
   // The end of the motion comes from the free kernel, which may round it an ulp earlier than the
   // forced one that lists the events before it. A rest under a load is final once the load is over.
   constexpr double behind_the_end = 1 + 1e-12;
-  if (request.t_end) {
-    return *request.t_end;
+  if (const auto end = run_end(request)) {
+    return *end;
   }
   const double lasts = duration(request.excitation).value();
   const double stop_time = response.stop_time.value_or(0);
@@ -59,7 +64,7 @@ double horizon_of(const SimulationRequest& request, const ForcedResponse& respon
   return horizon;
 }
 
-/// The three passes over one forced motion.
+/// The three passes over one forced motion, or one on a surface of its own.
 class ForcedSimulation {
  public:
   ForcedSimulation(const SimulationRequest& request, const std::function<bool(double)>& go_on)
@@ -74,19 +79,20 @@ class ForcedSimulation {
   ~ForcedSimulation() = default;
 
   Simulation operator()() {
-    if (request_.t_end) {
-      trace(*request_.t_end);  // first: if the motion is too long for it, nothing else is computed
+    const std::optional<double> end = run_end(request_);
+    if (end) {
+      trace(*end);  // first: if the motion is too long for it, nothing else is computed
     }
     if (!result_.cancelled) {
       respond();
     }
-    if (!result_.cancelled && !request_.t_end) {
-      trace(result_.horizon);
+    if (!result_.cancelled && !end) {
+      trace(request_.t_end.value_or(result_.horizon));
     }
     if (!result_.cancelled) {
       result_.half_cycles =
           forced_half_cycles(request_.oscillator, request_.start, request_.excitation,
-                             result_.horizon, request_.max_half_cycles, go_on_);
+                             result_.horizon, request_.max_half_cycles, go_on_, request_.surface);
     }
     return std::move(result_);
   }
@@ -94,11 +100,11 @@ class ForcedSimulation {
  private:
   void respond() {
     ForcedOptions options;
-    options.t_end = request_.t_end;
+    options.t_end = run_end(request_);
     options.half_cycle_limit = request_.half_cycle_limit;
     options.go_on = go_on_;
-    result_.forced =
-        forced_response(request_.oscillator, request_.start, request_.excitation, options);
+    result_.forced = forced_response(request_.oscillator, request_.start, request_.excitation,
+                                     options, request_.surface);
     result_.response = static_cast<const Response&>(*result_.forced);
     if (!result_.cancelled) {
       result_.horizon = horizon_of(request_, *result_.forced);
@@ -111,8 +117,8 @@ class ForcedSimulation {
       options.horizon = horizon;
       options.to_rest = !request_.t_end;
       options.go_on = go_on_;
-      const ForcedTrajectory path(request_.oscillator, request_.start, request_.excitation,
-                                  options);
+      const ForcedTrajectory path(request_.oscillator, request_.start, request_.excitation, options,
+                                  request_.surface);
       result_.trajectory = path.sampled(*request_.samples);
     }
   }
@@ -129,7 +135,15 @@ bool is_forced(const SimulationRequest& request) {
 }
 
 Simulation simulate(const SimulationRequest& request, const std::function<bool(double)>& go_on) {
-  return is_forced(request) ? ForcedSimulation(request, go_on)() : free_simulation(request);
+  if (!is_forced(request) && request.surface.plain()) {
+    return free_simulation(request);
+  }
+  Simulation result = ForcedSimulation(request, go_on)();
+  if (!is_forced(request)) {
+    result.forced.reset();
+    result.horizon = 0;
+  }
+  return result;
 }
 
 }  // namespace stillpoint

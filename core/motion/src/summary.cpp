@@ -12,6 +12,7 @@ std::string ending(const Response& response) {
   switch (response.outcome) {
     case Outcome::stopped_at_zero:
     case Outcome::stopped_in_dead_zone:
+    case Outcome::stopped_in_notch:
       return fmt::format("{} at x = {:.6g}", response.half_cycles == 0 ? "stays at rest" : "stops",
                          response.stop_position.value_or(0));
     case Outcome::never_stops:

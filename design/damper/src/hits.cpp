@@ -108,7 +108,7 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
   require_valid(oscillator);
   require_within("beta", beta, smallest_beta, largest_square);
   require_within("v0", v0_most, smallest_speed, largest_speed);
-  const auto& [p, f, delta] = oscillator;
+  const auto& [p, f, delta, hold] = oscillator;
   const Damper damper{p, f / Wide(p), 2 * Wide(delta)};
   const Wide start = std::min(Wide(v0_most), std::sqrt(damper.d));
   const Wide speed = Wide(beta) * p;

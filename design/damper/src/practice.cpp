@@ -55,7 +55,7 @@ std::optional<double> least_notch_width(double f, double delta, double limit) {
 
 std::optional<Practice> practice(const Oscillator& oscillator, const Response& response,
                                  const std::optional<double>& acceleration_max) {
-  const auto& [p, f, delta] = oscillator;
+  const auto& [p, f, delta, hold] = oscillator;
   const double peak = response.peak_amplitude;
   if (peak == 0) {
     return std::nullopt;

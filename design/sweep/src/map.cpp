@@ -61,6 +61,7 @@ std::uint8_t SweepClass::of(Outcome outcome, double half_cycles) {
     case Outcome::stopped_at_zero:
       return static_cast<std::uint8_t>(range_of(half_cycles));
     case Outcome::stopped_in_dead_zone:
+    case Outcome::stopped_in_notch:
       return static_cast<std::uint8_t>(ranges + range_of(half_cycles));
     case Outcome::caught_at_start:
       return does_not_move;

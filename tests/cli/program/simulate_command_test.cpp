@@ -44,6 +44,49 @@ BOOST_AUTO_TEST_CASE(report_has_every_field_of_the_contract) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_real_notch_and_zones_come_from_flags_and_from_a_scene) {
+  const json paper = report_of(*this, simulate("0.26", "0.37"), impatient());
+  BOOST_TEST(paper["input"]["hold"].is_null());
+  BOOST_TEST(paper["input"]["notch_width"].is_null());
+  BOOST_TEST(paper["input"]["friction_zones"].is_null());
+  // docs/notches.md (N3).
+  const json built =
+      report_of(*this, simulate("0.26", "0.37", {"--notch-width", "1e-4"}), impatient());
+  BOOST_TEST(built["response"]["outcome"] == "stopped_in_notch");
+  BOOST_TEST(built["input"]["notch_width"] == 1e-4);
+  BOOST_TEST(std::abs(built["response"]["stop_position"].get<double>() - 0.23537e-4) < 1e-8);
+
+  const json held = report_of(*this, simulate("0.26", "0.37", {"--hold", "0.5"}), impatient());
+  BOOST_TEST(held["input"]["hold"] == 0.5);
+  BOOST_TEST(held["response"] == paper["response"]);  // it takes a load to see the difference
+
+  const json flags =
+      report_of(*this, simulate("0.1", "0", {"--friction-zones", "0.1:0.3,0.2:0.4"}), impatient());
+  write("zones.json", R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0,
+      "friction_zones": [{"to": 0.1, "f": 0.3}, {"to": 0.2, "f": 0.4}]})");
+  const json scene = report_of(*this, {"simulate", "zones.json"}, impatient());
+  BOOST_TEST(scene["input"] == flags["input"]);
+  BOOST_TEST(scene["response"] == flags["response"]);
+  BOOST_TEST(scene["input"]["friction_zones"][1]["f"] == 0.4);
+}
+
+BOOST_AUTO_TEST_CASE(a_design_is_simulated_with_the_notch_that_will_be_built) {
+  const Arguments design{"design", "--velocity",         "0.4", "--period",
+                         "2.8",    "--max-displacement", "0.15"};
+  BOOST_TEST(report_of(*this, design, impatient())["built_notch"].is_null());
+  const json report = report_of(*this, joined(design, {"--notch-width-m", "0.02"}), impatient());
+  const json& built = report["built_notch"];
+  BOOST_TEST(built["outcome"] == "stopped_in_notch");
+  BOOST_TEST(near(built["width_m"], 0.02, 1e-14));
+  BOOST_TEST(std::abs(built["stop_position_m"].get<double>()) <= 0.01);
+  // It leaves freely, so the peak is the design's; the notch is felt, f + delta/w at most.
+  BOOST_TEST(near(built["peak_amplitude"], report["response"]["peak_amplitude"], 1e-14));
+  const double inside = report["design"]["f"].get<double>() +
+                        report["design"]["delta"].get<double>() / built["width"].get<double>();
+  BOOST_TEST(near(built["friction"], inside, 1e-14));
+  BOOST_TEST(built["peak_absolute_acceleration"].get<double>() > 0.9 * inside);
+}
+
 BOOST_AUTO_TEST_CASE(metrics_are_those_of_the_reference) {
   const json response = report_of(*this, simulate("0.02", "0.02"), impatient())["response"];
   BOOST_TEST(near(response["peak_amplitude"], 0.98019998000399900, 1e-15));

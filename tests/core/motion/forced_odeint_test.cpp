@@ -22,15 +22,13 @@ constexpr double metric_tolerance = 1e-8;
 // What that leaves undecided.
 constexpr double decided_margin = 1e-6;
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(an_independent_integrator_sees_the_same_motion) {
-  Dice dice(40401);
+/// Of the scenes that `make` throws with `dice`.
+void an_independent_integrator_agrees(Dice dice, ForcedScene<> (*make)(Dice&)) {
   const int count = forced_scene_count();
   int undecided = 0;
   double worst = 0;
   for (int i = 0; i < count; ++i) {
-    ForcedScene<> scene = random_forced_scene(dice);
+    ForcedScene<> scene = make(dice);
     scene.t_end = std::min(scene.t_end, 25 / scene.motion.p);
     const ForcedState<double> kernel = run_forced(scene).state;
     if (!kernel.margin.any() || kernel.margin.value() < decided_margin) {
@@ -57,6 +55,16 @@ BOOST_AUTO_TEST_CASE(an_independent_integrator_sees_the_same_motion) {
   }
   BOOST_TEST_MESSAGE(count << " scenes, " << undecided << " undecided, worst difference " << worst);
   BOOST_TEST(undecided <= count / 10);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_independent_integrator_sees_the_same_motion) {
+  an_independent_integrator_agrees(Dice(40401), random_forced_scene);
+}
+
+BOOST_AUTO_TEST_CASE(an_independent_integrator_sees_the_same_motion_in_real_notches) {
+  an_independent_integrator_agrees(Dice(40402), random_notched_scene);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -74,15 +74,13 @@ double error(const ForcedScene<>& scene, const ForcedState<double>& got,
                    off(got.stick_time.value(), right.stick_time.value()) / time});
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
-  Dice dice(20260);
+/// Of the scenes that `make` throws with `dice`.
+void double_agrees_with_50_digits(Dice dice, ForcedScene<> (*make)(Dice&)) {
   const int count = forced_scene_count();
   double worst = 0;
   int undecided = 0;
   for (int i = 0; i < count; ++i) {
-    const ForcedScene<> scene = random_forced_scene(dice);
+    const ForcedScene<> scene = make(dice);
     const ForcedRecord<double> got = run_forced(scene);
     if (margin_of(got.state) < decided_margin) {
       ++undecided;
@@ -96,6 +94,16 @@ BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
   }
   BOOST_TEST_MESSAGE(count << " scenes, " << undecided << " undecided, worst error " << worst);
   BOOST_TEST(undecided <= count / 20 + 1);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
+  double_agrees_with_50_digits(Dice(20260), random_forced_scene);
+}
+
+BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_in_real_notches) {
+  double_agrees_with_50_digits(Dice(20262), random_notched_scene);
 }
 
 namespace {

@@ -20,4 +20,5 @@
 #include <stillpoint/core/pulse_speed.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>
+#include <stillpoint/core/surface.hpp>
 #include <stillpoint/core/trajectory.hpp>

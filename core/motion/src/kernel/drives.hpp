@@ -68,20 +68,29 @@ class LinearDrive {
     return {{from.y, from.v, from.a}, Real(from.direction) * rate_};
   }
 
+  [[nodiscard]] typename LinearPiece<Real>::End first_event(const LinearPiece<Real>& piece,
+                                                            const Real& limit,
+                                                            bool want_arrival) const {
+    return rate_ == 0 ? piece.first_event_of_constant_load(limit, want_arrival)
+                      : piece.first_event(limit, want_arrival);
+  }
+
   /// When a load that is held first exceeds friction; none if it never does.
-  [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) const {
+  template <class AnyHold>
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const AnyHold& hold) const {
     using std::abs;
     using std::max;
     const int sign = rate_ > 0 ? 1 : -1;
     if (rate_ == 0 || !(hold.excess({end_w_, ExactSum<Real>(end_full_)}, sign) > 0)) {
       return std::nullopt;
     }
-    const Real room = hold.phi() - Real(sign) * (w_ + hold.u());
+    const Real room = hold.phi(sign) - Real(sign) * (w_ + hold.u());
     return ExactSum<Real>(Real(max(room, Real(0)) / abs(rate_)));
   }
 
   /// Between its ends this load has no crest.
-  void crests(const Hold<Real>& /*hold*/, const Real& /*wait*/, bool /*released*/) const {}
+  template <class AnyHold>
+  void crests(const AnyHold& /*hold*/, const Real& /*wait*/, bool /*released*/) const {}
 
   /// The direction of the mass after the release.
   [[nodiscard]] int release_direction() const { return rate_ > 0 ? -1 : 1; }
@@ -91,7 +100,8 @@ class LinearDrive {
     using std::abs;
     return abs(Real(u + w_));
   }
-  [[nodiscard]] Real largest_excess(const Hold<Real>& hold) const {
+  template <class AnyHold>
+  [[nodiscard]] Real largest_excess(const AnyHold& hold) const {
     const Load<Real> now = load();
     return hold.excess(now, hold.sign(now));
   }
@@ -155,6 +165,12 @@ class HarmonicDrive {
     return {phase_, start, k, k_, guesses_, margin_};
   }
 
+  [[nodiscard]] typename HarmonicPiece<Real>::End first_event(HarmonicPiece<Real>& piece,
+                                                              const Real& limit,
+                                                              bool want_arrival) const {
+    return piece.first_event(limit, want_arrival);
+  }
+
   void advance(const ExactSum<Real>& h) {
     phase_.advance(h);
     now_ = phase_.sin_cos();
@@ -162,7 +178,8 @@ class HarmonicDrive {
 
   /// When a load that is held first exceeds friction: (F18). A sum of two numbers, so that the
   /// phase there has all digits of its distance to the crest.
-  [[nodiscard]] std::optional<ExactSum<Real>> release(const Hold<Real>& hold) {
+  template <class AnyHold>
+  [[nodiscard]] std::optional<ExactSum<Real>> release(const AnyHold& hold) {
     room_up_ = room(hold, 1);
     room_down_ = room(hold, -1);
     const std::optional<Ahead> up = first_above(room_up_, phase_.psi(), now_.cosine > 0);
@@ -189,7 +206,8 @@ class HarmonicDrive {
 
   /// How near the crests of the load come to friction during a wait after release(), the last crest
   /// included.
-  void crests(const Hold<Real>& hold, const Real& wait, bool released) const {
+  template <class AnyHold>
+  void crests(const AnyHold& hold, const Real& wait, bool released) const {
     const Real angle = wait * phase_.ratio();
     const auto decide = [&](int sign, const Real& room, const Real& ahead) {
       const Real to_crest = ahead < 0 ? Real(ahead + 2 * pi<Real>()) : ahead;
@@ -204,8 +222,13 @@ class HarmonicDrive {
     using std::abs;
     return abs(u) + k_;
   }
-  [[nodiscard]] Real largest_excess(const Hold<Real>& hold) const {
-    return room(hold, hold.u() < 0 ? -1 : 1);
+  template <class AnyHold>
+  [[nodiscard]] Real largest_excess(const AnyHold& hold) const {
+    if constexpr (AnyHold::symmetric) {
+      return room(hold, hold.u() < 0 ? -1 : 1);
+    } else {
+      return std::max(room(hold, -1), room(hold, 1));
+    }
   }
 
  private:
@@ -215,8 +238,9 @@ class HarmonicDrive {
   };
 
   /// By how much the crest of the load in the direction `sign` exceeds friction.
-  [[nodiscard]] Real room(const Hold<Real>& hold, int sign) const {
-    const Real spare = k_ - hold.phi();  // first, or u would be rounded away
+  template <class AnyHold>
+  [[nodiscard]] Real room(const AnyHold& hold, int sign) const {
+    const Real spare = k_ - hold.phi(sign);  // first, or u would be rounded away
     return hold.sharpened(Real(spare + Real(sign) * hold.u()),
                           {k_, ExactSum<Real>(Real(sign) * full_k_)}, sign);
   }

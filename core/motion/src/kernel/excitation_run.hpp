@@ -31,8 +31,8 @@ ExactSum<Real> earlier(const Real& p, const Real& time, const ExactSum<Real>& en
 }
 
 /// The load at its end.
-template <class Real, class Watcher>
-Load<Real> harmonic(ForcedRun<Real, Watcher>& run, const Real& k, const Real& lambda,
+template <class Real, class Watcher, class Law>
+Load<Real> harmonic(ForcedRun<Real, Watcher, Law>& run, const Real& k, const Real& lambda,
                     const Real& phase, const ExactSum<Real>& length, bool for_ever) {
   const Real& p = run.map().p;
   const Real size = k / p;
@@ -80,14 +80,14 @@ Real duration_of(const BasicRecord<Real>& record) {
 }
 
 /// Through the excitation, or until p tau = `end` where that is earlier; the load there.
-template <class Real, class Watcher>
-Load<Real> excite(ForcedRun<Real, Watcher>& /*run*/, const NoExcitation& /*excitation*/,
+template <class Real, class Watcher, class Law>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& /*run*/, const NoExcitation& /*excitation*/,
                   const ExactSum<Real>& /*end*/) {
   return {};
 }
 
-template <class Real, class Watcher>
-Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicHarmonic<Real>& excitation,
+template <class Real, class Watcher, class Law>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicHarmonic<Real>& excitation,
                   const ExactSum<Real>& end) {
   const bool for_ever = !excitation.duration;
   return detail::harmonic(run, excitation.k, excitation.lambda, excitation.phase,
@@ -95,32 +95,32 @@ Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicHarmonic<Real>& exci
                           for_ever);
 }
 
-template <class Real, class Watcher>
-Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicHalfSine<Real>& pulse,
+template <class Real, class Watcher, class Law>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicHalfSine<Real>& pulse,
                   const ExactSum<Real>& end) {
   return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
                           detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
 }
 
-template <class Real, class Watcher>
-Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicFullSine<Real>& pulse,
+template <class Real, class Watcher, class Law>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicFullSine<Real>& pulse,
                   const ExactSum<Real>& end) {
   return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
                           detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
 }
 
-template <class Real, class Watcher>
-Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicRectangle<Real>& pulse,
+template <class Real, class Watcher, class Law>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicRectangle<Real>& pulse,
                   const ExactSum<Real>& end) {
   LinearDrive<Real> drive(Real(pulse.k / run.map().p), pulse.k);
   run.through(drive, detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
   return drive.load();
 }
 
-template <class Real, class Watcher>
-Load<Real> excite(ForcedRun<Real, Watcher>& run, const BasicRecord<Real>& record,
+template <class Real, class Watcher, class Law>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicRecord<Real>& record,
                   const ExactSum<Real>& end) {
-  return RecordRun<Real, Watcher>(run, record).through(end);
+  return RecordRun<Real, Watcher, Law>(run, record).through(end);
 }
 
 /// Of any kind, for Transmitted. It refers to the excitation.
@@ -137,8 +137,9 @@ auto largest_load_of(const std::variant<Kinds...>& excitation, const Real& p) {
 }
 
 /// The whole motion up to tau = t_end.
-template <class Real, class Watcher, class AnyExcitation>
-void run_until(ForcedRun<Real, Watcher>& run, const AnyExcitation& excitation, const Real& t_end) {
+template <class Real, class Watcher, class Law, class AnyExcitation>
+void run_until(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation,
+               const Real& t_end) {
   const ExactSum<Real> end = ExactSum<Real>::product(run.map().p, t_end);
   LinearDrive<Real> nothing;
   if (run.over()) {
@@ -149,22 +150,23 @@ void run_until(ForcedRun<Real, Watcher>& run, const AnyExcitation& excitation, c
     return;
   }
   if (t_end < duration_of<Real>(excitation)) {
-    run.end(load);
+    decide_end(run, load);
     return;
   }
-  run.jump(load, nothing.load());
+  decide_jump(run, load, nothing.load());
   run.event(ForcedEventKind::excitation_end);
   run.settle();
   ExactSum<Real> left = end;
   left.add(-run.state().now.high());
   left.add(-run.state().now.low());
   run.through(nothing, left, true);
-  run.end(nothing.load());
+  decide_end(run, nothing.load());
 }
 
-/// The motion through an excitation that ends, and then up to the next turn or to its rest.
-template <class Real, class Watcher, class AnyExcitation>
-void run_to_free_turn(ForcedRun<Real, Watcher>& run, const AnyExcitation& excitation) {
+/// The motion through an excitation that ends, and then up to the next turn or to its rest; in
+/// zones always to its rest, if there is one.
+template <class Real, class Watcher, class Law, class AnyExcitation>
+void run_to_free_turn(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation) {
   if (run.over()) {
     return;
   }
@@ -174,10 +176,14 @@ void run_to_free_turn(ForcedRun<Real, Watcher>& run, const AnyExcitation& excita
   if (run.over()) {
     return;
   }
-  run.jump(load, nothing.load());
+  decide_jump(run, load, nothing.load());
   run.event(ForcedEventKind::excitation_end);
-  run.slide_to_turn(nothing);
-  run.settle();
+  if constexpr (Law::in_zones) {
+    slide_to_rest(run, nothing);  // no half-cycle map serves zones
+  } else {
+    run.slide_to_turn(nothing);
+    run.settle();
+  }
 }
 
 }  // namespace stillpoint

@@ -14,15 +14,19 @@
 // | h, now   | p tau, of a piece and of the run                        |
 //
 // A drive (drives.hpp) is a stretch of the excitation without a kink. `through` takes the motion
-// through one; kinks are where the next begins. A watcher sees every event and every piece.
+// through one; kinks are where the next begins. A watcher sees every event and every piece. A law
+// (constant_friction.hpp, zoned_friction.hpp) says what friction there is at a place.
 
+#include "kernel/constant_friction.hpp"
 #include "kernel/drives.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
 #include "kernel/half_cycle_map.hpp"
 #include "kernel/hold.hpp"
 #include "kernel/piece_end.hpp"
+#include "kernel/run_margin.hpp"
 #include "kernel/transmitted.hpp"
+#include "kernel/zone_slide.hpp"
 
 #include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -38,18 +42,26 @@
 
 namespace stillpoint {
 
-template <class Real, class Watcher = NoWatcher>
+template <class Real, class Watcher = NoWatcher, class Law = ConstantFriction<Real>>
 class ForcedRun {
  public:
+  using AnyWatcher = Watcher;
+
   ForcedRun(const BasicOscillator<Real>& oscillator, const BasicStart<Real>& start,
             Watcher& watcher, Patience patience = {})
-      : map_(oscillator), f_(oscillator.f), watcher_(watcher), patience_(std::move(patience)) {
+      : ForcedRun(oscillator, Law(oscillator), start, watcher, std::move(patience)) {}
+
+  ForcedRun(const BasicOscillator<Real>& oscillator, Law law, const BasicStart<Real>& start,
+            Watcher& watcher, Patience patience = {})
+      : map_(oscillator), law_(std::move(law)), watcher_(watcher), patience_(std::move(patience)) {
     begin(start);
   }
 
   [[nodiscard]] const ForcedState<Real>& state() const { return s_; }
   [[nodiscard]] ForcedState<Real>& state() { return s_; }
   [[nodiscard]] const HalfCycleMap<Real>& map() const { return map_; }
+  [[nodiscard]] const Law& law() const { return law_; }
+  [[nodiscard]] Law& law() { return law_; }
   [[nodiscard]] bool over() const { return s_.mode == ForcedMode::over; }
   [[nodiscard]] bool cancelled() const { return patience_.ended(); }
 
@@ -103,46 +115,21 @@ class ForcedRun {
     }
   }
 
-  /// W jumps here: docs/forced.md (F26).
-  void jump(const Load<Real>& from, const Load<Real>& to) {
-    if (over()) {
-      return;
-    }
-    const Hold<Real> hold = hold_at(s_.u);
-    const int driven = hold.drives(to);
-    if (s_.mode == ForcedMode::resting) {
-      decide_hold(to);
-      if (driven != -hold.sign(from)) {
-        decide_hold(from);  // against a release just before
-      }
-    }
-    if (driven != hold.drives(from)) {
-      decide_turn_at(from);
-    }
-  }
-
-  /// The run ends here, before the motion does: (F26) again, and for passages too.
-  void end(const Load<Real>& load) {
-    if (over()) {
-      return;
-    }
-    decide_turn_at(load);
-    if (s_.mode == ForcedMode::resting) {
-      decide_hold(load);
-    } else {
-      const Real distance = magnitude(s_.u);
-      s_.margin.decide(distance, distance + magnitude(s_.v) * s_.now.value());
-    }
-  }
-
   /// No excitation from here on: at rest inside the dead zone the mass stays for ever.
   void settle() {
     if (s_.mode == ForcedMode::resting) {
-      decide_hold({});
+      decide_hold(*this, Load<Real>());
+      if (magnitude(s_.u) <= law_.capacity(s_.u, s_.u > 0 ? 1 : -1)) {
+        stop_where_it_rests();
+      }
     }
-    if (s_.mode == ForcedMode::resting && magnitude(s_.u) <= map_.phi) {
-      stop_where_it_rests();
-    }
+  }
+
+  /// Under a load for good that does not hold the mass where it rests.
+  template <class Drive>
+  void set_off_under(Drive& drive) {
+    ExactSum<Real> left(Real(1));
+    rest(drive, left, true);
   }
 
   /// Once per piece; false if the run should end.
@@ -171,9 +158,6 @@ class ForcedRun {
 
   Watcher& watcher() { return watcher_; }
 
-  /// Which loads friction holds at a place.
-  [[nodiscard]] Hold<Real> hold_at(const Real& u) const { return {map_.p, f_, map_.phi, u}; }
-
   /// Rule 1, with a notch; the mass has come to x = 0 with s_.v.
   void arrive() {
     const Real energy = s_.v * s_.v;
@@ -184,10 +168,10 @@ class ForcedRun {
     s_.margin.decide(magnitude(left), energy + map_.notch);
     s_.margin.decide(energy, energy + s_.farthest * s_.farthest);  // against a turn before x = 0
     if (!(left > 0)) {
-      s_.v = Real(0);
-      s_.rest_begin = s_.now;
-      slides(s_, map_);
-      stop(Outcome::stopped_at_zero);
+      come_to_rest();
+      if (!law_.lets_go()) {
+        stop(Outcome::stopped_at_zero);
+      }
       return;
     }
     using std::sqrt;
@@ -198,18 +182,31 @@ class ForcedRun {
 
   /// v = 0 has been reached; the load decides what follows, this one or the one after a kink.
   void turn() {
-    s_.v = Real(0);
-    slides(s_, map_);
-    s_.mode = ForcedMode::resting;
-    s_.fresh = true;
-    s_.rest_begin = s_.now;
+    come_to_rest();
     if (s_.u != 0) {
       ++s_.turning_points;
     }
     const Real distance = magnitude(s_.u);
     s_.farthest = std::max(s_.farthest, distance);
-    s_.margin.decide(distance, s_.farthest);
+    s_.margin.decide(law_.from_edge(distance), s_.farthest);
     event(ForcedEventKind::turn);
+  }
+
+  /// x = 0 has been passed.
+  void pass() {
+    if (++s_.passages > most_passages_) {
+      throw TooManyHalfCycles::under_excitation(static_cast<double>(most_passages_ + 1),
+                                                static_cast<double>(s_.now.value() / map_.p));
+    }
+  }
+
+  /// Where the motion sets off or goes on, in its own direction.
+  [[nodiscard]] Sliding<Real> own_direction(const Real& w) const {
+    const Real sign(s_.direction);
+    const Real y = sign * s_.u;
+    const Real a =
+        s_.first_acceleration ? *s_.first_acceleration : Real(-(y + sign * w + law_.phi_ahead(y)));
+    return {y, sign * s_.v, a, s_.direction};
   }
 
   static Real magnitude(const Real& value) {
@@ -218,33 +215,19 @@ class ForcedRun {
   }
 
  private:
-  /// Is the mass held?
-  void decide_hold(const Load<Real>& load) {
-    const Real slack = magnitude(Real(magnitude(Real(s_.u + load.w)) - map_.phi));
-    s_.margin.decide(slack, hold_at(s_.u).size(load.w));
-  }
-
-  /// Does the last turn, or the next under this load, come before this instant or after it? By its
-  /// distance in time to first order, of the time so far.
-  void decide_turn_at(const Load<Real>& load) {
-    const Real now = s_.now.value();
-    if (s_.mode == ForcedMode::resting) {
-      s_.margin.decide(s_.now.minus(s_.rest_begin), now);
-      return;
+  void come_to_rest() {
+    s_.v = Real(0);
+    if constexpr (!Law::in_zones) {
+      slides(s_, law_);  // in zones each piece has its own friction
     }
-    const Real v = magnitude(s_.v);
-    s_.margin.decide(v, v + magnitude(own_direction(load.w).a) * now);
-  }
-
-  void pass() {
-    if (++s_.passages > most_passages_) {
-      throw TooManyHalfCycles::under_excitation(static_cast<double>(most_passages_ + 1),
-                                                static_cast<double>(s_.now.value() / map_.p));
-    }
+    s_.mode = ForcedMode::resting;
+    s_.fresh = true;
+    s_.rest_begin = s_.now;
+    law_.rest();
   }
 
   void stop_where_it_rests() {
-    stop(s_.u == 0 ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone);
+    stop(s_.caught && !s_.moved ? Outcome::caught_at_start : law_.rest_at(s_.u));
   }
 
   /// Rule 4.
@@ -259,13 +242,16 @@ class ForcedRun {
     }
     if (notched && energy < map_.notch) {
       s_.v = Real(0);
-      s_.mode = ForcedMode::over;
-      s_.outcome = Outcome::caught_at_start;
+      s_.caught = true;
+      if (!law_.lets_go()) {
+        s_.mode = ForcedMode::over;
+        s_.outcome = Outcome::caught_at_start;
+      }
     } else if (s_.v != 0) {
       s_.mode = ForcedMode::sliding;
       s_.direction = s_.v > 0 ? 1 : -1;
       s_.moved = true;
-      slides(s_, map_);
+      slides(s_, law_);
     }
     event(ForcedEventKind::start);
   }
@@ -276,13 +262,14 @@ class ForcedRun {
     const Real w = drive.w();
     const Real load = s_.u + w;
     const int sign = load > 0 ? 1 : -1;
-    const Real size = magnitude(s_.u) + magnitude(w) + map_.phi;
-    Real excess = magnitude(load) - map_.phi;
+    const Real phi = law_.capacity(s_.u, sign);
+    const Real size = magnitude(s_.u) + magnitude(w) + phi;
+    Real excess = magnitude(load) - phi;
     if (s_.fresh) {
       s_.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
     }
     if (Hold<Real>::may_tie(excess, size)) {
-      excess = hold_at(s_.u).excess(drive.load(), sign);
+      excess = law_.hold_at(s_.u).excess(drive.load(), sign);
     }
     if (excess > 0) {
       set_off(-sign, excess);
@@ -292,10 +279,10 @@ class ForcedRun {
       s_.fresh = false;
       event(ForcedEventKind::stick);
     }
-    const Hold<Real> hold = hold_at(s_.u);
+    const auto hold = law_.hold_at(s_.u);
     if (for_ever) {
       const Real largest = drive.largest_load(s_.u);
-      s_.margin.decide(magnitude(Real(largest - map_.phi)), largest + map_.phi);
+      s_.margin.decide(magnitude(Real(largest - phi)), largest + phi);
       if (!(drive.largest_excess(hold) > 0)) {
         stop_where_it_rests();
         return;
@@ -322,31 +309,40 @@ class ForcedRun {
     s_.mode = ForcedMode::sliding;
     s_.direction = direction;
     if (!s_.moved) {
-      slides(s_, map_);
+      slides(s_, law_);
     }
     if (waited > 0) {
       ++s_.sticks;
       s_.stick_time.add(waited);
-      is_held(s_, map_, s_.now);
+      is_held(s_, law_, s_.now);
+      s_.transmitted.locked = Real(0);
       event(ForcedEventKind::release);
     }
     s_.first_acceleration = acceleration;
     s_.fresh = false;
-    s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0);
+    const bool let_go = law_.at_notch(s_.u);
+    s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0 && !let_go);
+    if (let_go) {
+      leave_notch();
+    }
     s_.moved = true;
   }
 
-  /// Where the motion sets off or goes on, in its own direction.
-  [[nodiscard]] Sliding<Real> own_direction(const Real& w) const {
-    const Real sign(s_.direction);
-    const Real y = sign * s_.u;
-    const Real a =
-        s_.first_acceleration ? *s_.first_acceleration : Real(-(y + sign * w + map_.phi));
-    return {y, sign * s_.v, a, s_.direction};
+  /// What the notch held is free now; only here a passage takes time.
+  void leave_notch() {
+    *s_.first_acceleration += law_.spare();
+    if (s_.moved) {
+      pass();
+      event(ForcedEventKind::passage);
+    }
   }
 
   template <class Drive>
   void slide(Drive& drive, ExactSum<Real>& left, std::optional<Crossing<Drive, Real>>& last) {
+    if constexpr (Law::in_zones) {
+      slide_in_zone(*this, drive, left);
+      return;
+    }
     const Sliding<Real> from = own_direction(drive.w());
     auto piece = drive.piece(from);
     const bool inward = from.y < 0;
@@ -390,7 +386,7 @@ class ForcedRun {
   }
 
   HalfCycleMap<Real> map_;
-  Real f_;
+  Law law_;
   Watcher& watcher_;
   Patience patience_;
   std::int64_t most_passages_{std::numeric_limits<std::int64_t>::max()};

@@ -41,6 +41,7 @@ struct ForcedState {
   ExactSum<Real> rest_begin;
 
   bool moved{false};
+  bool caught{false};  ///< at the start, by the notch
   std::int64_t passages{0};
   std::int64_t turning_points{0};
   std::int64_t sticks{0};

@@ -24,12 +24,17 @@ struct Load {
 template <class Real>
 class Hold {
  public:
+  static constexpr bool symmetric = true;
+
   /// At the place u = p x.
   Hold(Real p, Real f, Real phi, Real u)
       : p_(std::move(p)), f_(std::move(f)), phi_(std::move(phi)), u_(std::move(u)) {}
+  /// In a notch that holds `h` besides, phi = (f + h) / p: docs/notches.md, rule 1.
+  Hold(Real p, Real f, Real phi, Real u, Real h) : Hold(p, f, phi, u) { h_ = std::move(h); }
 
   [[nodiscard]] const Real& u() const { return u_; }
-  [[nodiscard]] const Real& phi() const { return phi_; }
+  /// What is held of a load in the direction `sign`.
+  [[nodiscard]] const Real& phi(int /*sign*/) const { return phi_; }
 
   /// The direction of the load with the spring, +1 or -1.
   [[nodiscard]] int sign(const Load<Real>& load) const { return load.w + u_ > 0 ? 1 : -1; }
@@ -72,6 +77,7 @@ class Hold {
   /// A separate function, since it is hardly ever called.
   [[gnu::noinline]] [[nodiscard]] Real exact_excess(const Load<Real>& load, int sign) const {
     ExactSum<Real> exact{Real(-f_)};
+    exact.add(Real(-h_));
     exact.add(Real(Real(sign) * load.full.high()), Real(Real(sign) * load.full.low()));
     exact.add_product(Real(Real(sign) * p_), u_);
     return exact.value() / p_;
@@ -81,6 +87,7 @@ class Hold {
   Real f_;
   Real phi_;
   Real u_;
+  Real h_{0};
 };
 
 }  // namespace stillpoint

@@ -102,6 +102,33 @@ class LinearPiece {
     return end;
   }
 
+  /// The same where the load is constant, by energy: v^2 + a^2 stays and a falls by what y grows.
+  /// docs/notches.md (N1), (N2).
+  [[nodiscard]] End first_event_of_constant_load(const Real& limit, bool want_arrival) const {
+    using std::atan2;
+    using std::sqrt;
+    const Point& s = start_;
+    const Real rise = -s.y;
+    const Real square = s.v * s.v + rise * (2 * s.a - rise);
+    End end{};
+    if (want_arrival && square >= 0) {
+      const Real v = sqrt(square);
+      end = {PieceEvent::arrival, 2 * atan2(rise, Real(s.v + v)), {Real(0), v, s.a - rise}};
+    } else {
+      const Real radius = sqrt(s.v * s.v + s.a * s.a);
+      const Real to_turn = s.a < 0 ? Real(s.v * (s.v / (radius - s.a))) : Real(radius + s.a);
+      end = {PieceEvent::turn, 2 * atan2(to_turn, s.v), {s.y + to_turn, Real(0), -radius}};
+    }
+    if (end.h <= limit) {
+      return end;
+    }
+    end = {PieceEvent::none, limit, at(limit)};
+    if (want_arrival && !(end.at.y < 0)) {
+      end.event = PieceEvent::arrival;  // within rounding
+    }
+    return end;
+  }
+
   /// Where y = 0 on a piece that ends with y >= 0, started from y < 0 and has v > 0 between.
   [[nodiscard]] End arrival_before(const End& end) const {
     Real low{0};

@@ -89,17 +89,17 @@ class RecordTimes {
   Real even_;
 };
 
-template <class Real, class Watcher>
+template <class Real, class Watcher, class Law>
 class RecordRun {
  public:
-  RecordRun(ForcedRun<Real, Watcher>& run, const BasicRecord<Real>& record)
+  RecordRun(ForcedRun<Real, Watcher, Law>& run, const BasicRecord<Real>& record)
       : run_(run), record_(record), times_(record, run.map().p), inverse_p_(1 / run.map().p) {}
 
   /// Through the record, or until p tau = `end`; the load there.
   Load<Real> through(const ExactSum<Real>& end) {
     before_first_sample(end);
     if (record_.values.size() > 1 && end.minus(times_.at(0)) > 0) {
-      run_.jump(load_, load(0));
+      decide_jump(run_, load_, load(0));
       between_samples(end);
       run_.arrived(crossing_);
     }
@@ -107,7 +107,7 @@ class RecordRun {
   }
 
  private:
-  using Run = ForcedRun<Real, Watcher>;
+  using Run = ForcedRun<Real, Watcher, Law>;
 
   void before_first_sample(const ExactSum<Real>& end) {
     const ExactSum<Real> first = times_.at(0);
@@ -132,7 +132,7 @@ class RecordRun {
     load_ = load(i);
     if (i + 1 < record_.values.size()) {
       if (run_.state().mode == ForcedMode::resting) {
-        decide_held_crest(i, run_.hold_at(run_.state().u));
+        decide_held_crest(i, run_.law().hold_at(run_.state().u));
       }
       const ExactSum<Real> length(end.minus(times_.at(i)));
       through_interval(i, length);
@@ -160,16 +160,17 @@ class RecordRun {
     LinearDrive<Real> drive = drive_from(i);
     run_.through(drive, length, false, crossing_);
     if (s.sticks > sticks) {
-      decide_crest(i, run_.hold_at(rested ? before : s.u));
+      decide_crest(i, run_.law().hold_at(rested ? before : s.u));
     }
   }
 
   /// By how much the load eventually exceeds friction, after a release from sample i on.
-  void decide_crest(std::size_t i, const Hold<Real>& hold) {
+  template <class AnyHold>
+  void decide_crest(std::size_t i, const AnyHold& hold) {
     const int drives = hold.drives(load(i));
     const int sign = drives != 0 ? -drives : sample(i + 1) > sample(i) ? 1 : -1;
     const auto excess = [&](std::size_t at) {
-      return Real(sign) * (sample(at) + hold.u()) - hold.phi();
+      return Real(sign) * (sample(at) + hold.u()) - hold.phi(sign);
     };
     const TippingMargin<Real>& margin = run_.state().margin;
     while (i + 1 < record_.values.size() && excess(i + 1) > excess(i)) {
@@ -182,7 +183,8 @@ class RecordRun {
   }
 
   /// How near the load came to what is held, at a sample where it was largest; whether it was.
-  bool decide_held_crest(std::size_t i, const Hold<Real>& hold) {
+  template <class AnyHold>
+  bool decide_held_crest(std::size_t i, const AnyHold& hold) {
     const int sign = sample(i) + hold.u() > 0 ? 1 : -1;
     const bool crest = Real(sign) * (sample(i + 1) - sample(i)) <= 0;
     if (crest) {
@@ -191,7 +193,8 @@ class RecordRun {
     return crest;
   }
 
-  void decide_hold(std::size_t i, const Hold<Real>& hold, int sign) {
+  template <class AnyHold>
+  void decide_hold(std::size_t i, const AnyHold& hold, int sign) {
     const Real excess = hold.excess(load(i), sign);
     run_.state().margin.decide(Run::magnitude(excess), hold.size(sample(i)));
   }
@@ -208,8 +211,8 @@ class RecordRun {
     ForcedState<Real>& s = run_.state();
     const Real sign(s.direction);
     const Real signed_inverse = sign * inverse_p_;
-    const Real phi = run_.map().phi;
     Real y = sign * s.u;
+    const Real phi = run_.law().phi_ahead(y);
     Real v = sign * s.v;
     Real w = record_.values[i] * signed_inverse;
     Real a = -(y + phi + w);
@@ -218,7 +221,7 @@ class RecordRun {
     if (!(v > 0)) {
       return i;
     }
-    const Real arrival = y < 0 ? Real(0) : std::numeric_limits<Real>::max();
+    const Real arrival = run_.law().edge_ahead(y);
     take_terms(i);
     const IntervalTerms<Real>& t = terms_;
     Real matters = largest * t.cosine;
@@ -272,7 +275,7 @@ class RecordRun {
   /// On from sample i while the load at both ends of each interval, and so between, is held.
   std::size_t rest_from(std::size_t i, std::size_t last) {
     const ForcedState<Real>& s = run_.state();
-    const Hold<Real> hold = run_.hold_at(s.u);
+    const auto hold = run_.law().hold_at(s.u);
     const Real certain = hold.held_for_certain();
     const auto held = [&](std::size_t at) {
       return Run::magnitude(Real(s.u + sample(at))) <= certain || hold.drives(load(at)) == 0;

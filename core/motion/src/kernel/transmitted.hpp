@@ -6,11 +6,9 @@
 
 #include "kernel/drive_phase.hpp"
 #include "kernel/exact_sum.hpp"
-#include "kernel/half_cycle_map.hpp"
 #include "kernel/phase_clock.hpp"
 
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/outcome.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,33 +24,32 @@ struct Transmitted {
   Real locked{0};  ///< while the notch holds it to the end of the run; 0 if no load follows
   /// The largest |W| from one p tau to another; empty where nobody asks for these metrics.
   std::function<Real(const ExactSum<Real>&, const ExactSum<Real>&)> largest_load;
+
+  /// (F28): at both ends of a slide. y is the place in its direction.
+  void slides(const Real& y, const Real& phi) {
+    using std::abs;
+    using std::max;
+    slid = max(slid, Real(abs(Real(y + phi))));
+  }
 };
 
 template <class Real>
 struct ForcedState;
 
-/// (F28): at both ends of a slide.
-template <class Real>
-void slides(ForcedState<Real>& s, const HalfCycleMap<Real>& map) {
-  using std::abs;
-  using std::max;
-  const Real felt = abs(Real(Real(s.direction) * s.u + map.phi));
-  s.transmitted.slid = max(s.transmitted.slid, felt);
-}
-
-/// No load moves the mass again: it came to x = 0 and a notch, or never left it.
-template <class Real>
-bool notch_holds(const ForcedState<Real>& s, const HalfCycleMap<Real>& map) {
-  return map.notch > 0 && s.u == 0 && (s.moved || s.outcome == Outcome::caught_at_start);
+/// (F28): here.
+template <class Real, class Law>
+void slides(ForcedState<Real>& s, const Law& law) {
+  const Real y = Real(s.direction) * s.u;
+  s.transmitted.slides(y, law.phi_ahead(y));
 }
 
 /// (F29): from rest_begin until `end`.
-template <class Real>
-void is_held(ForcedState<Real>& s, const HalfCycleMap<Real>& map, const ExactSum<Real>& end) {
+template <class Real, class Law>
+void is_held(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
   using std::abs;
   using std::max;
-  const bool locks = notch_holds(s, map);
-  const bool may_count = locks || Real(abs(s.u) + map.phi) > s.transmitted.slid;
+  const bool locks = law.notch_holds(s.u, s.moved || s.caught);
+  const bool may_count = locks || Real(abs(s.u) + law.most_held(s.u)) > s.transmitted.slid;
   if (may_count && s.transmitted.largest_load) {
     const Real load = s.transmitted.largest_load(s.rest_begin, end);
     s.transmitted.held = max(s.transmitted.held, load);
@@ -61,12 +58,12 @@ void is_held(ForcedState<Real>& s, const HalfCycleMap<Real>& map, const ExactSum
 }
 
 /// At the end of the run; a mass at rest for ever stays there up to `end`.
-template <class Real>
-void feel_the_end(ForcedState<Real>& s, const HalfCycleMap<Real>& map, const ExactSum<Real>& end) {
+template <class Real, class Law>
+void feel_the_end(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
   if (s.v != 0) {
-    slides(s, map);
+    slides(s, law);
   } else {
-    is_held(s, map, s.outcome ? end : s.now);
+    is_held(s, law, s.outcome ? end : s.now);
   }
 }
 

@@ -3,6 +3,7 @@
 
 // All of stillpoint::design; it includes what it uses of stillpoint::core.
 
+#include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/hits.hpp>

@@ -5,6 +5,7 @@
 // page of figures for a browser, JSON for programs.
 
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
@@ -26,6 +27,7 @@ namespace stillpoint::report {
 struct DesignReport {
   design::DesignResult result;
   std::optional<design::PhysicalInput> physical{};
+  std::optional<design::BuiltNotch> built_notch{};  ///< of the finding, if a width was given
 };
 
 struct RegionReport {

@@ -5,6 +5,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace stillpoint {
@@ -13,6 +14,8 @@ struct ForcedBatchOptions {
   /// Of each scene. Several threads may call its go_on at once, each with the tau of its own scene.
   ForcedOptions scene;
   int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
+  double hold{std::numeric_limits<double>::infinity()};  ///< of every oscillator
+  Surface surface{};                                     ///< under every mass
 };
 
 /// The motions from x = 0 with v0 of the oscillators (p, f[i], delta[i]), all under one excitation:

@@ -4,6 +4,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/half_cycle_walk.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -19,6 +20,6 @@ namespace stillpoint {
 /// InputError as forced_response does.
 [[nodiscard]] std::vector<HalfCycle> forced_half_cycles(
     const Oscillator& oscillator, const Start& start, const Excitation& excitation, double t_end,
-    std::int64_t most, const std::function<bool(double)>& go_on = {});
+    std::int64_t most, const std::function<bool(double)>& go_on = {}, const Surface& surface = {});
 
 }  // namespace stillpoint

@@ -4,6 +4,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <functional>
 #include <optional>
@@ -35,7 +36,8 @@ struct ForcedResponse : Response {
   /// run cuts short counts; a final rest does not.
   double sticks{0};
   double stick_time{0};  ///< their total length in tau
-  /// The mass left rest at x = 0 although delta > 0: the notch acts from the first return on.
+  /// The mass left rest at x = 0 although delta > 0: the notch acts from the first return on. One
+  /// with a finite hold or a width acts from the beginning, so that this is false.
   bool left_notch_from_rest{false};
   /// The tau from which the notch holds the mass at x = 0 although W goes on: since it came there,
   /// or since the start. Empty where it does not, or W is 0 from then on; so is the next.
@@ -49,10 +51,11 @@ struct ForcedResponse : Response {
 
 /// The motion of `oscillator` from `start` under `excitation`, exact except for rounding: no step
 /// size and no tolerance. Throws InputError for wrong input, and TooManyHalfCycles as free_response
-/// does if the motion continues free. docs/forced.md.
+/// does if the motion continues free. docs/forced.md; on another surface docs/notches.md.
 [[nodiscard]] ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
                                              const Excitation& excitation,
-                                             const ForcedOptions& options = {});
+                                             const ForcedOptions& options = {},
+                                             const Surface& surface = {});
 
 /// As of a Response; of a motion that still goes on it says where it is.
 [[nodiscard]] std::string summary(const ForcedResponse& response);

@@ -5,6 +5,7 @@
 #include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -32,7 +33,7 @@ class ForcedTrajectory {
  public:
   /// Throws InputError as forced_response does.
   ForcedTrajectory(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
-                   const ForcedTrajectoryOptions& limits);
+                   const ForcedTrajectoryOptions& limits, const Surface& surface = {});
 
   /// The state at tau; at an instant with two velocities the later one. Throws InputError outside
   /// [0, horizon].

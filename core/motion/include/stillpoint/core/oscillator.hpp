@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 namespace stillpoint {
 
 /// The oscillator of the paper's (6), dimensionless:
@@ -8,11 +10,16 @@ namespace stillpoint {
 ///
 /// `delta` acts only at x = 0: each passage costs the kinetic energy v^2/2 = delta. `f` and
 /// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
+///
+/// In the paper a mass at rest in the notch stays there under any load. One that can hold only so
+/// much, `hold` >= 0 besides f, lets the mass go when |W| exceeds f + hold: docs/notches.md. It
+/// takes a load to see the difference, and delta > 0.
 template <class Real>
 struct BasicOscillator {
   Real p{1};
   Real f{0};
   Real delta{0};
+  Real hold{std::numeric_limits<Real>::infinity()};
 };
 using Oscillator = BasicOscillator<double>;
 
@@ -36,7 +43,8 @@ inline constexpr double smallest_peak_speed = 1e-300;
 inline constexpr double largest_square = 1e300;
 
 /// Throws InputError, naming the field, unless
-///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300.
+///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300; hold is
+///   infinite, 0, or hold / p in [1e-307, 1e150].
 void require_valid(const Oscillator& oscillator);
 
 /// Throws InputError, naming the field, unless the oscillator is valid, v0 and p * x0 are 0 or have

@@ -13,6 +13,7 @@ enum class Outcome {
   never_stops,           ///< no friction at all
   caught_at_start,       ///< v0^2 < 2 delta at x = 0: the notch never lets it go
   running,               ///< forced motion only: not known to have stopped when the run ended
+  stopped_in_notch,      ///< rests at 0 < |x| <= w/2 in a notch of width w (surface.hpp)
 };
 
 /// The name in reports: the enumerator's own.

@@ -6,6 +6,7 @@
 #include <stillpoint/core/half_cycle_walk.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -19,6 +20,7 @@ struct SimulationRequest {
   Oscillator oscillator;
   Start start;
   Excitation excitation{};                 ///< none: a free motion
+  Surface surface{};                       ///< under the mass
   std::optional<double> t_end{};           ///< of a forced run, and of any trajectory
   std::optional<double> half_cycle_limit;  ///< as in FreeOptions and ForcedOptions
   std::int64_t max_half_cycles{1000};      ///< listed at most

@@ -86,6 +86,7 @@ constexpr Form form(Quantity quantity) {
 [[nodiscard]] std::optional<Quantity> find_quantity(std::string_view name);
 
 /// How an entry of a sweep ends: an Outcome, by its number, or this one after them.
+// No motion of a sweep ends in a notch with a width: that outcome comes after it.
 inline constexpr std::size_t too_many_half_cycles = static_cast<std::size_t>(Outcome::running) + 1;
 inline constexpr std::size_t sweep_outcome_count = too_many_half_cycles + 1;
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "settings.hpp"
+
+#include <stillpoint/core/surface.hpp>
+#include <stillpoint/design/physical.hpp>
+
+#include <optional>
+#include <string>
+
+namespace stillpoint::cli {
+
+/// "x:f,x:f,...", as a scene's list of { "to": x, "f": f } reads in one text.
+[[nodiscard]] std::string zones_text(const nlohmann::json& list);
+
+/// The width of the notch, which may be given in metres. Empty where not given.
+[[nodiscard]] std::optional<double> notch_width(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// What the mass slides on. Edges are in metres with physical input. Throws InputError for a text
+/// that is no list of zones.
+[[nodiscard]] Surface surface_input(const Settings& settings,
+                                    const std::optional<design::PhysicalInput>& physical);
+
+/// UsageError where the notch is not the paper's, for a command that knows no other.
+void require_paper_notch(const Settings& settings, Command command);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A run of its own kind for a surface that is not the paper's, so that no other motion pays for it.
+
+#include "kernel/forced_run.hpp"
+#include "kernel/zoned_friction.hpp"
+
+#include <stillpoint/core/surface.hpp>
+
+#include <utility>
+
+namespace stillpoint {
+
+/// What `follow` returns for the run in zones, which stands at its start.
+template <class Real, class Watcher, class Follow>
+auto in_zones(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
+              const BasicStart<Real>& start, Watcher& watcher, Patience patience,
+              const Follow& follow) {
+  BasicOscillator<Real> bare = oscillator;
+  if (surface.notch_width) {
+    bare.delta = Real(0);  // the notch is a zone
+  }
+  ForcedRun<Real, Watcher, ZonedFriction<Real>> run(
+      bare, ZonedFriction<Real>(oscillator, surface, start), start, watcher, std::move(patience));
+  return follow(run);
+}
+
+/// The same for any surface.
+template <class Real, class Watcher, class Follow>
+auto on_surface(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
+                const BasicStart<Real>& start, Watcher& watcher, Patience patience,
+                const Follow& follow) {
+  if (!surface.plain()) {
+    return in_zones(oscillator, surface, start, watcher, std::move(patience), follow);
+  }
+  ForcedRun<Real, Watcher> run(oscillator, start, watcher, std::move(patience));
+  return follow(run);
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Decisions of a forced run that depend on where a load jumps, ends or just holds the mass:
+// docs/forced.md section 7. Symbols as in forced_run.hpp.
+
+#include "kernel/forced_state.hpp"
+#include "kernel/hold.hpp"
+
+#include <cmath>
+
+namespace stillpoint {
+
+/// Is the mass held?
+template <class Run, class Real>
+void decide_hold(Run& run, const Load<Real>& load) {
+  using std::abs;
+  const Real& u = run.state().u;
+  const auto hold = run.law().hold_at(u);
+  const Real excess = abs(Real(u + load.w)) - hold.phi(hold.sign(load));
+  run.state().margin.decide(abs(excess), hold.size(load.w));
+}
+
+/// Does the last turn, or the next under this load, come before this instant or after it? By its
+/// distance in time to first order, of the time so far.
+template <class Run, class Real>
+void decide_turn_at(Run& run, const Load<Real>& load) {
+  using std::abs;
+  ForcedState<Real>& s = run.state();
+  const Real now = s.now.value();
+  if (s.mode == ForcedMode::resting) {
+    s.margin.decide(s.now.minus(s.rest_begin), now);
+    return;
+  }
+  const Real v = abs(s.v);
+  s.margin.decide(v, v + abs(run.own_direction(load.w).a) * now);
+}
+
+/// W jumps here: docs/forced.md (F26).
+template <class Run, class Real>
+void decide_jump(Run& run, const Load<Real>& from, const Load<Real>& to) {
+  if (run.over()) {
+    return;
+  }
+  const auto hold = run.law().hold_at(run.state().u);
+  const int driven = hold.drives(to);
+  if (run.state().mode == ForcedMode::resting) {
+    decide_hold(run, to);
+    if (driven != -hold.sign(from)) {
+      decide_hold(run, from);  // against a release just before
+    }
+  }
+  if (driven != hold.drives(from)) {
+    decide_turn_at(run, from);
+  }
+}
+
+/// The run ends here, before the motion does: (F26) again, and for passages too.
+template <class Run, class Real>
+void decide_end(Run& run, const Load<Real>& load) {
+  using std::abs;
+  if (run.over()) {
+    return;
+  }
+  decide_turn_at(run, load);
+  ForcedState<Real>& s = run.state();
+  if (s.mode == ForcedMode::resting) {
+    decide_hold(run, load);
+  } else {
+    const Real distance = abs(s.u);
+    s.margin.decide(distance, distance + abs(s.v) * s.now.value());
+  }
+}
+
+}  // namespace stillpoint

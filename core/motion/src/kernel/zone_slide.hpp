@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A sliding piece where friction steps with |x|: up to the next edge, x = 0 included.
+// docs/notches.md section 3. The piece is that of constant friction, with the edge as its origin:
+// its acceleration knows the friction and the spring.
+
+#include "kernel/drives.hpp"
+#include "kernel/exact_sum.hpp"
+#include "kernel/forced_state.hpp"
+#include "kernel/piece_end.hpp"
+
+#include <stillpoint/core/forced_event.hpp>
+#include <stillpoint/core/outcome.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace stillpoint {
+
+/// The mass has come to an edge with its v.
+template <class Run>
+void reach_edge(Run& run) {
+  using std::abs;
+  auto& s = run.state();
+  if (s.u == 0 && run.map().notch > 0) {
+    run.arrive();
+    return;
+  }
+  const auto energy = decltype(s.v)(s.v * s.v);
+  s.margin.decide(energy, decltype(s.v)(energy + s.farthest * s.farthest));
+  if (s.u == 0) {
+    s.arrival_speed = abs(s.v);
+    run.event(ForcedEventKind::arrival);
+  }
+  if (s.v == 0) {
+    run.turn();
+  } else if (s.u == 0) {
+    run.pass();
+    run.event(ForcedEventKind::passage);
+  }
+}
+
+template <class Run, class Drive, class Real>
+void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
+  ForcedState<Real>& s = run.state();
+  const Sliding<Real> whole = run.own_direction(drive.w());
+  const Real edge = run.law().edge_ahead(whole.y);
+  const bool edge_ahead = edge < std::numeric_limits<Real>::max();
+  Sliding<Real> from = whole;
+  if (edge_ahead) {
+    from.y -= edge;
+  }
+  auto piece = drive.piece(from);
+  auto end = drive.first_event(piece, left.value(), edge_ahead);
+  if (end.event == PieceEvent::none && !(end.at.v > 0)) {
+    end.event = PieceEvent::turn;  // within rounding of the end of the drive
+  }
+  s.acceleration = piece.largest_acceleration(end, s.acceleration);
+  const Real& phi = run.law().phi_ahead(whole.y);
+  s.transmitted.slides(whole.y, phi);
+  s.transmitted.slides(Real(whole.y + (end.at.y - from.y)), phi);
+  if constexpr (Run::AnyWatcher::watches) {
+    run.watcher().piece(s.now, whole.direction, drive.piece(whole));
+  }
+  left.add(-end.h);
+  s.now.add(end.h);
+  drive.advance_to(end, from.direction);
+  s.first_acceleration.reset();
+  const Real sign(from.direction);
+  if (end.event == PieceEvent::arrival) {
+    s.u = edge == 0 ? Real(0) : Real(sign * edge);
+    s.v = end.at.v > 0 ? Real(sign * end.at.v) : Real(0);
+    run.law().reach(edge);
+    reach_edge(run);
+    return;
+  }
+  s.u = sign * (edge_ahead ? Real(end.at.y + edge) : end.at.y);
+  s.v = sign * end.at.v;
+  if (end.event == PieceEvent::turn) {
+    run.turn();
+  }
+}
+
+/// W = 0 for good: up to the final rest, or until nothing can slow the mass down any more.
+template <class Run, class Drive>
+void slide_to_rest(Run& run, Drive& drive) {
+  while (!run.over()) {
+    run.slide_to_turn(drive);
+    run.settle();
+    if (!run.over() && run.law().frictionless_up_to(run.state().u)) {
+      run.state().mode = ForcedMode::over;
+      run.state().outcome = Outcome::never_stops;
+    }
+    if (!run.over()) {
+      run.set_off_under(drive);
+    }
+  }
+}
+
+}  // namespace stillpoint

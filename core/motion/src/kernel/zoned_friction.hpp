@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Friction that steps with |x|, and a notch of finite width as a step of its own: docs/notches.md.
+// What a forced run asks of a law is as in constant_friction.hpp. In the units of forced_run.hpp;
+// the zones between the edges 0 = e_0 < e_1 < ... have the frictions phi_0, phi_1, ..., the last
+// one without end. y is the place in the direction of the motion, so that a zone is entered at
+// -e_(i+1) or e_i.
+
+#include "kernel/hold.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/surface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace stillpoint {
+
+/// At an edge each side has its own friction, so each direction of the load has: rule 4.
+template <class Real>
+class EdgeHold {
+ public:
+  static constexpr bool symmetric = false;
+
+  /// For loads that drive the mass towards smaller and towards greater u.
+  EdgeHold(Hold<Real> below, Hold<Real> above)
+      : below_(std::move(below)), above_(std::move(above)) {}
+
+  [[nodiscard]] const Real& u() const { return below_.u(); }
+  [[nodiscard]] const Hold<Real>& toward(int sign) const { return sign > 0 ? below_ : above_; }
+  [[nodiscard]] const Real& phi(int sign) const { return toward(sign).phi(sign); }
+  [[nodiscard]] int sign(const Load<Real>& load) const { return below_.sign(load); }
+  [[nodiscard]] Real size(const Real& w) const { return std::max(below_.size(w), above_.size(w)); }
+  [[nodiscard]] Real held_for_certain() const {
+    return std::min(below_.held_for_certain(), above_.held_for_certain());
+  }
+  [[nodiscard]] Real excess(const Load<Real>& load, int sign) const {
+    return toward(sign).excess(load, sign);
+  }
+  [[nodiscard]] Real sharpened(const Real& rounded, const Load<Real>& load, int sign) const {
+    return toward(sign).sharpened(rounded, load, sign);
+  }
+  [[nodiscard]] int drives(const Load<Real>& load) const { return toward(sign(load)).drives(load); }
+
+ private:
+  Hold<Real> below_;
+  Hold<Real> above_;
+};
+
+template <class Real>
+class ZonedFriction {
+ public:
+  static constexpr bool in_zones = true;
+
+  ZonedFriction(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
+                const BasicStart<Real>& start)
+      : p_(oscillator.p),
+        notched_(oscillator.delta > 0 && !surface.notch_width),
+        lets_go_(notched_ && oscillator.hold < std::numeric_limits<Real>::infinity()),
+        h_(lets_go_ ? oscillator.hold : Real(0)),
+        spare_(h_ / p_),
+        half_width_(surface.notch_width ? Real(p_ * (*surface.notch_width / 2)) : Real(-1)),
+        leaving_(surface.notch_width && start.x0 == 0 && start.v0 != 0) {
+    const Real wall = surface.notch_width ? Real(oscillator.delta / *surface.notch_width) : Real(0);
+    Real from(0);
+    const auto add = [&](const Real& f) {
+      const bool walled = from < half_width_;
+      const Real with_notch = walled ? Real(f + wall) : f;
+      zones_.push_back({from, with_notch, Real(with_notch / p_), Real(f / p_)});
+    };
+    for (const BasicFrictionZone<Real>& zone : surface.zones) {
+      const Real to = p_ * zone.to;
+      for (; from < to; from = from < half_width_ && half_width_ < to ? half_width_ : to) {
+        add(zone.f);
+      }
+    }
+    for (; from < half_width_; from = half_width_) {
+      add(oscillator.f);
+    }
+    add(oscillator.f);
+  }
+
+  [[nodiscard]] const Real& phi_ahead(const Real& y) const {
+    const Zone& zone = zones_[ahead(y)];
+    return leaving_ ? zone.phi_leaving : zone.phi;
+  }
+
+  [[nodiscard]] Real edge_ahead(const Real& y) const {
+    const std::size_t zone = ahead(y);
+    if (y < 0) {
+      return 0 - zones_[zone].from;
+    }
+    return zone + 1 < zones_.size() ? zones_[zone + 1].from : std::numeric_limits<Real>::max();
+  }
+
+  [[nodiscard]] Real capacity(const Real& u, int sign) const { return hold_at(u).phi(sign); }
+
+  [[nodiscard]] EdgeHold<Real> hold_at(const Real& u) const {
+    return {one_sided(u, -u), one_sided(u, u)};
+  }
+
+  [[nodiscard]] bool lets_go() const { return lets_go_; }
+  [[nodiscard]] bool at_notch(const Real& u) const { return lets_go_ && u == 0; }
+  [[nodiscard]] const Real& spare() const { return spare_; }
+
+  [[nodiscard]] Real from_edge(const Real& distance) const {
+    using std::abs;
+    Real least = distance;
+    for (const Zone& zone : zones_) {
+      least = std::min(least, Real(abs(Real(distance - zone.from))));
+    }
+    return least;
+  }
+
+  /// The notch takes hold of a mass that has left it, or has turned before: rule 3.
+  void rest() { leaving_ = false; }
+  void reach(const Real& edge) { leaving_ = leaving_ && edge < half_width_; }
+
+  [[nodiscard]] Real most_held(const Real& u) const {
+    return std::max(capacity(u, -1), capacity(u, 1));
+  }
+
+  [[nodiscard]] bool notch_holds(const Real& u, bool came_there) const {
+    using std::abs;
+    return abs(u) <= half_width_ || (notched_ && u == 0 && (came_there || lets_go_));
+  }
+
+  [[nodiscard]] Outcome rest_at(const Real& u) const {
+    using std::abs;
+    return u == 0                  ? Outcome::stopped_at_zero
+           : abs(u) <= half_width_ ? Outcome::stopped_in_notch
+                                   : Outcome::stopped_in_dead_zone;
+  }
+
+  /// Whether there is no friction at all within |u|.
+  [[nodiscard]] bool frictionless_up_to(const Real& u) const {
+    using std::abs;
+    return std::ranges::all_of(
+        zones_, [&](const Zone& zone) { return zone.phi == 0 || !(zone.from < abs(u)); });
+  }
+
+ private:
+  struct Zone {
+    Real from;  ///< its edge towards x = 0
+    Real f;
+    Real phi;          ///< f / p
+    Real phi_leaving;  ///< without the notch
+  };
+
+  /// The zone that the motion goes on in.
+  [[nodiscard]] std::size_t ahead(const Real& y) const {
+    std::size_t zone = zones_.size() - 1;
+    while (zone > 0 && (y < 0 ? !(zones_[zone].from < -y) : zones_[zone].from > y)) {
+      --zone;
+    }
+    return zone;
+  }
+
+  [[nodiscard]] Hold<Real> one_sided(const Real& u, const Real& y) const {
+    const Zone& zone = zones_[ahead(y)];
+    if (at_notch(u)) {
+      return {p_, zone.f, Real(zone.phi + spare_), u, h_};
+    }
+    return {p_, zone.f, zone.phi, u};
+  }
+
+  Real p_;
+  bool notched_;  ///< at x = 0 alone
+  bool lets_go_;
+  Real h_;
+  Real spare_;
+  Real half_width_;  ///< p w/2; below 0 without such a notch
+  bool leaving_;     ///< since the start, freely
+  std::vector<Zone> zones_;
+};
+
+}  // namespace stillpoint

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "forced_response_of_valid.hpp"
+#include "kernel/on_surface.hpp"
+#include "response_of_run.hpp"
+
+namespace stillpoint {
+
+ForcedResponse zoned_response_of_valid(const Oscillator& oscillator, const Start& start,
+                                       const Excitation& excitation, const ForcedOptions& options,
+                                       const Surface& surface) {
+  NoWatcher nobody;
+  return in_zones(oscillator, surface, start, nobody, Patience{options.go_on, options.ask_every},
+                  [&](auto& run) { return response_of(run, oscillator, excitation, options); });
+}
+
+}  // namespace stillpoint
