@@ -40,7 +40,8 @@ bool contains(const std::string& text, const std::string& part) {
 /// Nothing is loaded from anywhere.
 void check_offline(const std::string& page) {
   for (const char* other : {"http:", "https:", "src=", "@import", "url("}) {
-    BOOST_TEST(!contains(page, other), other);
+    // What stands in the page itself begins with #.
+    BOOST_TEST(!contains(std::regex_replace(page, std::regex("url\\(#"), ""), other), other);
   }
   check_only_finite(page.substr(0, page.find("<script")));
 }
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
   const std::string page = read("page.html");
   check_offline(page);
   parsed(page);
-  for (const char* figure : {"region", "motion", "phase", "energy"}) {
+  for (const char* figure : {"region", "hits", "motion", "phase", "energy"}) {
     BOOST_TEST(contains(page, "aria-labelledby=\"" + std::string(figure) + "-title"));
     const std::string alone = read("figures/" + std::string(figure) + ".svg");
     const ptree tree = parsed(alone);
@@ -74,7 +75,7 @@ BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
     BOOST_TEST(!tree.get<std::string>("svg.desc").empty());
   }
   for (const char* part : {"Constraints", "Cross-check: agrees", "scene.json", "Δ₁ published",
-                           "Δ₁ exact", "amplitude: f ≥ f₂", "tolerance ±"}) {
+                           "Δ₁ exact", "too strong: does not return", "tolerance ±"}) {
     BOOST_TEST(contains(page, part), part);
   }
 }
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
   const std::filesystem::path scene =
       std::filesystem::path(STILLPOINT_DATA_DIR) / "scenes/isolator.json";
   BOOST_TEST(run({"design", scene.string(), "--svg", "figures"}).exit_code == 0);
-  for (const char* name : {"region.svg", "motion.svg", "phase.svg", "energy.svg"}) {
+  for (const char* name : {"region.svg", "hits.svg", "motion.svg", "phase.svg", "energy.svg"}) {
     std::ifstream file(std::filesystem::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
     std::stringstream committed;
     committed << file.rdbuf();
@@ -103,10 +104,18 @@ BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(
       region, found, std::regex("translate\\((\\S+) ([^)]+)\\)\" data-name=\"design\"")));
+  std::smatch size;
+  BOOST_TEST_REQUIRE(
+      std::regex_search(region, size, std::regex("data-plot=\"\\S+ \\S+ (\\S+) ([^\"]+)\"")));
+  const struct {
+    double width;
+    double height;
+  } plot{std::stod(size[1]), std::stod(size[2])};
   const double f = design["f"];
   const double delta = design["delta"];
-  BOOST_TEST(std::abs(std::stod(found[1]) - 430 * (f - x.least) / (x.most - x.least)) < rounding);
-  BOOST_TEST(std::abs(std::stod(found[2]) - 290 * (y.most - delta) / (y.most - y.least)) <
+  BOOST_TEST(std::abs(std::stod(found[1]) - plot.width * (f - x.least) / (x.most - x.least)) <
+             rounding);
+  BOOST_TEST(std::abs(std::stod(found[2]) - plot.height * (y.most - delta) / (y.most - y.least)) <
              rounding);
 }
 
@@ -118,7 +127,7 @@ BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
   check_offline(page);
   parsed(page);
   BOOST_TEST(contains(page, "No admissible design"));
-  BOOST_TEST(contains(page, "return: f ≤ f₃"));
+  BOOST_TEST(contains(page, "gap: no f returns within 0.6"));
   BOOST_TEST(!contains(page, "motion-title"));
 }
 
@@ -131,11 +140,11 @@ BOOST_AUTO_TEST_CASE(account_for_all_energy) {
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(
       text, found,
-      std::regex(
-          "energy (\\S+) constant friction took (\\S+) and point friction (\\S+); (\\S+) ")));
-  BOOST_TEST(std::abs(std::stod(found[1]) - 0.5) < 1e-6);
+      std::regex("energy (\\S+), constant friction took (\\S+) and the notch (\\S+); kinetic and "
+                 "spring energy is (\\S+) ")));
+  BOOST_TEST(std::abs(std::stod(found[1]) - 0.5) < 1e-4);  // four digits
   BOOST_TEST(std::abs(std::stod(found[2]) + std::stod(found[3]) + std::stod(found[4]) - 0.5) <
-             3e-6);
+             3e-4);
 }
 
 BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
@@ -165,7 +174,7 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
   const std::string page = read("one.html");
   parsed(page);
   BOOST_TEST(!contains(page, "<script>x"));
-  std::string scene = page.substr(page.rfind("<pre>") + 5);
+  std::string scene = page.substr(page.find("<pre>") + 5);
   scene = scene.substr(0, scene.find("</pre>"));
   for (const auto& [name, sign] :
        {std::pair{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
@@ -206,7 +215,7 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
   check_offline(page);
   parsed(page);
   BOOST_TEST(page.size() < 1'000'000U);
-  for (const char* part : {"Δ₁ exact", "return: f ≤ f₃", "start: Δ ≤ Δ₂", "centred after 1",
+  for (const char* part : {"Δ₁ exact", "returns up to f₃", "starts up to Δ₂", "centred after 1",
                            "off centre after 2", "does not move", "4000000"}) {
     BOOST_TEST(contains(page, part), part);
   }
@@ -270,7 +279,7 @@ BOOST_AUTO_TEST_CASE(of_an_excitation_end_with_the_run) {
     std::smatch curve;
     BOOST_TEST_REQUIRE(
         std::regex_search(text, curve, std::regex("hover\" d=\"[^\"]* ([0-9.]+)\"")));
-    const double drawn = y.most - std::stod(curve[1]) / 290 * (y.most - y.least);
+    const double drawn = y.most - std::stod(curve[1]) / 130 * (y.most - y.least);
     BOOST_TEST(std::abs(drawn - last) < 0.01 * (y.most - y.least));
   }
 }
