@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Small multiples: one figure per scene, error across, time up, both logarithmic.
+// Small multiples: one figure per scene, error across, time up, both logarithmic, on the same axes.
 
 #include "reports.hpp"
 
@@ -27,7 +27,6 @@ using figures::FigureCurve;
 using figures::FigureMarks;
 using figures::FigurePoint;
 using figures::FigureSheet;
-using figures::Fill;
 using figures::HtmlPage;
 using figures::Ink;
 using figures::Scale;
@@ -48,13 +47,16 @@ FigurePoint place(const Row& row) {
   return {std::clamp(row.verdict.largest(), 1e-16, 10.0), row.time.median / microsecond};
 }
 
-FigureAxis time_axis(const SceneRows& scene) {
-  double least = place(scene.kernel()).y;
+/// Of all scenes.
+FigureAxis time_axis(const Comparison& comparison) {
+  double least = place(comparison.scenes.front().kernel()).y;
   double most = least;
-  for (const MethodRows& method : scene.methods) {
-    for (const Row& row : method.rows) {
-      least = std::min(least, place(row).y);
-      most = std::max(most, place(row).y);
+  for (const SceneRows& scene : comparison.scenes) {
+    for (const MethodRows& method : scene.methods) {
+      for (const Row& row : method.rows) {
+        least = std::min(least, place(row).y);
+        most = std::max(most, place(row).y);
+      }
     }
   }
   const auto decade = [](double value) { return std::pow(10.0, value); };
@@ -73,34 +75,33 @@ std::string description(const SceneRows& scene) {
   return text + ".";
 }
 
-/// A line through the settings with right counts; the marks of the others are crossed.
-void add_method(Figure& figure, const MethodRows& method, std::size_t index) {
+/// A line through the settings with right counts, named beside it.
+void add_method(Figure& figure, const MethodRows& method, std::size_t index, FigureMarks& wrong) {
   const auto [shape, ink] = looks.at(index % looks.size());
   const std::string name = method.method.name;
-  FigureCurve line{name, {{}}, ink};
-  FigureMarks right{name, {}, shape, ink};
-  FigureMarks wrong{name + ", a wrong count", {}, shape, ink, Fill::crossed};
+  FigureCurve line{.name = name, .strokes = {{}}, .ink = ink, .labelled = true};
+  FigureMarks marks{name, {}, shape, ink};
   for (const Row& row : method.rows) {
-    if (row.verdict.counts_right) {
-      line.strokes.front().push_back(place(row));
-    }
-    (row.verdict.counts_right ? right : wrong).points.push_back(place(row));
+    (row.verdict.counts_right ? line.strokes.front() : wrong.points).push_back(place(row));
+    marks.points.push_back(place(row));
   }
   figure.curves.push_back(std::move(line));
-  figure.marks.push_back(std::move(right));
-  figure.marks.push_back(std::move(wrong));
+  figure.marks.push_back(std::move(marks));
 }
 
-Figure figure_of(const SceneRows& scene) {
+Figure figure_of(const SceneRows& scene, const FigureAxis& time) {
   Figure figure;
   figure.id = scene.scene.name;
   figure.title = fmt::format("{}: {}", scene.scene.name, scene.scene.legend);
   figure.description = description(scene);
   figure.x = {"largest error", 1e-17, 100, Scale::logarithmic};
-  figure.y = time_axis(scene);
+  figure.y = time;
+  figure.caption = figure.description;
+  FigureMarks wrong{"a wrong count", {}, Shape::cross, Ink::grey};
   for (std::size_t i = 0; i < scene.methods.size(); ++i) {
-    add_method(figure, scene.methods[i], i);
+    add_method(figure, scene.methods[i], i, wrong);
   }
+  figure.marks.push_back(std::move(wrong));
   return figure;
 }
 
@@ -109,8 +110,9 @@ FigureSheet sheet(const Comparison& comparison) {
                   "Time of one simulation against its error: lower and further left is better",
                   "For each scene, time against largest error, both logarithmic.",
                   {}};
+  const FigureAxis time = time_axis(comparison);
   for (const SceneRows& scene : comparison.scenes) {
-    all.figures.push_back(figure_of(scene));
+    all.figures.push_back(figure_of(scene, time));
     all.description += " " + all.figures.back().description;
   }
   return all;

@@ -18,7 +18,7 @@ namespace {
 
 using enum Dimension;
 
-constexpr std::array units{
+constexpr std::array unit_table{
     // name, dimension, power of ten; the SI unit of each dimension first
     Unit{"m", length, 0},
     Unit{"cm", length, -2},
@@ -89,7 +89,7 @@ std::string moved(std::string_view number, int power_of_ten) {
 }
 
 bool is_known(std::string_view unit) {
-  return std::ranges::find(units, unit, &Unit::name) != units.end();
+  return std::ranges::find(unit_table, unit, &Unit::name) != unit_table.end();
 }
 
 /// "; in physical units give --period or --stiffness", for an option that has such rivals.
@@ -118,7 +118,7 @@ InputError wrong_unit(const Option& option, std::string_view text) {
 
 std::vector<Unit> units_of(Dimension dimension) {
   std::vector<Unit> accepted;
-  std::ranges::copy_if(units, std::back_inserter(accepted),
+  std::ranges::copy_if(unit_table, std::back_inserter(accepted),
                        [dimension](const Unit& unit) { return unit.dimension == dimension; });
   return accepted;
 }

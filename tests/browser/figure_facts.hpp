@@ -5,6 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -43,6 +44,17 @@ void for_each_figure(const Check& check, Scheme scheme = Scheme::light) {
       BOOST_TEST_CONTEXT(figure.key()) {
         check(figure.value());
       }
+    }
+  });
+}
+
+/// The same of those that have numbers on both axes.
+template <class Check>
+void for_each_ticked_figure(const Check& check) {
+  for_each_figure([&check](const nlohmann::json& figure) {
+    const auto& ticks = figure["rest"]["ticks"];
+    if (std::ranges::any_of(ticks, [](const auto& tick) { return tick["axis"] == "y"; })) {
+      check(figure);
     }
   });
 }

@@ -35,7 +35,7 @@ bool is_named(const MapRow& row, const std::string& name) {
 BOOST_AUTO_TEST_SUITE(hovering)
 
 BOOST_AUTO_TEST_CASE(shows_the_values_of_marks) {
-  for_each_figure([](const json& figure) {
+  for_each_ticked_figure([](const json& figure) {
     for (const json& hover : figure["hover_marks"]) {
       const auto readout = check_shown(hover, figure["rest"], 1);
       BOOST_TEST((readout && !readout->name.empty()));
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(shows_what_a_cell_of_a_map_stands_for) {
 
 BOOST_AUTO_TEST_CASE(shows_its_own_place_where_nothing_is_near) {
   std::size_t count = 0;
-  for_each_figure([&count](const json& figure) {
+  for_each_ticked_figure([&count](const json& figure) {
     const json& hover = figure["hover_corner"];
     const auto readout = parsed(hover["readout"]);
     BOOST_TEST_REQUIRE(readout.has_value(), hover.dump());

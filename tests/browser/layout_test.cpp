@@ -16,6 +16,7 @@ using namespace stillpoint::browser_test;
 using nlohmann::json;
 
 constexpr double pixel_rounding = 0.5;
+constexpr double smallest_text = 11;          // pixels
 constexpr double contrast_of_text = 4.5;      // WCAG 2, level AA
 constexpr double contrast_of_graphics = 3.0;  // the same
 
@@ -88,6 +89,39 @@ BOOST_AUTO_TEST_CASE(words_of_a_figure_have_room) {
         BOOST_TEST(!overlap(texts[i]["box"], texts[j]["box"]),
                    texts[i]["text"] << " on " << texts[j]["text"]);
       }
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(words_of_a_figure_are_large_enough_to_read) {
+  for_each_figure([](const json& figure) {
+    for (const json& text : figure["texts"]) {
+      BOOST_TEST(text["pixels"] >= smallest_text, text.dump());
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(no_table_is_cut) {
+  for_each_look(Scheme::light, [](const std::string& /*look*/, const json& facts) {
+    BOOST_TEST(facts["cut"].empty(), facts["cut"].dump());
+  });
+}
+
+BOOST_AUTO_TEST_CASE(each_figure_has_a_caption_of_one_sentence) {
+  for_each_look(Scheme::light, [](const std::string& /*look*/, const json& facts) {
+    BOOST_TEST(!facts["captions"].empty());
+    for (const std::string caption : facts["captions"]) {
+      BOOST_TEST(caption.ends_with('.'), caption);
+      BOOST_TEST(caption.find(". ") == std::string::npos, caption);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(no_heading_is_printed_without_what_follows_it) {
+  for_each_look(Scheme::light, [](const std::string& look, const json& facts) {
+    for (const json& heading : facts["headings"]) {
+      BOOST_TEST((look != "print" || heading["after"] == "avoid"), heading.dump());
+      BOOST_TEST(heading["with_next"] != "nothing", heading.dump());
     }
   });
 }

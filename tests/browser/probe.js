@@ -68,12 +68,14 @@
     point(PointerEvent, 'pointerup', to);
   };
 
-  const wheel = (at, deltaY) => !point(WheelEvent, 'wheel', at, {deltaY});
+  const wheel = (at, deltaY, ctrlKey = true) => !point(WheelEvent, 'wheel', at, {deltaY, ctrlKey});
 
   // Far in about the anchor, some way to the side, back again.
   const zooming = (svg, anchor) => {
     anchor = anchor.map(Math.round);  // a wheel knows whole pixels alone
     const seen = {anchor, before: state(svg)};
+    seen.taken_without_key = wheel(anchor, -100, false);
+    seen.without_key = state(svg);
     seen.taken = wheel(anchor, -100);
     for (let i = 0; i < 5; ++i) wheel(anchor, -100);
     seen.zoomed = state(svg);
@@ -115,7 +117,8 @@
       const style = getComputedStyle(word);
       const note = word.closest('.plot');  // which cuts off what goes beyond it
       const [left, top] = part([0, 1]), [right, bottom] = part([1, 0]);
-      return {...text(word, style.fill), rim: note ? style.stroke : 'none',
+      const pixels = parseFloat(style.fontSize) * (seen.box.right - seen.box.left) / svg.viewBox.baseVal.width;
+      return {...text(word, style.fill), pixels, rim: note ? style.stroke : 'none',
               room: note ? {left, top, right, bottom} : seen.box};
     });
     seen.inks = [...svg.querySelectorAll('.plot .curve, .plot .disc, .plot .ring, .plot .edge')]
@@ -149,6 +152,13 @@
       seen.dark = matchMedia('(prefers-color-scheme: dark)').matches;
       seen.texts = [...document.querySelectorAll('h1,h2,p,th,td,pre,footer')].map(
         word => text(word, getComputedStyle(word).color));
+      seen.captions = [...document.querySelectorAll('figure')].map(
+        figure => [...figure.querySelectorAll('figcaption')].map(words => words.textContent).join('|'));
+      seen.cut = [...document.querySelectorAll('.wide')].filter(
+        wide => wide.scrollWidth > wide.clientWidth).map(wide => wide.textContent.slice(0, 60));
+      seen.headings = [...document.querySelectorAll('h2')].map(heading => ({
+        text: heading.textContent, after: getComputedStyle(heading).breakAfter,
+        with_next: heading.nextElementSibling ? getComputedStyle(heading.nextElementSibling).breakInside : 'nothing'}));
       seen.figures = {};
       for (const svg of document.querySelectorAll('svg.figure')) {
         const id = svg.querySelector('title').id.replace('-title', '');

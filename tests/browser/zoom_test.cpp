@@ -47,8 +47,10 @@ void check_moved(const json& from, const json& to, const json& place, const json
 BOOST_AUTO_TEST_SUITE(zooming)
 
 BOOST_AUTO_TEST_CASE(zooms_about_itself) {
-  for_each_figure([](const json& figure) {
+  for_each_ticked_figure([](const json& figure) {
     const json& zoom = figure["zoom"];
+    BOOST_TEST(zoom["taken_without_key"] == false);  // the page scrolls
+    BOOST_TEST(zoom["without_key"] == zoom["before"]);
     BOOST_TEST(zoom["taken"] == true);
     check_consistent(zoom["zoomed"]);
     check_moved(zoom["before"], zoom["zoomed"], zoom["anchor"], {0, 0});
@@ -63,7 +65,7 @@ BOOST_AUTO_TEST_CASE(zooms_about_itself) {
 }
 
 BOOST_AUTO_TEST_CASE(drags_the_plot) {
-  for_each_figure([](const json& figure) {
+  for_each_ticked_figure([](const json& figure) {
     const json& zoom = figure["zoom"];
     check_consistent(zoom["dragged"]);
     check_moved(zoom["zoomed"], zoom["dragged"], zoom["anchor"], zoom["by"]);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/figures/figure.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace stillpoint::figures {
 
 namespace {
 
-/// Multiples of 1, 2 or 5 times a power of ten, about six of them.
-std::vector<double> round_values(double least, double most) {
-  constexpr double wanted = 6;
+/// Multiples of 1, 2 or 5 times a power of ten.
+std::vector<double> round_values(double least, double most, int wanted) {
   const double raw = (most - least) / wanted;
   const double decade = std::pow(10.0, std::floor(std::log10(raw)));
   const double digit = raw / decade;
@@ -25,8 +27,7 @@ std::vector<double> round_values(double least, double most) {
 }
 
 /// Powers of ten: all of them, or every n-th.
-std::vector<double> decades(double least, double most) {
-  constexpr double wanted = 6;
+std::vector<double> decades(double least, double most, int wanted) {
   const double first = std::ceil(least - 1e-9);
   const double last = std::floor(most + 1e-9);
   const double step = std::ceil((last - first + 1) / wanted);
@@ -51,15 +52,38 @@ double FigureAxis::value(double position) const {
                                 : least * std::pow(most / least, position);
 }
 
-std::vector<double> ticks(const FigureAxis& axis) {
+std::vector<double> ticks(const FigureAxis& axis, int wanted) {
   if (axis.scale == Scale::logarithmic) {
     const double from = std::log10(axis.least);
     const double to = std::log10(axis.most);
     if (to - from >= 2) {
-      return decades(from, to);
+      return decades(from, to, wanted);
     }
   }
-  return round_values(axis.least, axis.most);
+  return round_values(axis.least, axis.most, wanted);
+}
+
+std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
+  constexpr double visible = 1e-3;  // of the distance between two ticks
+  const auto written = [&ticks](int digits) {
+    std::vector<std::string> labels;
+    for (const double tick : ticks) {
+      labels.push_back(fmt::format("{:.{}g}", tick, digits));
+    }
+    return labels;
+  };
+  for (int digits = 6; digits < 17; ++digits) {
+    auto labels = written(digits);
+    bool exact = true;
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+      exact = exact && std::abs(std::stod(labels[i]) - ticks[i]) <=
+                           visible * std::abs(ticks[i] - ticks[i - 1]);
+    }
+    if (exact) {
+      return labels;
+    }
+  }
+  return written(17);
 }
 
 FigureAxis axis_around(std::string label, double least, double most) {

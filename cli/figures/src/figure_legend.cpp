@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_legend.hpp"
 
+#include "figure_layout.hpp"
 #include "figure_looks.hpp"
 
 #include <algorithm>
@@ -12,35 +13,38 @@ namespace {
 using fmt::format;
 
 constexpr double line_height = 20;
-constexpr double letter = 6.9;  // mean width
-
-/// How many characters a UTF-8 text has.
-double letters(std::string_view text) {
-  return static_cast<double>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 }  // namespace
 
-void FigureLegend::add(const Figure& figure) {
-  for (std::size_t i = 0; i < figure.map.names.size(); ++i) {
-    enter(figure.map.names[i],
-          format(R"(<path class="cell" fill="{}" d="M4-10h16v12h-16Z"/>)", figure.map.palette[i]));
+void FigureLegend::add(const Figure& figure, const std::set<std::string>& named) {
+  const auto enter_unless_named = [&](const std::string& name, const std::string& sample) {
+    if (!named.contains(name)) {
+      enter(name, sample);
+    }
+  };
+  for (const MapKey& key : figure.map.key) {
+    enter(key.name, format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
+                           key.hatched ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/>)" : ""));
   }
   for (const FigureArea& area : figure.areas) {
-    enter(area.name, format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
-                            area.filled ? "area" : "edge", word(area.ink)));
+    enter_unless_named(
+        area.name,
+        area.look == AreaLook::hatched
+            ? format(R"(<path class="hatch {}" d="M2-10h20v12h-20ZM2 2L14-10M10 2L22-10"/>)",
+                     word(area.ink))
+            : format(R"(<path class="area {}" d="M2-10h20v12h-20Z"/>)", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
-    enter(band.name, format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)", word(band.ink)));
+    enter_unless_named(band.name,
+                       format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)", word(band.ink)));
   }
   for (const FigureCurve& curve : figure.curves) {
-    enter(curve.name,
-          format(R"(<path class="curve {}{}" d="M0-4h24"/>)", word(curve.ink), word(curve.dash)));
+    enter_unless_named(curve.name, format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
+                                          word(curve.ink), word(curve.dash)));
   }
   for (const FigureMarks& marks : figure.marks) {
     if (!marks.points.empty()) {
-      enter(marks.name, mark(marks, R"x( transform="translate(12 -4)")x"));
+      enter_unless_named(marks.name, mark(marks, R"x( transform="translate(12 -4)")x"));
     }
   }
 }
@@ -56,7 +60,7 @@ void FigureLegend::enter(const std::string& name, const std::string& sample) {
     }
     return;
   }
-  const double wide = 30 + 14 + letter * letters(name);
+  const double wide = 30 + 12 + text_width(name);
   if (next_x_ > 0 && next_x_ + wide > width_) {
     next_x_ = 0;
     ++last_line_;

@@ -3,6 +3,7 @@
 
 #include <stillpoint/figures/figure.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@ class FigureLegend {
  public:
   explicit FigureLegend(double width) : width_(width) {}
 
-  void add(const Figure& figure);
+  /// All names but those that stand in the plot.
+  void add(const Figure& figure, const std::set<std::string>& named);
 
   [[nodiscard]] double height() const;
   /// With its upper left corner at (x, y).

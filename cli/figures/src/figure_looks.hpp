@@ -25,11 +25,6 @@ inline std::string_view word(Dash dash) {
   return words.at(static_cast<std::size_t>(dash));
 }
 
-inline std::string_view word(Anchor anchor) {
-  constexpr std::array<std::string_view, 3> words{"start", "middle", "end"};
-  return words.at(static_cast<std::size_t>(anchor));
-}
-
 /// Centred at (0, 0).
 inline std::string_view outline(Shape shape) {
   constexpr std::array<std::string_view, 7> outlines{
@@ -46,9 +41,8 @@ inline std::string_view outline(Shape shape) {
 /// The path of a mark; `place` is an attribute or empty.
 inline std::string mark(const FigureMarks& marks, std::string_view place) {
   const bool filled = marks.fill == Fill::solid && marks.shape != Shape::cross;
-  return fmt::format(R"(<path class="{} {}"{} d="{}{}"/>)", filled ? "disc" : "ring",
-                     word(marks.ink), place, outline(marks.shape),
-                     marks.fill == Fill::crossed ? "M-5-5L5 5M5-5L-5 5" : "");
+  return fmt::format(R"(<path class="{} {}"{} d="{}"/>)", filled ? "disc" : "ring", word(marks.ink),
+                     place, outline(marks.shape));
 }
 
 }  // namespace stillpoint::figures

@@ -7,15 +7,19 @@ std::string_view figure_style() noexcept {
   return R"(
 .figure text{font:13px "DejaVu Sans",Arial,sans-serif;fill:#222}
 .figure .title{font-weight:bold}
-.figure .note{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
+.figure .note{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
 .figure .paper{fill:#fff}
 .figure .frame{fill:none;stroke:#777}
 .figure .grid{fill:none;stroke:#e3e3e3}
-.figure .curve,.figure .edge{fill:none;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke;stroke-linejoin:round}
+.figure .curve{fill:none;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke;stroke-linejoin:round}
 .figure .halo{fill:none;stroke:#fff;stroke-width:4;vector-effect:non-scaling-stroke;stroke-linejoin:round}
 .figure .dashed{stroke-dasharray:7 4}
 .figure .dotted{stroke-dasharray:2 3}
 .figure .area{fill:currentColor;fill-opacity:.3}
+.figure .box{fill:currentColor;fill-opacity:.35;stroke:currentColor;stroke-width:1.8;vector-effect:non-scaling-stroke}
+.figure .hatch{stroke:currentColor;stroke-width:1;fill:none;stroke-opacity:.5}
+.figure .over{stroke:#222;stroke-width:1;stroke-opacity:.6;fill:none}
+.figure .lens{fill:none;stroke:#777;stroke-dasharray:3 2}
 .figure .band{fill:currentColor;fill-opacity:.25}
 .figure .disc{fill:currentColor;stroke:#fff;stroke-width:.8}
 .figure .ring{fill:none;stroke:currentColor;stroke-width:1.8}
@@ -33,6 +37,7 @@ std::string_view dark_figure_style() noexcept {
 .figure .note{stroke:#14181d}
 .figure .paper{fill:#14181d}
 .figure .grid{stroke:#2c3239}
+.figure .halo{stroke:#14181d}
 .figure .disc{stroke:#14181d}
 .figure .blue{color:#56a8f0}.figure .orange{color:#ff8a3d}.figure .green{color:#2bc492}
 .figure .purple{color:#e39ac4}.figure .sky{color:#8fd3f5}.figure .amber{color:#f0b429}

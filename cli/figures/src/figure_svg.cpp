@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Draws figures. Lengths are in pixels of a figure 520 wide; the plot is an svg of its own, so that
-// a page can zoom into it. A "pin" (a mark or a note) keeps its size when zoomed.
-#include "figure_legend.hpp"
-#include "figure_looks.hpp"
-#include "figure_map.hpp"
+// Draws figures. The plot is an svg of its own, so that a page can zoom into it. A "pin" (a mark or
+// a word) keeps its size when zoomed.
+#include "figure_svg.hpp"
 
+#include "figure_backdrop.hpp"
+#include "figure_looks.hpp"
+#include "figure_paths.hpp"
+
+#include <cstddef>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -15,15 +18,6 @@ namespace {
 
 using fmt::format;
 
-constexpr double width = 520;
-constexpr double left = 74;
-constexpr double upper = 34;
-constexpr double plot_width = width - left - 16;
-constexpr double plot_height = 290;
-constexpr double plot_bottom = upper + plot_height;
-constexpr double axis_names = 46;  // below the plot
-constexpr double legend_left = 20;
-
 std::string_view scale_name(const FigureAxis& axis) {
   return axis.scale == Scale::linear ? "linear" : "logarithmic";
 }
@@ -31,20 +25,25 @@ std::string_view scale_name(const FigureAxis& axis) {
 /// Collects the drawing of a figure in one text, without its svg element.
 class Drawing {
  public:
-  explicit Drawing(const Figure& figure) : figure_(figure) {}
+  Drawing(const Figure& figure, const Layout& layout, const NamesInPlace& names)
+      : figure_(figure), layout_(layout), names_(names) {}
 
   std::string operator()() {
-    add("<text class=\"title\" x=\"{}\" y=\"20\">{}</text>\n", left, escaped(figure_.title));
-    axes();
-    open_plot();
-    map();
-    areas();
-    curves();
+    const double high = figure_.height;
+    add("<text class=\"title\" x=\"{}\" y=\"18\">{}</text>\n",
+        layout_.left * (text_width(figure_.title) < figure_width - layout_.left ? 1 : 0.1),
+        escaped(figure_.title));
+    text_ += axes(figure_, layout_) + hatches(figure_);
+    add("<svg class=\"plot\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\">\n",
+        layout_.left, layout_.upper, layout_.width, high, layout_.width, high);
+    text_ += map(figure_, layout_);
+    contents(plane());
     marks();
-    notes();
+    words();
     text_ += "</svg>\n";
-    add("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", left, upper,
-        plot_width, plot_height);
+    add("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", layout_.left,
+        layout_.upper, layout_.width, high);
+    inset();
     return std::move(text_);
   }
 
@@ -54,124 +53,160 @@ class Drawing {
     fmt::format_to(std::back_inserter(text_), what, std::forward<Args>(args)...);
   }
 
-  [[nodiscard]] double px(double x) const { return figure_.x.position(x) * plot_width; }
-  [[nodiscard]] double py(double y) const { return (1 - figure_.y.position(y)) * plot_height; }
-
-  [[nodiscard]] std::string path(const std::vector<FigurePoint>& points) const {
-    std::string d;
-    for (const FigurePoint& at : points) {
-      fmt::format_to(std::back_inserter(d), "{}{:.2f} {:.2f}", d.empty() ? 'M' : 'L', px(at.x),
-                     py(at.y));
-    }
-    return d;
+  [[nodiscard]] Plane plane() const {
+    return {figure_.x, figure_.y, layout_.width, figure_.height};
   }
 
-  [[nodiscard]] std::string path(const std::vector<std::vector<FigurePoint>>& strokes) const {
-    std::string d;
-    for (const auto& stroke : strokes) {
-      d += path(stroke);
-    }
-    return d;
-  }
-
-  void axes() {
-    text_ += "<g class=\"ticks\">\n";
-    for (const double tick : ticks(figure_.x)) {
-      add("<path class=\"grid\" d=\"M{:.2f} {}v{}\"/><text x=\"{:.2f}\" y=\"{}\" "
-          "text-anchor=\"middle\">{:.10g}</text>\n",
-          left + px(tick), upper, plot_height, left + px(tick), plot_bottom + 17, tick);
-    }
-    for (const double tick : ticks(figure_.y)) {
-      add("<path class=\"grid\" d=\"M{} {:.2f}h{}\"/><text x=\"{}\" y=\"{:.2f}\" "
-          "text-anchor=\"end\">{:.10g}</text>\n",
-          left, upper + py(tick), plot_width, left - 6, upper + py(tick) + 4, tick);
-    }
-    text_ += "</g>\n";
-    add("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", left + plot_width / 2,
-        plot_bottom + 36, escaped(figure_.x.label));
-    add("<text transform=\"translate(15 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-        upper + plot_height / 2, escaped(figure_.y.label));
-  }
-
-  void open_plot() {
-    add("<svg class=\"plot\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\">\n",
-        left, upper, plot_width, plot_height, plot_width, plot_height);
-  }
-
-  void map() {
-    if (!figure_.map.cells.empty()) {
-      add("<image width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" data-names=\"{}\" "
-          "href=\"data:image/png;base64,{}\"/>\n",
-          plot_width, plot_height, cell_names(), map_base64(figure_.map));
-    }
-  }
-
-  /// "#rrggbb name|#rrggbb name", for the readout.
-  [[nodiscard]] std::string cell_names() const {
-    std::string names;
-    for (std::size_t i = 0; i < figure_.map.names.size(); ++i) {
-      names += format("{}{} {}", i == 0 ? "" : "|", figure_.map.palette[i],
-                      escaped(figure_.map.names[i]));
-    }
-    return names;
-  }
-
-  void areas() {
+  /// Everything that has no size of its own.
+  void contents(const Plane& plot) {
     for (const FigureBand& band : figure_.bands) {
-      add("<path class=\"band {}\" d=\"M{:.2f} 0V{}H{:.2f}V0Z\"/>\n", word(band.ink), px(band.from),
-          plot_height, px(band.to));
+      add("<path class=\"band {}\" d=\"M{:.2f} 0V{}H{:.2f}V0Z\"/>\n", word(band.ink),
+          plot.pixel({band.from, figure_.y.least}).x, plot.height,
+          plot.pixel({band.to, figure_.y.least}).x);
     }
-    for (const FigureArea& area : figure_.areas) {
-      add("<path class=\"{} {}\" d=\"{}Z\"><title>{}</title></path>\n",
-          area.filled ? "area" : "edge", word(area.ink), path(area.outline), escaped(area.name));
-    }
-  }
-
-  void curves() {
+    areas(plot, false);
     for (const FigureCurve& curve : figure_.curves) {
+      std::string d;
+      for (const auto& stroke : curve.strokes) {
+        d += path(plot, stroke, curve.smooth);
+      }
       if (!figure_.map.cells.empty()) {
-        add("<path class=\"halo\" d=\"{}\"/>\n", path(curve.strokes));
+        add("<path class=\"halo\" d=\"{}\"/>\n", d);
       }
       add("<path class=\"curve {}{}{}\" d=\"{}\"{}/>\n", word(curve.ink), word(curve.dash),
-          curve.hover ? " hover" : "", path(curve.strokes),
+          curve.hover ? " hover" : "", d,
           curve.hover ? format(" data-name=\"{}\"", escaped(curve.name)) : "");
+    }
+    areas(plot, true);
+  }
+
+  void areas(const Plane& plot, bool boxes) {
+    for (std::size_t i = 0; i < figure_.areas.size(); ++i) {
+      const FigureArea& area = figure_.areas[i];
+      if ((area.look == AreaLook::box) != boxes) {
+        continue;
+      }
+      const bool hatched = area.look == AreaLook::hatched;
+      add("<path class=\"{} {}\"{} d=\"{}Z\"><title>{}</title></path>\n",
+          boxes     ? "box"
+          : hatched ? "hatched"
+                    : "area",
+          word(area.ink), hatched ? format(" fill=\"url(#{}-hatch-{})\"", figure_.id, i) : "",
+          path(plot, area.outline), escaped(area.name));
     }
   }
 
   void marks() {
+    const Plane plot = plane();
+    for (const FigureCurve& curve : figure_.curves) {
+      for (const auto& stroke : curve.strokes) {
+        for (const auto& [at, angle] :
+             curve.directed ? headings(plot, stroke) : std::vector<Heading>{}) {
+          add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><path class=\"disc arrow "
+              "{}\" "
+              "transform=\"rotate({:.1f})\" d=\"M-5-4.5L5 0L-5 4.5Z\"/></g>\n",
+              at.x, at.y, word(curve.ink), angle);
+        }
+      }
+    }
     for (const FigureMarks& marks : figure_.marks) {
       for (const FigurePoint& at : marks.points) {
-        add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\" data-name=\"{}\" "
-            "data-at=\"{} {}\">{}</g>\n",
-            px(at.x), py(at.y), escaped(marks.name), at.x, at.y, mark(marks, ""));
+        const auto [x, y] = at_frame(plot, at);
+        add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\" ", x, y);
+        if (plot.holds(at)) {
+          add("data-name=\"{}\" data-at=\"{} {}\">{}</g>\n", escaped(marks.name), at.x, at.y,
+              mark(marks, ""));
+        } else {
+          add("data-far=\"{}\"><path class=\"disc {}\" transform=\"rotate({:.1f})\" "
+              "d=\"M-9-2H-1V-7L9 0L-1 7V2H-9Z\"/></g>\n",
+              escaped(marks.name), word(marks.ink), outward(plot, at));
+        }
       }
     }
   }
 
-  void notes() {
-    for (const FigureNote& note : figure_.notes) {
+  /// Degrees from the right, clockwise, along the nearest way out of the plot.
+  static double outward(const Plane& plot, const FigurePoint& at) {
+    const int right = at.x > plot.x.most ? 1 : at.x < plot.x.least ? -1 : 0;
+    const int down = at.y > plot.y.most ? -1 : at.y < plot.y.least ? 1 : 0;
+    return right == 0 ? 90.0 * down : right > 0 ? 45.0 * down : 180 - 45.0 * down;
+  }
+
+  void words() {
+    for (const auto& [text, centre, upright] : names_.words) {
       add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><text class=\"note\" "
-          "text-anchor=\"{}\"{}>{}</text></g>\n",
-          px(note.at.x), py(note.at.y), word(note.anchor),
-          note.upright ? " transform=\"rotate(-90)\" dy=\"-5\"" : " dy=\"-5\"", escaped(note.text));
+          "text-anchor=\"middle\" dy=\"4.5\"{}>{}</text></g>\n",
+          centre.x, centre.y, upright ? " transform=\"rotate(-90)\"" : "", escaped(text));
     }
   }
 
+  void inset() {
+    if (!names_.inset) {
+      return;
+    }
+    const auto& [left, top, right, bottom] = *names_.inset;
+    const auto& [x, y] = *figure_.inset;
+    const Plane plot = plane();
+    const Plane part{x, y, right - left, bottom - top};
+    const auto [x0, y1] = plot.pixel({x.least, y.least});
+    const auto [x1, y0] = plot.pixel({x.most, y.most});
+    const double nearest = (left + right) / 2 < (x0 + x1) / 2 ? right : left;
+    add("<g class=\"inset\" transform=\"translate({} {})\">\n<path class=\"lens\" "
+        "d=\"M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}ZM{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n",
+        layout_.left, layout_.upper, x0, y0, x1, y1, x0, (x0 + x1) / 2, (y0 + y1) / 2, nearest,
+        (top + bottom) / 2);
+    add("<svg x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\">\n<rect class=\"paper\" "
+        "width=\"100%\" height=\"100%\"/>\n",
+        left, top, part.width, part.height);
+    contents(part);
+    for (const FigureMarks& marks : figure_.marks) {
+      for (const FigurePoint& at : marks.points) {
+        if (part.holds(at)) {
+          const auto [px, py] = part.pixel(at);
+          text_ += mark(marks, format(" transform=\"translate({:.2f} {:.2f})\"", px, py));
+        }
+      }
+    }
+    add("</svg>\n<rect class=\"frame\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
+        "height=\"{:.2f}\"/></g>\n",
+        left, top, part.width, part.height);
+  }
+
   const Figure& figure_;
+  const Layout& layout_;
+  const NamesInPlace& names_;
   std::string text_;
 };
 
-/// Opens an svg element, with the title and description that a screen reader needs and the data
-/// that the script of a page needs.
-std::string opened(const Figure& figure, std::string_view place, double height) {
+}  // namespace
+
+FigureDrawing::FigureDrawing(const Figure& figure, double left)
+    : figure_(figure),
+      layout_(figure, left),
+      names_(names_in_place(figure, {figure.x, figure.y, layout_.width, figure.height})) {}
+
+void FigureDrawing::enter(FigureLegend& legend) const {
+  legend.add(figure_, names_.named);
+}
+
+double FigureDrawing::height() const {
+  return layout_.bottom + layout_.axis_words;
+}
+
+std::string FigureDrawing::drawn() const {
+  return Drawing(figure_, layout_, names_)();
+}
+
+std::string FigureDrawing::opened(std::string_view place, double height) const {
   return format(
       "<svg {}class=\"figure\" viewBox=\"0 0 {} {}\" role=\"img\" "
       "aria-labelledby=\"{}-title {}-desc\" data-x=\"{} {}\" data-y=\"{} {}\" "
       "data-scales=\"{} {}\" data-plot=\"{} {} {} {}\">\n"
       "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-desc\">{}</desc>\n",
-      place, width, height, figure.id, figure.id, figure.x.least, figure.x.most, figure.y.least,
-      figure.y.most, scale_name(figure.x), scale_name(figure.y), left, upper, plot_width,
-      plot_height, figure.id, escaped(figure.title), figure.id, escaped(figure.description));
+      place, figure_width, height, figure_.id, figure_.id, figure_.x.least, figure_.x.most,
+      figure_.y.least, figure_.y.most, scale_name(figure_.x), scale_name(figure_.y), layout_.left,
+      layout_.upper, layout_.width, figure_.height, figure_.id, escaped(figure_.title), figure_.id,
+      escaped(figure_.description));
 }
 
 std::string paper(std::string_view style, double wide, double high) {
@@ -183,55 +218,18 @@ std::string size_alone(double wide, double high) {
   return format(R"(xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" )", wide, high);
 }
 
-}  // namespace
-
-std::string svg(const Figure& figure, Frame frame) {
-  FigureLegend legend(width - legend_left);
-  legend.add(figure);
-  const double height = plot_bottom + axis_names + legend.height() + 4;
+std::string svg(const Figure& figure, Frame frame, double left) {
+  const FigureDrawing drawing(figure, left);
+  FigureLegend legend(figure_width - legend_left);
+  drawing.enter(legend);
+  const double height = drawing.height() + legend.height() + 4;
   const bool alone = frame == Frame::alone;
-  std::string text = opened(figure, alone ? size_alone(width, height) : "", height);
+  std::string text = drawing.opened(alone ? size_alone(figure_width, height) : "", height);
   if (alone) {
-    text += paper(figure_style(), width, height);
+    text += paper(figure_style(), figure_width, height);
   }
-  text += Drawing(figure)();
-  text += legend.drawn(legend_left, plot_bottom + axis_names);
-  return text + "</svg>\n";
-}
-
-std::string svg(const FigureSheet& sheet) {
-  constexpr double heading = 34;
-  constexpr double one_height = plot_bottom + axis_names;
-  const auto count = static_cast<int>(sheet.figures.size());
-  const double wide = width * sheet.columns;
-  FigureLegend legend(wide - legend_left);
-  for (const Figure& figure : sheet.figures) {
-    legend.add(figure);
-  }
-  const double first_line = heading + legend.height() + 8;
-  const int lines = (count + sheet.columns - 1) / sheet.columns;
-  const double high = first_line + one_height * lines;
-  std::string text = format(
-      "<svg {}class=\"figure\" viewBox=\"0 0 {} {}\" role=\"img\" "
-      "aria-labelledby=\"{}-title {}-desc\">\n"
-      "<title id=\"{}-title\">{}</title>\n<desc id=\"{}-desc\">{}</desc>\n",
-      size_alone(wide, high), wide, high, sheet.id, sheet.id, sheet.id, escaped(sheet.title),
-      sheet.id, escaped(sheet.description));
-  text += paper(
-      format("{}@media (prefers-color-scheme:dark){{{}}}", figure_style(), dark_figure_style()),
-      wide, high);
-  text += format("<text class=\"title\" x=\"{}\" y=\"24\">{}</text>\n", legend_left,
-                 escaped(sheet.title));
-  text += legend.drawn(legend_left, heading);
-  for (int i = 0; i < count; ++i) {
-    const Figure& figure = sheet.figures[static_cast<std::size_t>(i)];
-    const int line = i / sheet.columns;
-    const std::string place =
-        format(R"(x="{}" y="{}" width="{}" height="{}" )", width * (i % sheet.columns),
-               first_line + one_height * line, width, one_height);
-    text += opened(figure, place, one_height);
-    text += Drawing(figure)() + "</svg>\n";
-  }
+  text += drawing.drawn();
+  text += legend.drawn(legend_left, drawing.height());
   return text + "</svg>\n";
 }
 

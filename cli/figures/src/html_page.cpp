@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <span>
+
 namespace stillpoint::figures {
 
 namespace {
@@ -12,14 +16,20 @@ using fmt::format;
 constexpr std::string_view page_style = R"(
 :root{color-scheme:light dark}
 body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;margin:0 auto;max-width:1180px;padding:16px;color:#222;background:#fff}
-h1{font-size:22px;margin:4px 0;overflow-wrap:anywhere}h2{font-size:17px;margin:24px 0 6px}
-.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,480px),1fr));gap:20px;margin-top:14px}
-.figures figure{margin:0;break-inside:avoid;max-width:640px}
+h1{font-size:22px;margin:4px 0;overflow-wrap:anywhere}h2{font-size:17px;margin:24px 0 6px;break-after:avoid}
+.answer{font-size:17px;overflow-wrap:anywhere}
+.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));gap:20px;margin-top:14px}
+.figures figure{margin:0;break-inside:avoid;max-width:560px}
+figcaption{font-size:14px;margin:2px 8px 0 14px}
 .figure{width:100%;height:auto;display:block}
 .plot{cursor:crosshair}
 .readout{min-height:1.5em;font-size:13px;padding-left:14%}
 .readout button{font:inherit;margin-left:8px}
+tr{break-inside:avoid}
 .wide{overflow-x:auto;break-inside:avoid}
+tr.violated td{background:#fbe3e1}
+summary{cursor:pointer;font-weight:bold;margin-top:24px}
+@media screen and (max-width:520px){body{padding:8px}pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td{min-width:0}td,th{padding:3px 4px 3px 0;overflow-wrap:anywhere}.columns,.columns tr,.columns tbody{display:block}.columns tr{border-bottom:1px solid #999;padding:4px 0}.columns th{display:none}.columns td{display:inline-block;border:0;margin-right:10px;white-space:normal}.columns td[data-head]::before{content:attr(data-head) " ";opacity:.8}}
 table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left;white-space:nowrap}
 td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666}.rows td{white-space:normal;min-width:12em}
 .key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
@@ -28,19 +38,38 @@ footer{margin-top:24px;font-size:13px;color:#666}
 )";
 
 constexpr std::string_view dark_page_style = R"(
-body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}footer{color:#aaa}
+body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}tr.violated td{background:#45221f}footer{color:#aaa}
 )";
 
 constexpr std::string_view print_style = R"(
-body{max-width:none;padding:0}.figures{grid-template-columns:1fr 1fr}.readout{display:none}
+body{max-width:none;padding:0}.figures{grid-template-columns:1fr 1fr;gap:8px 20px}figcaption{font-size:12px}h2{margin-top:14px}.readout,details{display:none}
 pre{white-space:pre-wrap;overflow:visible}.wide{overflow:visible}td,th{white-space:normal;padding:2px 5px}table{font-size:12px}
 )";
 
+/// One figure, and those that belong below it, with plots that begin at the same place.
+std::string column(std::span<const Figure> group) {
+  double left = 0;
+  for (const Figure& figure : group) {
+    left = std::max(left, plot_left(figure));
+  }
+  std::string text = "<figure>\n";
+  std::string caption;
+  for (const Figure& figure : group) {
+    text += "<div>" + svg(figure, Frame::in_page, left) +
+            "<div class=\"readout\" aria-hidden=\"true\"></div></div>\n";
+    caption += (caption.empty() || figure.caption.empty() ? "" : " ") + escaped(figure.caption);
+  }
+  return text + (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") +
+         "</figure>\n";
+}
+
 std::string figures(const std::vector<Figure>& list) {
   std::string text = "<div class=\"figures\">\n";
-  for (const Figure& figure : list) {
-    text += "<figure>\n" + svg(figure, Frame::in_page) +
-            "<div class=\"readout\" aria-hidden=\"true\"></div>\n</figure>\n";
+  for (auto first = list.begin(); first != list.end();) {
+    const auto last = std::find_if(std::next(first), list.end(),
+                                   [](const Figure& figure) { return !figure.below; });
+    text += column({first, last});
+    first = last;
   }
   return text + "</div>\n";
 }
@@ -52,10 +81,14 @@ std::string html(const HtmlPage& page) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
-      "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>{}</p>\n",
+      "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
       escaped(page.title), page_style, figure_style(), dark_page_style, dark_figure_style(),
       print_style, escaped(page.title), escaped(page.verdict));
-  text += figures(page.figures) + page.body;
+  text += page.answer + figures(page.figures) + page.body;
+  if (!page.report.empty()) {
+    text += format("<details><summary>The full report as text</summary>\n<pre>{}</pre></details>\n",
+                   escaped(page.report));
+  }
   text += format("<footer>{}</footer>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",
                  escaped(page.footer), html_script());
   return text;

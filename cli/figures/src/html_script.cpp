@@ -25,8 +25,8 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   const value = (px, py) => [scales[0].from(x0 + px / w * (x1 - x0)), scales[1].from(y1 - py / h * (y1 - y0))];
   const points = [];
   for (const curve of plot.querySelectorAll('.curve.hover'))
-    for (const m of curve.getAttribute('d').matchAll(/[ML](\S+?) ([^ML]+)/g))
-      points.push([+m[1], +m[2], curve.dataset.name]);
+    for (const m of curve.getAttribute('d').matchAll(/[MLC]([^MLC]+)/g))
+      points.push([...m[1].trim().split(' ').slice(-2).map(Number), curve.dataset.name]);
   for (const pin of plot.querySelectorAll('.pin[data-at]')) {
     const m = pin.getAttribute('transform').match(/\(([^ ]+) ([^)]+)\)/);
     points.push([+m[1], +m[2], pin.dataset.name, pin.dataset.at.split(' ').map(Number)]);
@@ -57,19 +57,41 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   };
   const inside = ([px, py]) =>
     px >= view[0] && py >= view[1] && px <= view[0] + view[2] && py <= view[1] + view[3];
-  const rounds = (a, b) => {
-    const raw = (b - a) / 6, decade = 10 ** Math.floor(Math.log10(raw)), d = raw / decade;
+  const rounds = (a, b, wanted) => {
+    const raw = (b - a) / wanted, decade = 10 ** Math.floor(Math.log10(raw)), d = raw / decade;
     const step = decade * (d <= 1 ? 1 : d <= 2 ? 2 : d <= 5 ? 5 : 10), all = [];
     for (let i = Math.ceil(a / step); i * step <= b && all.length < 20; ++i) all.push(i * step);
     return all;
   };
+  // As few digits as tell numbers apart.
+  const words = values => {
+    const step = Math.abs(values[1] - values[0]) || 1;
+    for (let digits = 6; ; ++digits) {
+      const all = values.map(v => +v.toPrecision(digits));
+      if (digits === 17 || all.every((v, i) => Math.abs(v - values[i]) <= 1e-3 * step)) return all;
+    }
+  };
   // Where the ticks of an axis stand between its values a and b, from 0 to 1, and their words.
-  const ticks = (scale, a, b) => {
+  const ticks = (scale, a, b, wanted) => {
     const from = scale.to(a), to = scale.to(b);
     const values = scale.decades && to - from >= 2
-      ? rounds(from, to).filter(Number.isInteger).map(scale.from) : rounds(a, b);
-    return values.map(t => [(scale.to(t) - from) / (to - from), +t.toPrecision(8)]);
+      ? rounds(from, to, wanted).filter(Number.isInteger).map(scale.from) : rounds(a, b, wanted);
+    const all = words(values);
+    return values.map((t, i) => [(scale.to(t) - from) / (to - from), all[i]]);
   };
+  const letter = 8.3;
+  const fitting = (scale, a, b) => {
+    let all = [];
+    for (const wanted of [6, 4, 3, 2]) {
+      all = ticks(scale, a, b, wanted);
+      if (all.length * (12 + letter * Math.max(...all.map(t => String(t[1]).length))) < w) break;
+    }
+    return all;
+  };
+  const room = left - 24;  // of a number beside the plot
+  const has_ticks = axis => figure.querySelector(`.ticks path[d*="${axis}"]`) !== null;
+  const has_x = has_ticks('v'), has_y = has_ticks('h');
+  const inset = figure.querySelector('.inset');
   const whole = figure.querySelector('.ticks').innerHTML;
   const show = () => {
     const k = view[2] / w;
@@ -77,17 +99,19 @@ for (const figure of document.querySelectorAll('svg.figure')) {
     for (const pin of plot.querySelectorAll('.pin'))
       pin.setAttribute('transform', pin.getAttribute('transform').replace(/ scale.*/, '') + ` scale(${k})`);
     ring.setAttribute('r', 6 * k);
+    if (inset) inset.setAttribute('visibility', k < 1 ? 'hidden' : 'visible');
     let text = whole;
     if (k < 1) {
       text = '';
       const [a, d] = value(view[0], view[1]), [b, c] = value(view[0] + view[2], view[1] + view[3]);
-      for (const [u, t] of ticks(scales[0], a, b)) {
+      if (has_x) for (const [u, t] of fitting(scales[0], a, b)) {
         const x = left + u * w;
         text += `<path class="grid" d="M${x} ${top}v${h}"/><text x="${x}" y="${top + h + 17}" text-anchor="middle">${t}</text>`;
       }
-      for (const [u, t] of ticks(scales[1], c, d)) {
+      if (has_y) for (const [u, t] of ticks(scales[1], c, d, h < 200 ? 3 : 6)) {
         const y = top + (1 - u) * h;
-        text += `<path class="grid" d="M${left} ${y}h${w}"/><text x="${left - 6}" y="${y + 4}" text-anchor="end">${t}</text>`;
+        text += `<path class="grid" d="M${left} ${y}h${w}"/><text x="${left - 6}" y="${y + 4}" text-anchor="end"${
+          letter * String(t).length > room ? ` textLength="${room}" lengthAdjust="spacingAndGlyphs"` : ''}>${t}</text>`;
       }
     }
     figure.querySelector('.ticks').innerHTML = text;
@@ -101,6 +125,10 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   figure.addEventListener('wheel', event => {
     const [px, py] = at(event), s = view[2] / w, next = s * (event.deltaY < 0 ? 0.8 : 1.25);
     if (!inside([px, py]) || (next > 1 && s === 1)) return;
+    if (!event.ctrlKey && !event.metaKey) {  // the page scrolls
+      readout.textContent = 'Hold Ctrl to zoom with the wheel.';
+      return;
+    }
     event.preventDefault();
     const r = Math.min(1, next) / s;
     move(px - (px - view[0]) * r, py - (py - view[1]) * r, s * r);

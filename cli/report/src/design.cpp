@@ -106,12 +106,21 @@ std::string judgement(const design::CheckMethod& method) {
   return method.decided ? "agrees" : "agrees in the peak; too near a tie to tell more";
 }
 
-void add_checks(Document& document, const design::CrossCheck& check) {
-  Table table{{"", "peak", "stop time", "half-cycles", "relative error", "allowed", "time", ""},
+void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
+  const FigureUnits units(physical);
+  const auto in = [](const std::string& name, const std::string& unit) {
+    return name + (unit.empty() ? "" : ", " + unit);
+  };
+  Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit), "half-cycles",
+               "relative error", "allowed", "time", ""},
               {}};
   for (const design::CheckMethod& method : check.methods) {
+    std::optional<double> stop_time = method.stop_time;
+    if (stop_time) {
+      *stop_time *= units.time;
+    }
     table.rows.push_back(
-        {{std::string(method.name), digits(method.peak_amplitude), digits(method.stop_time),
+        {{std::string(method.name), digits(method.peak_amplitude * units.length), digits(stop_time),
           format("{:.0f}", method.half_cycles), format("{:.1e}", method.relative_error),
           format("{:.1e}", method.tolerance), format("{:.1f} us", 1e6 * method.wall_time_s),
           judgement(method)},
@@ -217,7 +226,7 @@ Document document(const DesignReport& report) {
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
   add_answer(document.answer, finding, problem, physical);
   add_damper(document, problem, finding, physical);
-  add_constraints(document, finding.constraints);
+  add_constraints(document, finding.constraints, physical);
   Section& motion = document.detail("Motion");
   add_response(motion, finding.response, physical);
   motion.row("use of beta",
@@ -229,7 +238,7 @@ Document document(const DesignReport& report) {
   if (report.built_notch) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
-  add_checks(document, finding.cross_check);
+  add_checks(document, finding.cross_check, physical);
   document.detail("Search").line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms",
                                         design::nlopt_version(), finding.search.algorithm,
                                         finding.search.status, finding.search.evaluations,

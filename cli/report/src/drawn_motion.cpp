@@ -33,6 +33,19 @@ std::optional<double> end_of_beginning(const std::vector<HalfCycle>& listed) {
              : std::optional(listed.back().end_time);
 }
 
+/// The same start without friction, where it has few half-cycles.
+std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
+                                const Excitation& excitation) {
+  if (motion.turns.size() > most_single_half_cycles || motion.oscillator.p == 0) {
+    return {};
+  }
+  ForcedTrajectoryOptions limits;
+  limits.horizon = motion.shown_to;
+  const double rate = fastest_rate(motion.oscillator.p, excitation);
+  return ForcedTrajectory({motion.oscillator.p, 0, 0}, start, excitation, limits)
+      .sampled(sample_count(rate, motion.shown_to));
+}
+
 }  // namespace
 
 std::int64_t sample_count(double rate, double horizon) {
@@ -57,6 +70,11 @@ DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
     } else if (event.kind == EventKind::rest) {
       motion.rest = event.state;
     }
+  }
+  constexpr double seen_at_rest = 1.05;
+  motion.shown_to = motion.states.back().tau * (motion.rest ? seen_at_rest : 1);
+  if (motion.shown_to > 0) {
+    motion.frictionless = frictionless(motion, start, {});
   }
   return motion;
 }
@@ -92,8 +110,22 @@ DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start
       held = false;
     }
   }
+  motion.shown_to = horizon;
+  if (horizon > 0) {
+    motion.frictionless = frictionless(motion, start, excitation);
+  }
   return motion;
 }
+
+namespace {
+
+/// The end of a figure of a motion that comes to rest: the load is seen whole.
+double seen_until(const Excitation& excitation, double stop_time) {
+  constexpr double seen_at_rest = 1.25;
+  return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
+}
+
+}  // namespace
 
 DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer) {
   const Oscillator& oscillator = request.oscillator;
@@ -113,18 +145,23 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   const auto listed =
       forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
-  // Where the mass rests for good there is little to see.
-  constexpr double seen_at_rest = 1.25;
   const auto& stop_time = answer.response.stop_time;
   const bool rests = stop_time && *stop_time > 0;
-  if (rests) {
-    last = std::min(last, seen_at_rest * *stop_time);
+  const bool rest_is_seen = rests && last >= *stop_time;
+  if (rest_is_seen) {
+    last = seen_until(excitation, *stop_time);
   }
   DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
-  if (rests && last >= *stop_time && !motion.rest) {  // known to be the final one only later
+  if (rest_is_seen) {
     motion.rest = State{*stop_time, *answer.response.stop_position, 0};
+    if (motion.states.back().tau < last) {
+      motion.states.push_back({last, motion.rest->x, 0});
+    }
+    motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
+    std::erase_if(motion.frictionless,  // it hides the load that goes on
+                  [last = 1.25 * *stop_time](const State& state) { return state.tau > last; });
   }
-  motion.whole = last >= horizon || (rests && last >= *stop_time);
+  motion.whole = last >= horizon || rest_is_seen;
   return motion;
 }
 

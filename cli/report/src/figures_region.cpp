@@ -10,12 +10,11 @@
 
 namespace stillpoint::report {
 
-using figures::Anchor;
+using figures::AreaLook;
 using figures::Dash;
 using figures::Figure;
 using figures::FigureAxis;
 using figures::FigureCurve;
-using figures::FigureNote;
 using figures::FigurePoint;
 using figures::Ink;
 using figures::Shape;
@@ -28,40 +27,16 @@ using fmt::format;
 
 constexpr int steps = 200;  // of a curve over f
 
-/// The f between which the region lies, tolerance aside, and the problem at each of them.
-struct Span {
-  double first;
-  double last;
-  ProblemAt at;
-};
-
-Span span_of(const DrawnRegion& drawn) {
-  const Region& region = drawn.region;
-  if (drawn.pulse && region.f_lower) {
-    const double tolerance = drawn.limits.tolerance;
-    return {*region.f_lower * (1 - tolerance), *region.f_upper * (1 + tolerance),
-            [pulse = *drawn.pulse](double f) { return design::problem_at(pulse, f); }};
-  }
-  return {
-      std::max(region.f2, 0.0),
-      std::min({region.f3, drawn.limits.f_max.value_or(region.f3), region.f4.value_or(region.f3)}),
-      [problem = drawn.problem](double /*f*/) { return problem; }};
-}
-
-double highest_delta(const DrawnRegion& drawn, const Span& span, double f) {
-  const double v0 = span.at(f).v0;
-  return std::min(v0 * v0 / 2, drawn.limits.delta_max.value_or(HUGE_VAL));
-}
-
 /// What the five constraints and the limits leave, tolerance aside. Empty where that is nothing.
-std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const Span& span,
+std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const RegionSpan& span,
                                             double unit) {
   std::vector<FigurePoint> lower;
   std::vector<FigurePoint> upper;
-  for (int i = 0; span.first <= span.last && i <= steps; ++i) {
-    const double f = span.first + (span.last - span.first) * i / steps;
+  const double last = span.last_within_limits(drawn);
+  for (int i = 0; span.first <= last && i <= steps; ++i) {
+    const double f = span.first + (last - span.first) * i / steps;
     const double bound = std::max(0.0, design::delta1(span.at(f), f));
-    const double top = highest_delta(drawn, span, f);
+    const double top = span.highest_delta(drawn, f);
     if (bound <= top) {
       lower.push_back({f, bound * unit});
       upper.push_back({f, top * unit});
@@ -81,43 +56,6 @@ std::vector<FigurePoint> box(const DrawnDamper& damper, double unit) {
           {damper.f * (1 + r), delta * (1 - r)},
           {damper.f * (1 + r), delta * (1 + r)},
           {damper.f * (1 - r), delta * (1 + r)}};
-}
-
-/// A vertical edge named at its upper end, where it lies within the axes.
-void add_vertical(Figure& figure, double f, const std::string& name) {
-  constexpr double apart = 0.01;  // from the frame
-  if (figure.x.position(f) > apart && f < figure.x.most) {
-    figure.curves.push_back(
-        {"", {{{f, figure.y.least}, {f, figure.y.most}}}, Ink::grey, Dash::solid, false});
-    figure.notes.push_back({name, {f, figure.y.value(0.985)}, Anchor::end, true});
-  }
-}
-
-/// The place along x, from 0 to 1, where a name crosses no vertical edge; those are drawn before.
-double free_place(const Figure& figure) {
-  constexpr double length = 0.27;  // of the longest name, in widths of the plot
-  for (const double place : {0.02, 0.2, 0.35, 0.5, 0.65}) {
-    const bool crossed = std::ranges::any_of(figure.notes, [&](const FigureNote& note) {
-      const double at = figure.x.position(note.at.x);
-      return note.upright && at > place - 0.01 && at < place + length;
-    });
-    if (!crossed) {
-      return place;
-    }
-  }
-  return 0.02;
-}
-
-/// A horizontal edge named above, or below where the plot ends just above.
-void add_horizontal(Figure& figure, double delta, const std::string& name) {
-  if (delta > figure.y.least && delta < figure.y.most) {
-    figure.curves.push_back(
-        {"", {{{figure.x.least, delta}, {figure.x.most, delta}}}, Ink::grey, Dash::solid, false});
-    constexpr double height = 0.07;  // of a line of words, in heights of the plot
-    const double edge = figure.y.position(delta);
-    const double y = edge + height < 1 ? delta : figure.y.value(edge - height);
-    figure.notes.push_back({name, {figure.x.value(free_place(figure)), y}, Anchor::start});
-  }
 }
 
 /// Delta1 by either formula, up to the last f that returns.
@@ -161,95 +99,124 @@ struct Extent {
   }
 };
 
-/// The upper edge of Delta: level, but for a pulse.
-void add_start(Figure& figure, const DrawnRegion& drawn, const Span& span, double unit) {
-  if (!drawn.pulse) {
-    return add_horizontal(figure, drawn.region.delta2 * unit, "start: Δ ≤ Δ₂");
+/// A box too small to see is enlarged in a corner.
+void add_inset(Figure& figure, const std::vector<FigurePoint>& box) {
+  constexpr double visible = 0.05;        // of the plot
+  constexpr double least_numbers = 1e-9;  // below which rounding would be seen
+  constexpr double room = 0.6;            // on either side, in widths of the box
+  const double wide = box[2].x - box[0].x;
+  const double high = box[2].y - box[0].y;
+  const bool small = wide < visible * (figure.x.most - figure.x.least) ||
+                     high < visible * (figure.y.most - figure.y.least);
+  if (small && wide > least_numbers * box[2].x && high > least_numbers * box[2].y) {
+    figure.inset = {{"", box[0].x - room * wide, box[2].x + room * wide},
+                    {"", box[0].y - room * high, box[2].y + room * high}};
   }
-  FigureCurve start{"Δ₂", {{}}, Ink::grey};
-  for (int i = 0; i <= steps; ++i) {
-    const double f = span.last * i / steps;
-    const double v0 = span.at(f).v0;
-    start.strokes[0].push_back({f, v0 * v0 / 2 * unit});
-  }
-  figure.curves.push_back(std::move(start));
 }
 
-void add_edges(Figure& figure, const DrawnRegion& drawn, const Span& span, double unit) {
-  const double last = drawn.pulse ? span.last : drawn.region.f3;
-  add_delta1(figure, span.at, last, unit);
-  add_vertical(figure, last, "return: f ≤ f₃");
-  add_vertical(figure, drawn.pulse ? span.first : drawn.region.f2, "amplitude: f ≥ f₂");
-  add_vertical(figure, drawn.region.f1, "dead zone: f < f₁");
-  if (drawn.limits.f_max) {
-    add_vertical(figure, *drawn.limits.f_max, "f max");
+void add_damper(Figure& figure, const DrawnDamper& damper,
+                const std::vector<FigurePoint>& tolerance_box, const FigureUnits& units) {
+  const FigurePoint at{damper.f, damper.delta * units.length};
+  figure.description +=
+      format("{} at f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
+  if (damper.tolerance > 0) {
+    figure.areas.push_back({format("tolerance ±{:.3g} %", 100 * damper.tolerance), tolerance_box,
+                            Ink::blue, AreaLook::box});
+    add_inset(figure, tolerance_box);
+    figure.description += format(", tolerance ±{:.3g} %", 100 * damper.tolerance);
   }
-  if (drawn.region.f4) {
-    add_vertical(figure, *drawn.region.f4, "acceleration: f ≤ f₄");
+  figure.description += ".";
+  figure.marks.push_back({damper.name, {at}, Shape::diamond, Ink::blue});
+  if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
+    figure.marks.back().name =
+        format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
+    figure.caption = "The arrow points to the damper, which lies far outside of this figure.";
   }
-  add_start(figure, drawn, span, unit);
-  if (drawn.limits.delta_max) {
-    add_horizontal(figure, *drawn.limits.delta_max * unit, "Δ max");
-  }
-  // Below the curve where the words end.
-  const double words_end = std::min(figure.x.value(0.27), 0.9 * last);
-  const double below =
-      figure.y.position(design::delta1(span.at(words_end), words_end) * unit) - 0.1;
-  if (below > 0 && below < 0.9) {
-    figure.notes.push_back(
-        {"stop: Δ > Δ₁", {figure.x.value(0.02), figure.y.value(below)}, Anchor::start});
-  }
+}
+
+void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
+  figure.curves.push_back({.name = std::move(name),
+                           .strokes = {{from, to}},
+                           .ink = Ink::grey,
+                           .hover = false,
+                           .labelled = true});
 }
 
 }  // namespace
+
+RegionSpan::RegionSpan(const DrawnRegion& drawn)
+    : first(std::max(drawn.region.f2, 0.0)),
+      last(drawn.region.f3),
+      at([problem = drawn.problem](double /*f*/) { return problem; }) {
+  if (drawn.pulse && drawn.region.f_lower) {
+    const double tolerance = drawn.limits.tolerance;
+    first = *drawn.region.f_lower * (1 - tolerance);
+    last = *drawn.region.f_upper * (1 + tolerance);
+    at = [pulse = *drawn.pulse](double f) { return design::problem_at(pulse, f); };
+  }
+}
+
+double RegionSpan::last_within_limits(const DrawnRegion& drawn) const {
+  return std::min({last, drawn.limits.f_max.value_or(last), drawn.region.f4.value_or(last)});
+}
+
+double RegionSpan::highest_delta(const DrawnRegion& drawn, double f) const {
+  const double v0 = at(f).v0;
+  return std::min(v0 * v0 / 2, drawn.limits.delta_max.value_or(HUGE_VAL));
+}
 
 void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units) {
   const Region region = design::admissible_region(problem);
   add_delta1(
       figure, [&](double /*f*/) { return problem; }, region.f3, units.length);
-  add_vertical(figure, region.f3, "return: f ≤ f₃");
-  add_horizontal(figure, region.delta2 * units.length, "start: Δ ≤ Δ₂");
+  const double top = region.delta2 * units.length;
+  if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
+    add_edge(figure, "returns up to f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
+  }
+  if (top > figure.y.least && top < figure.y.most) {
+    add_edge(figure, "starts up to Δ₂", {figure.x.least, top}, {figure.x.most, top});
+  }
 }
 
 Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const double unit = units.length;
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
-  const Span span = span_of(drawn);
+  const RegionSpan span(drawn);
   auto outline = admissible_outline(drawn, span, unit);
   const auto tolerance_box = damper ? box(*damper, unit) : std::vector<FigurePoint>{};
   Extent seen;
   seen.add(outline);
-  seen.add(tolerance_box);
   Extent all = seen;
   all.add({{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2 * unit}});
+  constexpr double far = 1.6;  // farther out, a damper would flatten the region
+  if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
+    seen.add(tolerance_box);
+    all.add(tolerance_box);
+  }
 
   Figure figure;
   figure.id = "region";
-  figure.title = "Admissible region";
+  figure.title = region.feasible ? "Admissible region" : drawn.mend;
   figure.x = axis_of("constant friction f", seen.least.x, seen.most.x, all.most.x);
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
-  const double last = drawn.pulse ? span.last : region.f3;
   figure.description = format(
-      "The plane of f and Δ. The admissible region goes from f = {:.6g} (amplitude) to {:.6g} "
-      "(return) and from the curve Δ₁ (stop) up to Δ₂ = {:.6g} (start); the dead zone requires "
-      "f < {:.6g}. {}",
-      drawn.pulse ? span.first : std::max(region.f2, 0.0), last, region.delta2 * unit, region.f1,
+      "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) to {:.4g} "
+      "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone requires "
+      "f < {:.4g}. {}",
+      span.first, span.last, units.length_words(region.delta2), region.f1,
       region.feasible ? "" : "Nothing is left: no design is admissible. ");
+  figure.caption = outline.empty() ? "No damper is admissible: the forbidden sides meet."
+                                   : "A damper in the clear area is admissible; each hatched side "
+                                     "says what goes wrong there.";
   if (!outline.empty()) {
     figure.areas.push_back({"admissible", std::move(outline), Ink::sky});
   }
+  add_sides(figure, drawn, span, units);
+  add_delta1(figure, span.at, span.last, unit);
   if (damper) {
-    figure.description +=
-        format("{} at f = {:.6g}, Δ = {:.6g}.", damper->name, damper->f, damper->delta * unit);
-    if (damper->tolerance > 0) {
-      figure.areas.push_back({format("tolerance ±{:.3g} %", 100 * damper->tolerance), tolerance_box,
-                              Ink::blue, false});
-    }
-    figure.marks.push_back(
-        {damper->name, {{damper->f, damper->delta * unit}}, Shape::diamond, Ink::blue});
+    add_damper(figure, *damper, tolerance_box, units);
   }
-  add_edges(figure, drawn, span, unit);
   return figure;
 }
 

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -26,10 +28,26 @@ using sweep::SweepAxis;
 using sweep::SweepClass;
 using sweep::SweepKind;
 
+/// More red than blue, which is hatched, only off x = 0. Both scales have the same lightness.
 constexpr std::array<const char*, SweepClass::count> palette{
     "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
     "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
-    "#555555", "#000000", "#cc79a7", "#009e73"};
+    "#555555", "#000000", "#a779cc", "#009e73"};
+
+/// "3", "7–15", "16 or more"; empty for motions without a count.
+std::string count_label(std::size_t index) {
+  constexpr std::size_t ranges = SweepClass::ranges;
+  if (index >= 2 * ranges) {
+    return "";
+  }
+  const std::size_t range = index % ranges;
+  const int first = SweepClass::first_half_cycles.at(range);
+  if (range + 1 == ranges) {
+    return format("{} or more", first);
+  }
+  const int last = SweepClass::first_half_cycles.at(range + 1) - 1;
+  return first < last ? format("{}–{}", first, last) : format("{}", first);
+}
 
 std::string class_name(std::size_t index) {
   constexpr std::size_t ranges = SweepClass::ranges;
@@ -38,15 +56,30 @@ std::string class_name(std::size_t index) {
         "does not move", "never stops", "not known to have stopped", "too many half-cycles"};
     return others.at(index - 2 * ranges);
   }
-  const std::size_t range = index % ranges;
-  const int first = SweepClass::first_half_cycles.at(range);
-  const std::string where = index < ranges ? "centred" : "off centre";
-  if (range + 1 == ranges) {
-    return format("{} after {} or more", where, first);
+  return format("{} after {}", index < ranges ? "centred" : "off centre", count_label(index));
+}
+
+/// Two colours, and those of motions that are neither.
+std::vector<figures::MapKey> key_of(const std::array<std::int64_t, SweepClass::count>& counts) {
+  constexpr std::size_t ranges = SweepClass::ranges;
+  std::vector<figures::MapKey> key;
+  const auto any = [&counts](std::size_t from, std::size_t to) {
+    return std::any_of(counts.begin() + static_cast<std::ptrdiff_t>(from),
+                       counts.begin() + static_cast<std::ptrdiff_t>(to),
+                       [](std::int64_t count) { return count > 0; });
+  };
+  if (any(0, ranges)) {
+    key.push_back({"stops centred", palette[2]});
   }
-  const int last = SweepClass::first_half_cycles.at(range + 1) - 1;
-  return first < last ? format("{} after {}–{}", where, first, last)
-                      : format("{} after {}", where, first);
+  if (any(ranges, 2 * ranges)) {
+    key.push_back({"stops off centre", palette[ranges + 2], true});
+  }
+  for (std::size_t i = 2 * ranges; i < SweepClass::count; ++i) {
+    if (counts.at(i) > 0) {
+      key.push_back({class_name(i), palette.at(i)});
+    }
+  }
+  return key;
 }
 
 /// From the edge of the first cell to that of the last.
@@ -83,18 +116,21 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
   figure.y = figure_axis(spec.units ? "point friction Δ in m" : units.delta_label, map.delta());
-  figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}};
+  figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, key_of(counts)};
   figure.description =
       "The plane of f and Δ. Centred is a rest at x = 0, off centre one in the dead zone.";
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     figure.map.palette.emplace_back(palette.at(i));
     figure.map.names.push_back(counts.at(i) > 0 ? class_name(i) : "");
+    figure.map.labels.push_back(counts.at(i) > 0 ? count_label(i) : "");
     if (counts.at(i) > 0) {
       figure.description += format(
           " {}: {:.3g} %.", class_name(i),
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
+  figure.caption =
+      "Blue stops centred, orange (hatched) off centre; the number counts half-cycles.";
   const double v0 = std::abs(only_value(spec, Quantity::v0));
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && v0 > 0 && p > 0) {

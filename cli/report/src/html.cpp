@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -30,11 +33,13 @@ std::string_view look_of(Tone tone) {
   return "";
 }
 
-std::string cells(const TableRow& row, std::string_view tag) {
-  std::string text = "<tr>";
+/// Each with the head of its column, for narrow screens, where a row is a paragraph.
+std::string cells(const TableRow& row, const std::vector<std::string>& head) {
+  std::string text = row.tone == Tone::bad ? "<tr class=\"violated\">" : "<tr>";
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const bool last = i + 1 == row.cells.size();
-    text += format("<{0}{1}>{2}</{0}>", tag, last ? look_of(row.tone) : "", escaped(row.cells[i]));
+    const std::string name = head[i].empty() ? "" : format(" data-head=\"{}\"", escaped(head[i]));
+    text += format("<td{}{}>{}</td>", name, last ? look_of(row.tone) : "", escaped(row.cells[i]));
   }
   return text + "</tr>\n";
 }
@@ -58,9 +63,13 @@ class Parts {
 
   void operator()(const Table& table) {
     end_rows();
-    text_ += "<div class=\"wide\"><table>\n" + cells({table.head}, "th");
+    text_ += "<div class=\"wide\"><table class=\"columns\">\n<tr>";
+    for (const std::string& name : table.head) {
+      text_ += format("<th>{}</th>", escaped(name));
+    }
+    text_ += "</tr>\n";
     for (const TableRow& row : table.rows) {
-      text_ += cells(row, "td");
+      text_ += cells(row, table.head);
     }
     text_ += "</table></div>\n";
   }
@@ -80,7 +89,9 @@ class Parts {
   bool in_rows_{false};
 };
 
-std::string parts_of(const Section& section) {
+}  // namespace
+
+std::string html(const Section& section) {
   Parts parts;
   for (const auto& part : section.parts) {
     std::visit(parts, part);
@@ -88,12 +99,10 @@ std::string parts_of(const Section& section) {
   return parts.text();
 }
 
-}  // namespace
-
 std::string html(const Document& document) {
-  std::string text = parts_of(document.answer);
+  std::string text;
   for (const Section& section : document.sections) {
-    text += format("<h2>{}</h2>\n{}", escaped(section.heading), parts_of(section));
+    text += format("<section><h2>{}</h2>\n{}</section>\n", escaped(section.heading), html(section));
   }
   return text;
 }

@@ -33,29 +33,39 @@ void add_notch(Section& scene, const MotionReport& report) {
   }
 }
 
-std::string arrival(const HalfCycle& half_cycle, Outcome outcome) {
+std::string arrival(const HalfCycle& half_cycle, Outcome outcome, const FigureUnits& units) {
   if (half_cycle.arrival_speed) {
-    return digits(*half_cycle.arrival_speed);
+    return digits(*half_cycle.arrival_speed * units.velocity);
   }
   const bool stops =
       outcome == Outcome::stopped_in_dead_zone || outcome == Outcome::stopped_in_notch;
-  return format("{} at {}", stops ? "rests" : "is", digits(half_cycle.end_position));
+  return format("{} at {}{}{}", stops ? "rests" : "is",
+                digits(half_cycle.end_position * units.length),
+                units.length_unit.empty() ? "" : " ", units.length_unit);
 }
 
 /// The first dozen.
-void add_half_cycles(Document& document, const Simulation& answer) {
+void add_half_cycles(Document& document, const Simulation& answer, const Physical& physical) {
+  const FigureUnits units(physical);
   constexpr std::size_t most_listed = 12;
   if (answer.half_cycles.empty()) {
     return;
   }
-  Table table{{"", "starts", "leaves at", "peak at", "peak", "ends", "arrives at"}, {}};
+  const auto in = [](const std::string& name, const std::string& unit) {
+    return name + (unit.empty() ? "" : ", " + unit);
+  };
+  Table table{{"", in("starts", units.time_unit), in("leaves at", units.velocity_unit),
+               in("peak at", units.time_unit), in("peak", units.length_unit),
+               in("ends", units.time_unit), in("arrives at", units.velocity_unit)},
+              {}};
   const std::size_t listed = std::min(most_listed, answer.half_cycles.size());
   for (std::size_t i = 0; i < listed; ++i) {
     const HalfCycle& now = answer.half_cycles[i];
     table.rows.push_back(
-        {{format("{}", now.index), digits(now.start_time), digits(now.departure_speed),
-          digits(now.peak_time), digits(now.side * now.peak), digits(now.end_time),
-          arrival(now, answer.response.outcome)}});
+        {{format("{}", now.index), digits(now.start_time * units.time),
+          digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
+          digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
+          arrival(now, answer.response.outcome, units)}});
   }
   Section& section = document.section("Half-cycles");
   section.parts.emplace_back(std::move(table));
@@ -116,6 +126,13 @@ void add_answer(Section& answer, const MotionReport& report) {
   answer.row("acceleration",
              format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
                     delta > 0 ? ", outside the notch" : ""));
+  constexpr double worth_saying = 0.01;  // no damper is built nearer to its drawing
+  if (response.decision_margin && *response.decision_margin < worth_saying) {
+    answer.row(
+        "note",
+        format("within {:.2g} % of another count or outcome", 100 * *response.decision_margin),
+        Tone::bad);
+  }
   if (report.answer.forced && response.outcome == Outcome::running) {
     const ForcedResponse& forced = *report.answer.forced;
     answer.row("at the end", format("x = {} at {}", length_text(physical, *forced.final_position),
@@ -151,7 +168,7 @@ Document document(const MotionReport& report) {
   } else {
     add_response(motion, report.answer.response, report.physical);
   }
-  add_half_cycles(document, report.answer);
+  add_half_cycles(document, report.answer, report.physical);
   return document;
 }
 

@@ -3,7 +3,10 @@
 
 #include <stillpoint/report/report.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace stillpoint::report {
@@ -17,9 +20,47 @@ namespace {
 HtmlPage page_of(const Document& document) {
   return {.title = document.title,
           .verdict = document.verdict,
+          .answer = html(document.answer),
           .figures = {},
           .body = html(document),
+          .report = text(document, {.verbosity = Verbosity::full}),
           .footer = {}};
+}
+
+/// "max-displacement must be at least 0.127 m", rounded so that the value helps.
+std::string words_of(const design::Mend& mend, const Physical& physical) {
+  const auto words = [](std::string_view name, double value, bool upwards, std::string_view unit) {
+    const double place = std::pow(10, 3 - std::floor(std::log10(value)));  // four digits
+    const double safe = (upwards ? std::ceil(value * place) : std::floor(value * place)) / place;
+    return fmt::format("{} must be at {} {:.5g}{}{}", name, upwards ? "least" : "most", safe,
+                       unit.empty() ? "" : " ", unit);
+  };
+  if (physical) {
+    if (const auto now = physical_mend(*physical, mend)) {
+      return words(now->name, now->value, now->upwards, now->unit);
+    }
+  }
+  return words(mend.field, mend.value, mend.upwards, "");
+}
+
+/// The region where nothing is admissible: its title says what would help, or the page does where
+/// it takes two inputs.
+void add_empty_region(HtmlPage& page, DrawnRegion drawn, const design::RegionVerdict& empty,
+                      const Physical& physical) {
+  drawn.mend = "No damper is admissible";
+  if (!empty.mends.empty()) {
+    const auto of_beta = std::ranges::find(empty.mends, "beta", &design::Mend::field);
+    const design::Mend& mend = of_beta == empty.mends.end() ? empty.mends.front() : *of_beta;
+    drawn.mend = "No damper: " + words_of(mend, physical);
+    page.verdict += fmt::format(" To get one, {}.", words_of(mend, physical));
+  } else if (empty.joint_mend) {
+    std::string all;
+    for (const design::Mend& mend : empty.joint_mend->mends) {
+      all += (all.empty() ? "" : " and ") + words_of(mend, physical);
+    }
+    page.verdict += fmt::format(" To get one, {}.", all);
+  }
+  page.figures = {region_figure(drawn, FigureUnits(physical))};
 }
 
 std::optional<design::PulseProblem> pulse_problem(const design::DesignRequest& request) {
@@ -55,20 +96,27 @@ HtmlPage page(const DesignReport& report) {
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
   if (!report.result.finding) {
-    page.figures = {region_figure({problem, limits, report.result.region, {}, {}}, units)};
+    add_empty_region(page, {problem, limits, report.result.region, {}, {}, {}}, report.result,
+                     report.physical);
     return page;
   }
   const design::Finding& found = *report.result.finding;
   const auto& [f, delta, tolerance] = found.point;
   DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
   motion.beta = problem.beta;
-  page.figures = {region_figure({problem, limits, report.result.region,
+  page.figures = {region_figure({problem,
+                                 limits,
+                                 report.result.region,
                                  DrawnDamper{"design", f, delta, tolerance},
-                                 pulse_problem(report.result.request)},
+                                 pulse_problem(report.result.request),
+                                 {}},
                                 units),
                   motion_figure(motion, units), phase_figure(motion, units),
                   energy_figure(motion, units)};
-  if (found.pulse) {
+  if (!found.pulse) {
+    page.figures.insert(page.figures.begin() + 1,
+                        hits_figure(problem, f, delta, found.works_for, units));
+  } else {
     for (Figure& figure : page.figures) {
       figure.title += figure.id == "region" ? "" : ", reduced to v0";
     }
@@ -86,8 +134,16 @@ HtmlPage page(const RegionReport& report) {
     damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
               answer.tolerance.value_or(0)};
   }
-  page.figures = {
-      region_figure({problem, limits, answer.region, damper, {}}, FigureUnits(report.physical))};
+  const DrawnRegion drawn{problem, limits, answer.region, damper, {}, {}};
+  if (answer.region.feasible) {
+    page.figures = {region_figure(drawn, FigureUnits(report.physical))};
+  } else {
+    add_empty_region(page, drawn, answer, report.physical);
+  }
+  if (f && delta) {
+    page.figures.push_back(
+        hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+  }
   return page;
 }
 
@@ -102,10 +158,12 @@ HtmlPage page(const MotionReport& report) {
   if (!motion.whole) {
     page.verdict += " The figures show the beginning of the motion.";
   }
-  page.figures = {motion_figure(motion, units), phase_figure(motion, units)};
+  page.figures = {motion_figure(motion, units)};
   if (is_forced(report.request)) {
     page.figures.push_back(excitation_figure(report.request.excitation, motion, units));
-  } else if (report.request.surface.plain()) {
+  }
+  page.figures.push_back(phase_figure(motion, units));
+  if (!is_forced(report.request) && report.request.surface.plain()) {
     page.figures.push_back(energy_figure(motion, units));
   }
   return page;

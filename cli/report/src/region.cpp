@@ -70,7 +70,7 @@ Document document(const RegionReport& report) {
       document.verdict += format(" The damper is {}.", judgement(answer));
       add_works_for(document.answer, answer.works_for, report.physical);
       add_practice(document.detail("In practice"), answer.practice, report.physical);
-      add_constraints(document, answer.constraints);
+      add_constraints(document, answer.constraints, report.physical);
     }
   }
   return document;

@@ -9,9 +9,11 @@
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/works_for.hpp>
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/sweep/map.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -21,6 +23,17 @@
 
 namespace stillpoint::report {
 
+/// States as points.
+template <class Place>
+std::vector<figures::FigurePoint> places(const std::vector<State>& states, const Place& place) {
+  std::vector<figures::FigurePoint> points;
+  points.reserve(states.size());
+  for (const State& state : states) {
+    points.push_back(place(state));
+  }
+  return points;
+}
+
 /// A motion as its figures need it.
 struct DrawnMotion {
   Oscillator oscillator;
@@ -29,14 +42,19 @@ struct DrawnMotion {
   std::vector<State> passages;  ///< of x = 0, with the speed after the notch
   std::optional<State> rest;    ///< the end of the motion
   std::vector<std::pair<double, double>> sticks;  ///< tau from, to
+  std::vector<State> frictionless;  ///< the same without friction; empty where it hides the motion
+  std::optional<double> locked_from;  ///< held at x = 0 from then on, though the load goes on
+  double shown_to{0};                 ///< the end of the time axis
   std::optional<double> beta;
   bool whole{true};  ///< else only its beginning
 };
 
 /// Of a longer motion only the beginning is drawn: so many half-cycles, and periods of the spring
 /// or of the load, whichever is faster.
-inline constexpr std::int64_t most_drawn_half_cycles = 200;
-inline constexpr double most_drawn_periods = 100;
+inline constexpr std::int64_t most_drawn_half_cycles = 2000;
+inline constexpr double most_drawn_periods = 1000;
+/// Of more half-cycles than can be told apart, the envelope is drawn.
+inline constexpr std::size_t most_single_half_cycles = 40;
 
 /// Evenly spaced points that make a curve of an angular frequency look smooth up to tau =
 /// `horizon`.
@@ -51,6 +69,30 @@ inline constexpr double most_drawn_periods = 100;
                                               const Surface& surface = {});
 /// The motion of an answer, or its beginning.
 [[nodiscard]] DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer);
+
+/// " (beginning)" of a motion that is not drawn whole.
+[[nodiscard]] std::string beginning(const DrawnMotion& motion);
+/// Marks of events, in the three shapes that figures use; turns and passages up to a tau.
+template <class Place>
+void mark_events(figures::Figure& figure, const DrawnMotion& motion, const Place& place,
+                 double last) {
+  const auto until = [last](std::vector<State> states) {
+    std::erase_if(states, [last](const State& state) { return state.tau > last; });
+    return states;
+  };
+  using figures::Ink;
+  using figures::Shape;
+  figure.marks.push_back(
+      {"turn", places(until(motion.turns), place), Shape::disc, Ink::blue, figures::Fill::hollow});
+  figure.marks.push_back(
+      {"passage", places(until(motion.passages), place), Shape::cross, Ink::orange});
+  if (motion.rest && motion.rest->tau <= last) {
+    figure.marks.push_back({"rest", {place(*motion.rest)}, Shape::square, Ink::green});
+  }
+}
+
+/// The time from which the mass is locked, shaded.
+void add_lock(figures::Figure& figure, const DrawnMotion& motion, const FigureUnits& units);
 
 [[nodiscard]] figures::Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units);
 [[nodiscard]] figures::Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units);
@@ -79,10 +121,32 @@ struct DrawnRegion {
   design::Region region;
   std::optional<DrawnDamper> damper;
   std::optional<design::PulseProblem> pulse;
+  std::string mend;  ///< the title where nothing is admissible
 };
 
-/// The admissible region in the (f, Delta) plane, its edges by name, and a point in it.
+/// The edges of the region: what is admissible lies between the first and the last f.
+struct RegionSpan {
+  double first;
+  double last;
+  ProblemAt at;
+
+  explicit RegionSpan(const DrawnRegion& drawn);
+  [[nodiscard]] double last_within_limits(const DrawnRegion& drawn) const;
+  /// The largest Delta at f.
+  [[nodiscard]] double highest_delta(const DrawnRegion& drawn, double f) const;
+};
+
+/// The forbidden sides, each in words, and the gap where they leave nothing.
+void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
+               const FigureUnits& units);
+
+/// The admissible region in the (f, Delta) plane, its forbidden sides in words, and a point in it.
 [[nodiscard]] figures::Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
+
+/// Where the mass stops, by the velocity of the hit, and which of them the damper works for.
+[[nodiscard]] figures::Figure hits_figure(const design::Problem& problem, double f, double delta,
+                                          const std::optional<design::WorksFor>& works_for,
+                                          const FigureUnits& units);
 
 /// The analytic boundaries alone, within the axes of the figure.
 void add_boundaries(figures::Figure& figure, const design::Problem& problem,

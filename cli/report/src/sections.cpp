@@ -165,14 +165,20 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty,
   }
 }
 
-void add_constraints(Document& document, std::span<const design::Constraint> constraints) {
+void add_constraints(Document& document, std::span<const design::Constraint> constraints,
+                     const Physical& physical) {
+  const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
-    table.rows.push_back({{std::string(now.name), std::string(now.variable), digits(now.value),
-                           std::string(now.relation), digits(now.limit), digits(now.slack),
-                           now.satisfied ? "met" : "violated"},
-                          now.satisfied ? Tone::good : Tone::bad});
+    const bool length = now.variable == "delta" && physical;
+    const double unit = length ? units.length : 1;
+    table.rows.push_back(
+        {{std::string(now.name),
+          std::string(now.variable) + (length ? ", " + units.length_unit : ""),
+          digits(now.value * unit), std::string(now.relation), digits(now.limit * unit),
+          digits(now.slack * unit), now.satisfied ? "met" : "violated"},
+         now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");
   section.parts.emplace_back(std::move(table));

@@ -39,7 +39,8 @@ Section& add_region(Document& document, const design::Region& region, const Phys
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
                    const Physical& physical);
-void add_constraints(Document& document, std::span<const design::Constraint> constraints);
+void add_constraints(Document& document, std::span<const design::Constraint> constraints,
+                     const Physical& physical);
 
 void add_response(Section& section, const Response& response, const Physical& physical);
 /// With what a forced motion has beyond a free one.

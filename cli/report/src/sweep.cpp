@@ -100,7 +100,9 @@ figures::HtmlPage page(const SweepSpec& spec, const SweepSummary& summary, const
       "counts half-cycles.",
       summary.state.rows);
   if (spec.output) {
-    page.body = html(document(spec, summary));
+    const Document made = document(spec, summary);
+    page.answer = html(made.answer);
+    page.body = html(made);
   }
   page.figures = {sweep_figure(spec, map)};
   return page;

@@ -46,13 +46,38 @@ FigureUnits::FigureUnits(const Physical& physical) {
   length = scales.length_m * (large ? 1 : 1e3);
   time = scales.time_s;
   velocity = scales.velocity_m_per_s;
-  energy = scales.velocity_m_per_s * scales.velocity_m_per_s * scales.mass_kg.value_or(1);
-  const std::string unit = large ? "m" : "mm";
-  delta_label += ", " + unit;
-  x_label += ", " + unit;
+  energy = scales.velocity_m_per_s * scales.velocity_m_per_s * scales.mass_kg.value_or(1) *
+           (scales.mass_kg ? 1e-3 : 1);
+  length_unit = large ? "m" : "mm";
+  time_unit = "s";
+  velocity_unit = "m/s";
+  energy_unit = scales.mass_kg ? "kJ" : "J/kg";
+  delta_label += ", " + length_unit;
+  x_label += ", " + length_unit;
   time_label = "time, s";
   velocity_label = "velocity, m/s";
-  energy_label += scales.mass_kg ? ", J" : ", J/kg";
+  energy_label += ", " + energy_unit;
+}
+
+namespace {
+
+std::string words(double value, const std::string& unit) {
+  return format("{:.4g}{}{}", value + 0.0, unit.empty() ? "" : " ", unit);
+}
+
+}  // namespace
+
+std::string FigureUnits::length_words(double value) const {
+  return words(value * length, length_unit);
+}
+std::string FigureUnits::time_words(double value) const {
+  return (time_unit.empty() ? "τ = " : "") + words(value * time, time_unit);
+}
+std::string FigureUnits::velocity_words(double value) const {
+  return words(value * velocity, velocity_unit);
+}
+std::string FigureUnits::energy_words(double value) const {
+  return words(value * energy, energy_unit);
 }
 
 }  // namespace stillpoint::report

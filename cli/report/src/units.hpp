@@ -39,7 +39,18 @@ struct FigureUnits {
   std::string velocity_label{"velocity x′"};
   std::string energy_label{"energy"};
 
+  std::string length_unit;  ///< these as words, empty without physical input
+  std::string time_unit;
+  std::string velocity_unit;
+  std::string energy_unit;
+
   explicit FigureUnits(const Physical& physical);
+
+  /// "137 mm"; the value is dimensionless.
+  [[nodiscard]] std::string length_words(double value) const;
+  [[nodiscard]] std::string time_words(double value) const;
+  [[nodiscard]] std::string velocity_words(double value) const;
+  [[nodiscard]] std::string energy_words(double value) const;
 };
 
 }  // namespace stillpoint::report

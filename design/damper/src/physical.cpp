@@ -16,7 +16,7 @@ constexpr double largest = 1e30;
 /// A conversion rounds a few times; so much to the safe side keeps the converted input feasible.
 constexpr double conversion_safety = 1e-14;
 
-double angular_frequency(const PhysicalIsolator& isolator) {
+double omega_of(const PhysicalIsolator& isolator) {
   if (isolator.mass_kg) {
     require_within("mass", *isolator.mass_kg, smallest, largest);
   }
@@ -63,7 +63,7 @@ Scales physical_scales(const PhysicalIsolator& isolator, double reference_veloci
   require_within("gravity", isolator.gravity_m_per_s2, smallest, largest);
   Scales scales;
   scales.gravity_m_per_s2 = isolator.gravity_m_per_s2;
-  scales.omega_rad_per_s = angular_frequency(isolator);
+  scales.omega_rad_per_s = omega_of(isolator);
   scales.length_m = reference_velocity / scales.omega_rad_per_s;
   scales.time_s = std::sqrt(scales.length_m / scales.gravity_m_per_s2);
   scales.velocity_m_per_s = std::sqrt(scales.length_m * scales.gravity_m_per_s2);

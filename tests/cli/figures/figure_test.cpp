@@ -17,7 +17,7 @@ namespace {
 
 using namespace stillpoint::figures;
 
-/// One of everything, on axes that make a unit 43 pixels wide and 29 high.
+/// One of everything, on axes that make a unit 37 pixels wide and 27 high.
 Figure one_of_everything() {
   Figure figure;
   figure.id = "all";
@@ -25,19 +25,20 @@ Figure one_of_everything() {
   figure.description = "One of everything.";
   figure.x = {"time, s", 0, 10};
   figure.y = {"x, mm", -5, 5};
-  figure.map = {2, 2, {0, 1, 1, 0}, {"#000000", "#ffffff"}, {"black", "white"}};
+  figure.map = {2, 2, {0, 1, 1, 0}, {"#000000", "#ffffff"}, {"black", "white"}, {}, {}};
   figure.bands = {{"band", 2, 4, Ink::grey}};
   figure.areas = {{"area", {{0, 0}, {1, 0}, {1, 1}}, Ink::sky},
-                  {"edge", {{5, 0}, {6, 0}, {6, 1}}, Ink::blue, false}};
+                  {"box", {{5, 0}, {6, 0}, {6, 1}, {5, 1}}, Ink::blue, AreaLook::box},
+                  {"hatched", {{7, -4}, {9, -4}, {9, -2}, {7, -2}}, Ink::grey, AreaLook::hatched}};
   figure.curves = {{"curve", {{{0, 0}, {10, 5}}, {{5, -5}, {10, -5}}}, Ink::orange, Dash::dashed}};
   figure.marks = {{"mark", {{5, 2.5}}, Shape::diamond, Ink::green},
                   {"hollow", {{1, -1}}, Shape::disc, Ink::blue, Fill::hollow},
-                  {"crossed", {{2, -1}}, Shape::square, Ink::grey, Fill::crossed},
+                  {"square", {{2, -1}}, Shape::square, Ink::grey},
                   {"star", {{3, -1}}, Shape::star, Ink::orange},
                   {"triangle", {{4, -1}}, Shape::triangle, Ink::purple},
                   {"wedge", {{5, -1}}, Shape::wedge, Ink::amber},
                   {"cross", {{6, -1}}, Shape::cross, Ink::sky}};
-  figure.notes = {{"note", {1, 1}, Anchor::end, true}};
+  figure.notes = {{"note", {1, 3}}};
   return figure;
 }
 
@@ -67,12 +68,12 @@ BOOST_AUTO_TEST_CASE(is_drawn_as_the_golden_file_says) {
 }
 
 BOOST_AUTO_TEST_CASE(puts_what_it_draws_where_the_axes_say) {
-  // The plot is 430 x 290: x = 5 is at 215, y = 2.5 a quarter from the top, at 72.5.
+  // The plot is 370 x 270: x = 5 is at 185, y = 2.5 a quarter from the top, at 67.5.
   const std::string text = svg(one_of_everything(), Frame::in_page);
-  BOOST_TEST(contains(text, "data-plot=\"74 34 430 290\""));
-  BOOST_TEST(contains(text, "translate(215.00 72.50)\" data-name=\"mark\" data-at=\"5 2.5\""));
-  BOOST_TEST(contains(text, "d=\"M0.00 145.00L430.00 0.00M215.00 290.00L430.00 290.00\""));
-  BOOST_TEST(contains(text, "d=\"M86.00 0V290H172.00V0Z\""));
+  BOOST_TEST(contains(text, "data-plot=\"66 28 370 270\""));
+  BOOST_TEST(contains(text, "translate(185.00 67.50)\" data-name=\"mark\" data-at=\"5 2.5\""));
+  BOOST_TEST(contains(text, "d=\"M0.00 135.00L370.00 0.00M185.00 270.00L370.00 270.00\""));
+  BOOST_TEST(contains(text, "d=\"M74.00 0V270H148.00V0Z\""));
 }
 
 BOOST_AUTO_TEST_CASE(escapes_words) {
@@ -112,7 +113,67 @@ BOOST_AUTO_TEST_CASE(places_values_by_the_scale_of_their_axis) {
   Figure figure = one_of_everything();
   figure.x = axis;
   figure.marks[0].points[0].x = 1;
-  BOOST_TEST(contains(svg(figure, Frame::in_page), "translate(215.00 72.50)"));
+  BOOST_TEST(contains(svg(figure, Frame::in_page), "translate(185.00 67.50)"));
+}
+
+/// Of 0.3 to 0.3000001 six digits would be the same number, and 1e150 written out too long.
+BOOST_AUTO_TEST_CASE(ticks_are_told_apart_and_stay_within_the_figure) {
+  const auto narrow = tick_labels(ticks({"", 0.3, 0.3000001}));
+  BOOST_TEST_REQUIRE(narrow.size() >= 3U);
+  for (std::size_t i = 1; i < narrow.size(); ++i) {
+    BOOST_TEST(narrow[i] != narrow[i - 1]);
+  }
+  BOOST_TEST(narrow[1] == "0.30000002");
+  BOOST_TEST(tick_labels({0, 1e150}).back() == "1e+150");
+  BOOST_TEST(tick_labels({0, 1e5}).back() == "100000");
+  Figure figure = one_of_everything();
+  figure.y = {"", 0, 1};
+  const double usual = plot_left(figure);
+  figure.y = {"y", 0.3, 0.3000001};
+  constexpr double digit = 8;                        // the width of one of 13 pixels at least
+  BOOST_TEST(plot_left(figure) >= 14 + 10 * digit);  // beside the name of the axis
+  BOOST_TEST(plot_left(figure) > usual);
+}
+
+BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
+  Figure figure = one_of_everything();
+  figure.map = {};
+  figure.marks = {};
+  figure.areas = {{"roomy", {{0, 0}, {9, 0}, {9, 4}, {0, 4}}, Ink::sky},
+                  {"too narrow", {{9.8, 0}, {9.9, 0}, {9.9, 1}, {9.8, 1}}, Ink::sky}};
+  const std::string text = svg(figure, Frame::in_page);
+  const std::size_t plot_ends = text.find("class=\"frame\"");
+  BOOST_TEST(text.find(">roomy</text>") < plot_ends);
+  BOOST_TEST(text.find(">roomy</text>") == text.rfind(">roomy</text>"));  // not in the legend
+  BOOST_TEST(text.find(">too narrow</text>") > plot_ends);
+}
+
+BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
+  Figure figure = one_of_everything();
+  figure.marks = {{"far off", {{1000, 2.5}}, Shape::disc, Ink::blue}};
+  const std::string text = svg(figure, Frame::in_page);
+  BOOST_TEST(contains(text, "translate(360.00 67.50)\" data-far=\"far off\""));
+  BOOST_TEST(contains(text, ">far off</text>"));
+}
+
+BOOST_AUTO_TEST_CASE(draws_an_inset_outside_of_the_plot_that_zooms) {
+  Figure figure = one_of_everything();
+  figure.inset = {{"", 4.9, 5.1}, {"", 2.4, 2.6}};
+  const std::string text = svg(figure, Frame::in_page);
+  BOOST_TEST(text.find("class=\"inset\"") > text.find("class=\"frame\""));
+  BOOST_TEST(!contains(svg(one_of_everything(), Frame::in_page), "class=\"inset\""));
+}
+
+BOOST_AUTO_TEST_CASE(smooth_curves_pass_through_their_points_with_arrows) {
+  Figure figure = one_of_everything();
+  figure.curves = {{.name = "circle",
+                    .strokes = {{{5, 4}, {9, 0}, {5, -4}, {1, 0}}},
+                    .smooth = true,
+                    .directed = true}};
+  const std::string text = svg(figure, Frame::in_page);
+  BOOST_TEST(contains(text, "M185.00 27.00C"));
+  BOOST_TEST(contains(text, " 333.00 135.00C"));
+  BOOST_TEST(contains(text, "disc arrow"));
 }
 
 BOOST_AUTO_TEST_CASE(sheet_draws_every_figure_and_one_legend) {
@@ -120,7 +181,7 @@ BOOST_AUTO_TEST_CASE(sheet_draws_every_figure_and_one_legend) {
   other.id = "other";
   const std::string text = svg(FigureSheet{"sheet", "Both", "Two.", {one_of_everything(), other}});
   BOOST_TEST(contains(text, "all-title"));
-  BOOST_TEST(contains(text, "x=\"520\" y=\""));
+  BOOST_TEST(contains(text, "x=\"450\" y=\""));
   const std::string entry = ">mark</text>";
   BOOST_TEST(text.find(entry) != std::string::npos);
   BOOST_TEST(text.find(entry) == text.rfind(entry));

@@ -50,18 +50,19 @@ BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
 
 BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
   BOOST_TEST(html(sample()) ==
-             "<h2>Rows</h2>\n"
+             "<section><h2>Rows</h2>\n"
              "<div class=\"wide\"><table class=\"rows\">\n"
              "<tr><th>mass</th><td>1 kg</td></tr>\n"
              "<tr><th></th><td class=\"good\">of steel</td></tr>\n"
-             "</table></div>\n"
-             "<h2>Table</h2>\n"
-             "<div class=\"wide\"><table>\n"
+             "</table></div>\n</section>\n"
+             "<section><h2>Table</h2>\n"
+             "<div class=\"wide\"><table class=\"columns\">\n"
              "<tr><th></th><th>size</th><th>is</th></tr>\n"
-             "<tr><td>a</td><td>1</td><td class=\"good\">met</td></tr>\n"
-             "<tr><td>long</td><td>22</td><td></td></tr>\n"
+             "<tr><td>a</td><td data-head=\"size\">1</td><td data-head=\"is\" "
+             "class=\"good\">met</td></tr>\n"
+             "<tr><td>long</td><td data-head=\"size\">22</td><td data-head=\"is\"></td></tr>\n"
              "</table></div>\n"
-             "<p>A note.</p>\n");
+             "<p>A note.</p>\n</section>\n");
 }
 
 /// Whatever text gets into a document, it brings no markup and no control character.
@@ -98,6 +99,38 @@ BOOST_AUTO_TEST_CASE(long_lines_break_at_spaces) {
     all += line.substr(line.find_first_not_of(' ') == std::string::npos ? 0 : 2) + " ";
   }
   BOOST_TEST(contains(all, words + std::string(200, 'x')), all);
+}
+
+/// A line ends within neither "f = 0.02" nor "5.9 mm".
+BOOST_AUTO_TEST_CASE(no_line_break_parts_a_number_from_its_name_or_unit) {
+  std::string verdict;
+  for (int i = 0; i < 60; ++i) {
+    verdict += std::string(static_cast<std::size_t>(i % 7) + 1, 'w') + " f = 0.02 of 5.9 mm, ";
+  }
+  Document document{.title = "t", .verdict = verdict};
+  document.answer.row("label", verdict);
+  std::istringstream lines(text(document));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    BOOST_TEST(line.size() <= 80U, line);
+    BOOST_TEST((line.empty() || std::string("=0123456789").find(line.back()) == std::string::npos),
+               line);
+    BOOST_TEST((line.empty() || line.find_first_not_of(' ') != line.find('=')), line);
+  }
+  BOOST_TEST(count > 30U);
+}
+
+BOOST_AUTO_TEST_CASE(details_are_for_who_asks) {
+  Document document{.title = "t", .verdict = "v"};
+  document.section("shown").line("one");
+  document.detail("hidden").line("two");
+  const std::string brief = text(document);
+  BOOST_TEST(brief.find("one") != std::string::npos);
+  BOOST_TEST(brief.find("two") == std::string::npos);
+  BOOST_TEST(brief.find("--verbose") != std::string::npos);
+  const std::string full = text(document, {.verbosity = Verbosity::full});
+  BOOST_TEST(full.find("two") != std::string::npos);
+  BOOST_TEST(full.find("--verbose") == std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

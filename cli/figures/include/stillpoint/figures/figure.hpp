@@ -4,6 +4,7 @@
 // A figure as data. It is described once, here, and drawn once, by figure_svg.cpp.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,18 +28,24 @@ struct FigureCurve {
   std::vector<std::vector<FigurePoint>> strokes;
   Ink ink{Ink::blue};
   Dash dash{Dash::solid};
-  bool hover{true};  ///< shows its values under the pointer
+  bool hover{true};      ///< shows its values under the pointer
+  bool smooth{false};    ///< a curve through the points, not straight lines between them
+  bool directed{false};  ///< arrows show its direction
+  bool labelled{false};  ///< named beside its line
 };
 
-/// A filled polygon.
+/// A box lies on top of curves, and has an edge.
+enum class AreaLook { filled, hatched, box };
+
+/// A polygon. It is named inside where there is room, else in the legend.
 struct FigureArea {
   std::string name;
   std::vector<FigurePoint> outline;
   Ink ink{Ink::blue};
-  bool filled{true};  ///< else only its edge
+  AreaLook look{AreaLook::filled};
 };
 
-/// A shaded span of the horizontal axis.
+/// A shaded span of the horizontal axis, named as an area is.
 struct FigureBand {
   std::string name;
   double from{0};
@@ -48,8 +55,9 @@ struct FigureBand {
 
 enum class Shape { disc, square, diamond, star, triangle, wedge, cross };
 
-enum class Fill { solid, hollow, crossed };
+enum class Fill { solid, hollow };
 
+/// A mark beyond the axes is an arrow at the frame, with its name.
 struct FigureMarks {
   std::string name;
   std::vector<FigurePoint> points;
@@ -58,14 +66,17 @@ struct FigureMarks {
   Fill fill{Fill::solid};
 };
 
-enum class Anchor { start, middle, end };
-
-/// Words in the plot, at a point; upright ones run along a vertical edge.
+/// Words in the plot, near a point.
 struct FigureNote {
   std::string text;
   FigurePoint at;
-  Anchor anchor{Anchor::start};
-  bool upright{false};
+};
+
+/// An entry of the legend of a map.
+struct MapKey {
+  std::string name;
+  std::string colour;  ///< "#rrggbb"
+  bool hatched{false};
 };
 
 /// The colours of a grid of cells that fills the axes; row 0 is the lowest. All cells have the same
@@ -74,9 +85,10 @@ struct FigureMap {
   std::int64_t columns{0};
   std::int64_t rows{0};
   std::vector<std::uint8_t> cells;   ///< rows * columns entries of the palette
-  std::vector<std::string> palette;  ///< "#rrggbb"
-  std::vector<std::string>
-      names;  ///< in the legend, for each entry of the palette; empty: not in it
+  std::vector<std::string> palette;  ///< "#rrggbb"; what has more red than blue is hatched
+  std::vector<std::string> names;    ///< of each entry, under the pointer
+  std::vector<std::string> labels;   ///< of each entry, written in its largest areas; or empty
+  std::vector<MapKey> key;
 };
 
 enum class Scale { linear, logarithmic };
@@ -94,17 +106,28 @@ struct FigureAxis {
   [[nodiscard]] double value(double position) const;
 };
 
-/// From 3 to 8 round values within the axis.
-[[nodiscard]] std::vector<double> ticks(const FigureAxis& axis);
+/// Round values within the axis, about as many as wanted: from 3 to 8 of 6.
+[[nodiscard]] std::vector<double> ticks(const FigureAxis& axis, int wanted = 6);
+/// With as many digits as tell them apart.
+[[nodiscard]] std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 
 /// An axis from the least to the largest value and a little beyond; its length is never 0.
 [[nodiscard]] FigureAxis axis_around(std::string label, double least, double most);
 
-/// All values are finite, and both axes are longer than 0.
+/// A part of the plane, drawn larger in a corner.
+struct FigureInset {
+  FigureAxis x;
+  FigureAxis y;
+};
+
+/// All values are finite, and both axes are longer than 0. An axis without a label has no ticks.
 struct Figure {
   std::string id;           ///< of its file, "region" for instance
   std::string title;        ///< above it
   std::string description;  ///< for readers who cannot see it
+  std::string caption;      ///< a sentence below it
+  double height{270};       ///< of the plot, in pixels of a figure 450 wide
+  bool below{false};        ///< belongs below the figure before, on the same horizontal axis
   FigureAxis x;
   FigureAxis y;
   FigureMap map;
@@ -113,6 +136,7 @@ struct Figure {
   std::vector<FigureCurve> curves;
   std::vector<FigureMarks> marks;
   std::vector<FigureNote> notes;
+  std::optional<FigureInset> inset;
 };
 
 /// Several figures that share one legend.
@@ -124,11 +148,13 @@ struct FigureSheet {
   int columns{2};
 };
 
-/// The figure as SVG with its title, description and legend. Only notes may cover other things;
-/// they have a rim. Alone it is a file in light colours, otherwise it takes the colours of a page
-/// with figure_style().
+/// The figure as SVG with its title, description and legend. Alone it is a file in light colours,
+/// otherwise it takes the colours of a page with figure_style(). The plot begins at `left` or
+/// further right, where its ticks end.
 enum class Frame { alone, in_page };
-[[nodiscard]] std::string svg(const Figure& figure, Frame frame);
+[[nodiscard]] std::string svg(const Figure& figure, Frame frame, double left = 0);
+/// Where its plot begins at the least.
+[[nodiscard]] double plot_left(const Figure& figure);
 
 /// A file that follows the reader's choice of light or dark.
 [[nodiscard]] std::string svg(const FigureSheet& sheet);

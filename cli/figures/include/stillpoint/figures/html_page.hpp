@@ -12,10 +12,12 @@ namespace stillpoint::figures {
 /// A page of figures, as data.
 struct HtmlPage {
   std::string title;
-  std::string verdict;  ///< a sentence below the title
+  std::string verdict;   ///< the answer, below the title
+  std::string answer{};  ///< HTML above the figures
   std::vector<Figure> figures;
-  std::string body;    ///< HTML below them; its tables may have the class rows, its text key, good,
-                       ///< bad, faint
+  std::string body;    ///< HTML below them; its tables may have the class rows or columns, its text
+                       ///< key, good, bad, faint
+  std::string report;  ///< plain text, folded away below the body
   std::string footer;  ///< which program wrote it
 };
 

@@ -48,7 +48,7 @@ struct Document {
   std::string verdict;     ///< what the reader wants to know, in a sentence or two
   Tone tone{Tone::plain};  ///< of the verdict
   Section answer{};        ///< the rest of the answer, without a heading
-  std::vector<Section> sections;
+  std::vector<Section> sections{};
 
   /// A new section at the end; the reference is good until the next one.
   Section& section(std::string heading);
@@ -68,8 +68,12 @@ struct TextOptions {
 /// headed sections of aligned columns. Control characters in the title are spelled out.
 [[nodiscard]] std::string text(const Document& document, const TextOptions& options = {});
 
-/// The sections as HTML, without a page around them.
+/// The parts of a section as HTML, without its heading.
+[[nodiscard]] std::string html(const Section& section);
+/// The sections behind the answer as HTML, without a page around them.
 [[nodiscard]] std::string html(const Document& document);
+/// One of them, or the answer, without its heading.
+[[nodiscard]] std::string html(const Section& section);
 
 /// Control characters, which could break a line or play tricks with a terminal, as \\xNN.
 [[nodiscard]] std::string spelled_out(std::string_view text);

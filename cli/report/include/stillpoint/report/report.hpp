@@ -86,9 +86,9 @@ struct AccuracyReport {
                                          const std::optional<design::PhysicalInput>& physical);
 
 /// The ids of the figures that a page may have.
-inline constexpr std::array<std::string_view, 5> design_figures{"region", "motion", "phase",
-                                                                "energy", "pulse"};
-inline constexpr std::array<std::string_view, 1> region_figures{"region"};
+inline constexpr std::array<std::string_view, 6> design_figures{"region", "hits",   "motion",
+                                                                "phase",  "energy", "pulse"};
+inline constexpr std::array<std::string_view, 2> region_figures{"region", "hits"};
 inline constexpr std::array<std::string_view, 4> motion_figures{"motion", "phase", "energy",
                                                                 "excitation"};
 

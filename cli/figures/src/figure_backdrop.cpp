@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "figure_backdrop.hpp"
+
+#include "figure_looks.hpp"
+#include "figure_map.hpp"
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace stillpoint::figures {
+
+namespace {
+
+using fmt::format;
+
+template <class... Args>
+void add(std::string& text, fmt::format_string<Args...> what, Args&&... args) {
+  fmt::format_to(std::back_inserter(text), what, std::forward<Args>(args)...);
+}
+
+/// Hatched areas that meet have different directions.
+double hatch_angle(std::size_t index) {
+  constexpr std::array angles{45, -45, 15, -15, 75, -75};
+  return angles.at(index % angles.size());
+}
+
+/// "#rrggbb name|#rrggbb name", for the readout.
+std::string cell_names(const FigureMap& map) {
+  std::string names;
+  for (std::size_t i = 0; i < map.names.size(); ++i) {
+    names += format("{}{} {}", i == 0 ? "" : "|", map.palette[i], escaped(map.names[i]));
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string axes(const Figure& figure, const Layout& layout) {
+  std::string text;
+  const Plane plot{figure.x, figure.y, layout.width, figure.height};
+  text += "<g class=\"ticks\">\n";
+  for (std::size_t i = 0; i < layout.x.values.size(); ++i) {
+    const double x = layout.left + plot.pixel({layout.x.values[i], figure.y.least}).x;
+    add(text,
+        "<path class=\"grid\" d=\"M{:.2f} {}v{}\"/><text x=\"{:.2f}\" y=\"{}\" "
+        "text-anchor=\"middle\">{}</text>\n",
+        x, layout.upper, figure.height, x, layout.bottom + 17, layout.x.labels[i]);
+  }
+  for (std::size_t i = 0; i < layout.y.values.size(); ++i) {
+    const double y = layout.upper + plot.pixel({figure.x.least, layout.y.values[i]}).y;
+    add(text,
+        "<path class=\"grid\" d=\"M{} {:.2f}h{}\"/><text x=\"{}\" y=\"{:.2f}\" "
+        "text-anchor=\"end\">{}</text>\n",
+        layout.left, y, layout.width, layout.left - 6, y + 4, layout.y.labels[i]);
+  }
+  text += "</g>\n";
+  add(text, "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
+      layout.left + layout.width / 2, layout.bottom + 35, escaped(figure.x.label));
+  if (figure.y.label.empty()) {
+    return text;
+  }
+  add(text, "<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
+      layout.upper + figure.height / 2, escaped(figure.y.label));
+  return text;
+}
+
+std::string hatches(const Figure& figure) {
+  std::string text;
+  for (std::size_t i = 0; i < figure.areas.size(); ++i) {
+    if (figure.areas[i].look == AreaLook::hatched) {
+      add(text,
+          "<pattern id=\"{}-hatch-{}\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
+          "patternTransform=\"rotate({})\"><path class=\"hatch {}\" d=\"M3.5 0V7\"/></pattern>\n",
+          figure.id, i, hatch_angle(i), word(figure.areas[i].ink));
+    }
+  }
+  return text;
+}
+
+std::string map(const Figure& figure, const Layout& layout) {
+  std::string text;
+  if (figure.map.cells.empty()) {
+    return text;
+  }
+  const std::string& id = figure.id;
+  const std::string size = format(R"(width="{}" height="{}")", layout.width, figure.height);
+  add(text,
+      "<image id=\"{}-map\" {} preserveAspectRatio=\"none\" data-names=\"{}\" "
+      "href=\"data:image/png;base64,{}\"/>\n",
+      id, size, cell_names(figure.map), map_base64(figure.map));
+  add(text,
+      "<filter id=\"{0}-red\" x=\"0\" y=\"0\" width=\"1\" height=\"1\" "
+      "color-interpolation-filters=\"sRGB\"><feColorMatrix values=\"20 0 -20 0 -1 20 0 -20 0 -1 "
+      "20 0 -20 0 -1 0 0 0 0 1\"/></filter>\n<mask id=\"{0}-mask\"><use href=\"#{0}-map\" "
+      "filter=\"url(#{0}-red)\"/></mask>\n<pattern id=\"{0}-over\" width=\"8\" height=\"8\" "
+      "patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><path class=\"over\" "
+      "d=\"M4 0V8\"/></pattern>\n<rect {1} fill=\"url(#{0}-over)\" mask=\"url(#{0}-mask)\"/>\n",
+      id, size);
+  return text;
+}
+
+}  // namespace stillpoint::figures

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Where things stand in a figure, in pixels of a figure 450 wide: words of 13 pixels are then
+// larger than 11 on a screen of 400.
+
+#include <stillpoint/figures/figure.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::figures {
+
+inline constexpr double figure_width = 450;
+inline constexpr double legend_left = 14;
+inline constexpr double text_height = 16;
+
+/// The width of words of 13 pixels in a wide font.
+[[nodiscard]] double text_width(std::string_view text);
+
+/// The plane of a figure on a rectangle of pixels.
+struct Plane {
+  const FigureAxis& x;
+  const FigureAxis& y;
+  double width;
+  double height;
+
+  /// In the plot, y down. Far beyond it, only the direction counts.
+  [[nodiscard]] FigurePoint pixel(const FigurePoint& at) const;
+  [[nodiscard]] bool holds(const FigurePoint& at) const;
+};
+
+struct Ticks {
+  std::vector<double> values;
+  std::vector<std::string> labels;
+};
+
+struct Layout {
+  Ticks x;
+  Ticks y;
+  double left;   ///< of the plot
+  double upper;  ///< of the plot
+  double width;  ///< of the plot
+  double bottom;
+  double axis_words;  ///< the height below the plot
+
+  Layout(const Figure& figure, double left);
+};
+
+}  // namespace stillpoint::figures

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "figure_names.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace stillpoint::figures {
+
+namespace {
+
+constexpr double step = 4;  // pixels between places that are tried
+
+Box box_around(const FigurePoint& centre, double width, double height) {
+  return {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2};
+}
+
+/// What covers the least of what is drawn, of places tried one after the other.
+struct Best {
+  double cost{std::numeric_limits<double>::infinity()};
+  FigurePoint at{};
+
+  void offer(double now, const FigurePoint& place) {
+    if (now < cost) {
+      cost = now;
+      at = place;
+    }
+  }
+  explicit operator bool() const { return std::isfinite(cost); }
+};
+
+class Places {
+ public:
+  Places(const Figure& figure, const Plane& plane)
+      : figure_(figure),
+        plane_(plane),
+        ink_(plane.width, plane.height),
+        taken_(plane.width, plane.height) {}
+
+  NamesInPlace operator()() {
+    draw();
+    inset();
+    for (const FigureNote& note : figure_.notes) {
+      near(note.text, {plane_.pixel(note.at)});
+    }
+    for (const FigureArea& area : figure_.areas) {
+      const auto outline = pixels(area.outline);
+      Raster inside(plane_.width, plane_.height);
+      inside.fill(outline);
+      if (area.look == AreaLook::box) {  // its name may stand beside it
+        if (!within(area.name, inside) && !area.name.empty() && !found_.named.contains(area.name)) {
+          near(area.name, outline);
+        }
+      } else {
+        within(area.name, inside);
+      }
+    }
+    for (const FigureBand& band : figure_.bands) {
+      Raster inside(plane_.width, plane_.height);
+      inside.set(
+          Box{plane_.pixel({band.from, 0}).x, 0, plane_.pixel({band.to, 0}).x, plane_.height});
+      within(band.name, inside);
+    }
+    map_labels();
+    for (const FigureCurve& curve : figure_.curves) {
+      if (curve.labelled) {
+        std::vector<FigurePoint> along;
+        for (const auto& stroke : curve.strokes) {
+          const auto points = pixels(stroke);
+          along.insert(along.end(), points.begin(), points.end());
+        }
+        near(curve.name, along);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<FigurePoint> pixels(const std::vector<FigurePoint>& points) const {
+    std::vector<FigurePoint> made;
+    for (const FigurePoint& at : points) {
+      made.push_back(plane_.pixel(at));
+    }
+    return made;
+  }
+
+  /// What words rather do not cover, and marks, which they must not.
+  void draw() {
+    for (const FigureCurve& curve : figure_.curves) {
+      for (const auto& stroke : curve.strokes) {
+        ink_.set_line(pixels(stroke));
+      }
+    }
+    for (const FigureArea& area : figure_.areas) {
+      auto outline = pixels(area.outline);
+      outline.push_back(outline.front());
+      ink_.set_line(outline);
+    }
+    for (const FigureMarks& marks : figure_.marks) {
+      for (const FigurePoint& at : marks.points) {
+        taken_.set(box_around(at_frame(plane_, at), 12, 12));
+      }
+      for (const FigurePoint& at : marks.points) {
+        if (!plane_.holds(at)) {
+          near(marks.name, {at_frame(plane_, at)});
+        }
+      }
+    }
+  }
+
+  /// Where the least is drawn; the part that it enlarges stays in sight.
+  void inset() {
+    if (!figure_.inset) {
+      return;
+    }
+    const double wide = 0.36 * plane_.width;
+    const double high = 0.36 * plane_.height;
+    const auto& [x, y] = *figure_.inset;
+    const FigurePoint middle = plane_.pixel({(x.least + x.most) / 2, (y.least + y.most) / 2});
+    Best best;
+    for (const double cx : {plane_.width - wide / 2 - 8, wide / 2 + 8}) {
+      for (const double cy : {high / 2 + 8, plane_.height - high / 2 - 8}) {
+        const double apart = std::hypot(cx - middle.x, cy - middle.y);
+        best.offer(ink_.set_in(box_around({cx, cy}, wide, high)) - apart, {cx, cy});
+      }
+    }
+    found_.inset = box_around(best.at, wide, high);
+    taken_.set(*found_.inset);
+    taken_.set(box_around(middle, 14, 14));
+  }
+
+  [[nodiscard]] bool is_free(const Box& box) const {
+    return box.left >= 2 && box.top >= 2 && box.right <= plane_.width - 2 &&
+           box.bottom <= plane_.height - 2 && taken_.set_in(box) == 0;
+  }
+
+  void put(const std::string& text, const FigurePoint& centre, bool upright) {
+    const double width = text_width(text);
+    found_.words.push_back({text, centre, upright});
+    found_.named.insert(text);
+    taken_.set(upright ? box_around(centre, text_height, width)
+                       : box_around(centre, width, text_height));
+  }
+
+  /// Beside, above or below one of the points: near it, rather than clear of every line.
+  void near(const std::string& text, const std::vector<FigurePoint>& points) {
+    constexpr double farther = 0.5;  // pixels against cells covered
+    const double width = text_width(text);
+    Best best;
+    for (double gap = 7; gap < 60; gap += 9) {
+      for (const FigurePoint& point : points) {
+        for (const double right : {1, 0, -1}) {
+          for (const double down : {-1, 1, 0}) {
+            const FigurePoint centre{point.x + right * (width / 2 + gap),
+                                     point.y + down * (text_height / 2 + gap)};
+            const Box box = box_around(centre, width, text_height);
+            if ((right != 0 || down != 0) && is_free(box)) {
+              best.offer(ink_.set_in(box) + farther * gap, centre);
+            }
+          }
+        }
+      }
+    }
+    if (best) {
+      put(text, best.at, false);
+    }
+  }
+
+  /// Within the set cells, as far from their edge as may be; false without room.
+  bool within(const std::string& text, const Raster& inside) {
+    if (text.empty() || found_.named.contains(text)) {
+      return false;
+    }
+    const double width = text_width(text);
+    for (const bool upright : {false, true}) {
+      const double w = upright ? text_height : width;
+      const double h = upright ? width : text_height;
+      for (const double margin : {40.0, 20.0, 10.0, 3.0, 0.0}) {
+        if (const auto centre = fit(inside, w, h, margin)) {
+          put(text, *centre, upright);
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// The middle of the places where a box with a margin fits and covers the least.
+  [[nodiscard]] std::optional<FigurePoint> fit(const Raster& inside, double w, double h,
+                                               double margin) const {
+    std::vector<std::pair<int, FigurePoint>> fitting;
+    FigurePoint mean;
+    for (double y = h / 2; y < plane_.height; y += step) {
+      for (double x = w / 2; x < plane_.width; x += step) {
+        const Box box = box_around({x, y}, w, h);
+        const Box wider = box_around({x, y}, w + 2 * margin, h + 2 * margin);
+        if (is_free(box) && inside.set_in(wider) == inside.cells_in(wider)) {
+          fitting.emplace_back(ink_.set_in(box), FigurePoint{x, y});
+          mean = {mean.x + x, mean.y + y};
+        }
+      }
+    }
+    const auto count = static_cast<double>(fitting.size());
+    Best best;
+    for (const auto& [covered, at] : fitting) {
+      constexpr double aside = 0.05;  // cells covered against pixels from the middle
+      best.offer(covered + aside * std::hypot(at.x - mean.x / count, at.y - mean.y / count), at);
+    }
+    return best ? std::optional(best.at) : std::nullopt;
+  }
+
+  void map_labels() {
+    const FigureMap& map = figure_.map;
+    for (std::size_t entry = 0; entry < map.labels.size(); ++entry) {
+      Raster inside(plane_.width, plane_.height);
+      inside.set_where([&](const FigurePoint& at) {
+        const auto column =
+            static_cast<std::int64_t>(at.x / plane_.width * static_cast<double>(map.columns));
+        const auto row =
+            map.rows - 1 -
+            static_cast<std::int64_t>(at.y / plane_.height * static_cast<double>(map.rows));
+        return map.cells[static_cast<std::size_t>(row * map.columns + column)] == entry;
+      });
+      found_.named.erase(map.labels[entry]);  // the same number may stand in two colours
+      within(map.labels[entry], inside);
+    }
+  }
+
+  const Figure& figure_;
+  const Plane& plane_;
+  Raster ink_;
+  Raster taken_;
+  NamesInPlace found_;
+};
+
+}  // namespace
+
+NamesInPlace names_in_place(const Figure& figure, const Plane& plane) {
+  return Places(figure, plane)();
+}
+
+FigurePoint at_frame(const Plane& plane, const FigurePoint& at) {
+  constexpr double apart = 10;
+  const auto [x, y] = plane.pixel(at);
+  if (plane.holds(at)) {
+    return {x, y};
+  }
+  return {std::clamp(x, apart, plane.width - apart), std::clamp(y, apart, plane.height - apart)};
+}
+
+}  // namespace stillpoint::figures

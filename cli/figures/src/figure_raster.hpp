@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/figures/figure.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace stillpoint::figures {
+
+/// In pixels of the plot, y down.
+struct Box {
+  double left;
+  double top;
+  double right;
+  double bottom;
+};
+
+/// Which cells of the plot are set, a few pixels each, and how many of them in a box.
+class Raster {
+ public:
+  static constexpr double cell = 3;  // pixels
+
+  Raster(double width, double height);
+
+  void set(const FigurePoint& at);
+  void set(const Box& box);
+  /// Along the straight lines between points.
+  void set_line(const std::vector<FigurePoint>& points);
+  /// Inside the polygon.
+  void fill(const std::vector<FigurePoint>& outline);
+  /// Calls is_set(middle of the cell) for each.
+  template <class IsSet>
+  void set_where(const IsSet& is_set) {
+    for (std::size_t row = 0; row < rows_; ++row) {
+      for (std::size_t column = 0; column < columns_; ++column) {
+        if (is_set(FigurePoint{middle(column), middle(row)})) {
+          cells_[row * columns_ + column] = 1;
+        }
+      }
+    }
+    summed_ = false;
+  }
+
+  /// The cells that the box touches within the plot: how many are set, how many there are.
+  [[nodiscard]] int set_in(const Box& box) const;
+  [[nodiscard]] int cells_in(const Box& box) const;
+
+ private:
+  struct Range {
+    std::size_t first_column;
+    std::size_t last_column;  ///< one beyond
+    std::size_t first_row;
+    std::size_t last_row;
+  };
+  [[nodiscard]] Range range(const Box& box) const;
+  [[nodiscard]] static double middle(std::size_t index) {
+    return (static_cast<double>(index) + 0.5) * cell;
+  }
+  void sum() const;
+
+  std::size_t columns_;
+  std::size_t rows_;
+  std::vector<int> cells_;
+  mutable std::vector<int> sums_;  ///< of the cells above and to the left
+  mutable bool summed_{false};
+};
+
+}  // namespace stillpoint::figures

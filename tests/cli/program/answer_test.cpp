@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The text of a report: the answer first, short enough for a terminal, the rest on demand.
+#include "run_program.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(answer_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+
+constexpr std::size_t columns = 80;
+constexpr std::size_t lines_at_most = 16;  ///< some ten, with title, blank lines and long rows
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
+  for (const auto& entry : std::filesystem::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
+    if (entry.path().extension() != ".json") {
+      continue;
+    }
+    const std::string text = run({"design", entry.path().string()}).out;
+    const auto lines = lines_of(text);
+    BOOST_TEST(lines.size() <= lines_at_most, text);
+    BOOST_TEST(lines.back() == "  --verbose says more.");
+    for (const std::string& line : lines) {
+      BOOST_TEST(line.size() <= columns, line);
+    }
+    const std::string full = run({"design", entry.path().string(), "--verbose"}).out;
+    BOOST_TEST(lines_of(full).size() > lines.size());
+    BOOST_TEST(!contains(full, "--verbose"));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_to_build_what_it_does_and_how_far_to_trust_it,
+                        Sandbox) {
+  const std::string text = run({"design", STILLPOINT_DATA_DIR "/scenes/isolator.json"}).out;
+  const auto lines = lines_of(text);
+  BOOST_TEST(lines.at(1).starts_with("  Build a friction force of 283.81 kN and a notch"), text);
+  for (const char* part :
+       {"137.37 mm, 91.58 % of the 150 mm", "at x = 0 after 1.5287 s", "0.09465 g outside",
+        "0.319 g inside one 20 mm wide", "+-34.18 %", "hits of 0.340 to 0.429 m/s", "agree: "}) {
+    BOOST_TEST(contains(text, part), part << " is not in\n" << text);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_begins_with_that, Sandbox) {
+  const ProgramRun answer =
+      run({"simulate", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.1", "--excitation",
+           "harmonic", "--k", "0.3", "--lambda", "1", "--t-end", "20"});
+  BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked at x = 0 from "), answer.out);
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_near_it_is_to_another, Sandbox) {
+  const Arguments near{"simulate", "--v0", "1", "--p", "1", "--f", "0", "--delta", "0.4999"};
+  BOOST_TEST(contains(run(near).out, "of another count or outcome"));
+  const Arguments far{"simulate", "--v0", "1", "--p", "1", "--f", "0.26", "--delta", "0.37"};
+  BOOST_TEST(!contains(run(far).out, "of another count or outcome"));
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
+  const std::string text =
+      run({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f", "0.5", "--delta", "0.6"}).out;
+  BOOST_TEST(contains(text, "not admissible; it violates\n  start, return."), text);
+  BOOST_TEST(contains(text, "violated"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/report.hpp>
+
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/design.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// What a reader must see in the figures of a page.
+
+BOOST_AUTO_TEST_SUITE(page_figures_test)
+
+using namespace stillpoint;
+using namespace stillpoint::report;
+using figures::Figure;
+using figures::HtmlPage;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const Figure& figure(const HtmlPage& page, const std::string& id) {
+  const auto found = std::ranges::find(page.figures, id, &Figure::id);
+  BOOST_TEST_REQUIRE((found != page.figures.end()), id);
+  return *found;
+}
+
+template <class Things>
+bool has(const Things& things, const std::string& name) {
+  return std::ranges::any_of(things, [&](const auto& thing) { return thing.name == name; });
+}
+
+bool has_note(const Figure& figure, const std::string& text) {
+  return std::ranges::count(figure.notes, text, &figures::FigureNote::text) == 1;
+}
+
+/// 2.8 s, 0.4 m/s, 100 t, 150 mm.
+HtmlPage isolator() {
+  design::PhysicalIsolator isolator;
+  isolator.period_s = 2.8;
+  isolator.mass_kg = 1e5;
+  design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
+  design::DesignRequest request;
+  const double p = physical.scales.p;
+  request.problem = {.v0 = p, .p = p, .beta = 0.15 / physical.scales.length_m};
+  return page(DesignReport{design::design(request), physical});
+}
+
+HtmlPage region(double beta, double f, double delta) {
+  const design::RegionRequest request{
+      .problem = {.v0 = 1, .p = 1, .beta = beta}, .f = f, .delta = delta};
+  return page(RegionReport{request, design::answer(request)});
+}
+
+HtmlPage motion(const Oscillator& oscillator, const Excitation& excitation = {}) {
+  SimulationRequest request;
+  request.oscillator = oscillator;
+  request.excitation = excitation;
+  request.start = {0, 1};
+  return page(MotionReport{request, simulate(request)});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_region_names_its_forbidden_sides_and_fills_the_tolerance_on_top) {
+  const HtmlPage page = isolator();
+  const Figure& drawn = figure(page, "region");
+  for (const char* side : {"too weak: exceeds 150 mm", "too strong: does not return",
+                           "notch too weak", "notch holds at the start"}) {
+    const auto area = std::ranges::find(drawn.areas, side, &figures::FigureArea::name);
+    BOOST_TEST_REQUIRE((area != drawn.areas.end()), side);
+    BOOST_TEST((area->look == figures::AreaLook::hatched));
+  }
+  BOOST_TEST((drawn.areas.back().look == figures::AreaLook::box));
+  BOOST_TEST(contains(drawn.areas.back().name, "tolerance"));
+  BOOST_TEST(!drawn.inset);
+}
+
+/// A point near the edge f3 = 0.35355 leaves a tolerance of 0.0015 %.
+BOOST_AUTO_TEST_CASE(a_tolerance_too_small_to_see_is_enlarged) {
+  BOOST_TEST(figure(region(0.9, 0.35355, 0.3), "region").inset.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_point_far_off_does_not_flatten_the_region) {
+  const HtmlPage far = region(0.9, 50, 0.37);
+  const HtmlPage near = region(0.9, 0.26, 0.37);
+  BOOST_TEST(figure(far, "region").x.most == figure(near, "region").x.most);
+  BOOST_TEST(contains(figure(far, "region").marks.back().name, "f = 50"));
+}
+
+/// beta = 0.6: f2 = 0.5333 above f3 = 0.35355; condition (10) asks for 1/sqrt(2) = 0.70711.
+BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
+  const HtmlPage page = region(0.6, 0.4, 0.3);
+  const Figure& drawn = figure(page, "region");
+  const auto gap =
+      std::ranges::find(drawn.areas, "gap: no f returns within 0.6", &figures::FigureArea::name);
+  BOOST_TEST_REQUIRE((gap != drawn.areas.end()));
+  BOOST_TEST(gap->outline.front().x == 1 / std::sqrt(8.0), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(drawn.title == "No damper: beta must be at least 0.7072");  // 0.70711, rounded up
+  BOOST_TEST(contains(page.verdict, "beta must be at least 0.7072"));
+}
+
+BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_works_for) {
+  const HtmlPage page = isolator();
+  const Figure& drawn = figure(page, "hits");
+  for (const char* end : {"held", "centred", "too far"}) {
+    BOOST_TEST(has(drawn.areas, end), end);
+  }
+  BOOST_TEST(contains(drawn.areas.front().name, "works for 0.34"));
+  BOOST_TEST(contains(drawn.areas.front().name, "0.429"));
+  BOOST_TEST(has(drawn.curves, "V₀ = 0.4 m/s"));
+  // From 0 on without gaps.
+  double reached = 0;
+  for (std::size_t i = 1; i < drawn.areas.size(); ++i) {
+    BOOST_TEST(drawn.areas[i].outline[0].x == reached);
+    reached = drawn.areas[i].outline[1].x;
+  }
+  BOOST_TEST(reached == drawn.x.most);
+}
+
+BOOST_AUTO_TEST_CASE(the_motion_is_labelled_in_place_beside_one_without_friction) {
+  const HtmlPage page = isolator();
+  const Figure& drawn = figure(page, "motion");
+  BOOST_TEST(std::ranges::any_of(drawn.notes, [](const figures::FigureNote& note) {
+    return contains(note.text, "peak 13") && contains(note.text, " mm");
+  }));
+  BOOST_TEST(has_note(drawn, "rest 0 mm"));
+  BOOST_TEST(has(drawn.curves, "limit 150 mm"));
+  // Without friction the peak is V0/p = 0.4 m/s * 2.8 s/(2 pi) = 178.25 mm.
+  const auto ghost =
+      std::ranges::find(drawn.curves, "without friction", &figures::FigureCurve::name);
+  BOOST_TEST_REQUIRE((ghost != drawn.curves.end()));
+  const double peak = std::ranges::max(ghost->strokes[0], {}, &figures::FigurePoint::y).y;
+  BOOST_TEST(peak == 178.25, boost::test_tools::tolerance(1e-3));  // of samples
+}
+
+BOOST_AUTO_TEST_CASE(many_half_cycles_become_an_envelope_of_the_whole_motion) {
+  const HtmlPage page = motion({1, 1e-3, 1e-4});  // 424 half-cycles
+  const Figure& drawn = figure(page, "motion");
+  BOOST_TEST(has(drawn.curves, "envelope"));
+  BOOST_TEST(!has(drawn.curves, "x"));
+  BOOST_TEST(drawn.title == "Motion");  // not only its beginning
+  BOOST_TEST(has_note(drawn, "rest 0"));
+  BOOST_TEST(has_note(drawn, "peak 0.999"));
+  BOOST_TEST(!has(figure(motion({1, 0.02, 0.02}), "motion").curves, "envelope"));
+}
+
+/// Caught at its first return; the load lasts 40.
+BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
+  Harmonic load;
+  load.k = 0.05;
+  load.lambda = 3;
+  load.duration = 40;
+  const HtmlPage page = motion({1, 0.3, 0.4}, load);
+  const Figure& moving = figure(page, "motion");
+  const Figure& below = page.figures.at(1);
+  BOOST_TEST(below.id == "excitation");
+  BOOST_TEST(below.below);
+  BOOST_TEST(below.x.most == moving.x.most);
+  BOOST_TEST(below.x.most >= 40);
+  for (const Figure* const drawn : {&moving, &below}) {
+    BOOST_TEST_REQUIRE(!drawn->bands.empty());
+    BOOST_TEST(contains(drawn->bands.front().name, "locked from"));
+    BOOST_TEST(drawn->bands.front().to == drawn->x.most);
+    BOOST_TEST(drawn->bands.front().from < 5);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_phase_portrait_is_smooth_and_directed) {
+  const HtmlPage page = isolator();
+  BOOST_TEST(figure(page, "phase").curves.front().smooth);
+  BOOST_TEST(figure(page, "phase").curves.front().directed);
+}
+
+/// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.
+BOOST_AUTO_TEST_CASE(the_energy_is_in_kilojoules_and_every_part_has_a_name) {
+  const HtmlPage page = isolator();
+  const Figure& drawn = figure(page, "energy");
+  BOOST_TEST(drawn.y.label == "energy, kJ");
+  BOOST_TEST(contains(drawn.description, "the energy 8 kJ"), drawn.description);
+  for (const char* part : {"kinetic and spring", "constant friction", "notch"}) {
+    BOOST_TEST(has(drawn.areas, part), part);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(text_alternatives_carry_units) {
+  for (const Figure& drawn : isolator().figures) {
+    const char* const unit = drawn.id == "energy" ? " kJ" : drawn.id == "hits" ? " m/s" : " mm";
+    BOOST_TEST(contains(drawn.description, unit), drawn.description);
+    BOOST_TEST(!drawn.caption.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(tables_have_the_units_of_the_figures_and_mark_what_is_violated) {
+  BOOST_TEST(contains(isolator().body, "<td>delta, mm</td>"));
+  BOOST_TEST(contains(isolator().body, "<th>peak, mm</th><th>stop time, s</th>"));
+  BOOST_TEST(contains(region(0.9, 0.5, 0.37).body, "<tr class=\"violated\"><td>return</td>"));
+  BOOST_TEST(!contains(region(0.9, 0.26, 0.37).body, "class=\"violated\""));
+}
+
+BOOST_AUTO_TEST_CASE(the_answer_stands_above_the_figures) {
+  const std::string whole = figures::html(isolator());
+  BOOST_TEST(whole.find("<th>works for</th>") < whole.find("<figure>"));
+}
+
+BOOST_AUTO_TEST_CASE(the_report_as_text_is_folded_away) {
+  const HtmlPage page = isolator();
+  const std::string whole = figures::html(page);
+  const std::size_t folded = whole.find("<details>");
+  BOOST_TEST_REQUIRE(folded != std::string::npos);
+  BOOST_TEST(folded > whole.find("Constraints"));
+  BOOST_TEST(contains(page.report, page.verdict.substr(0, 20)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
