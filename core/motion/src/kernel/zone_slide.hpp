@@ -57,9 +57,8 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
     end.event = PieceEvent::turn;  // within rounding of the end of the drive
   }
   s.acceleration = piece.largest_acceleration(end, s.acceleration);
-  const Real& phi = run.law().phi_ahead(whole.y);
+  const Real phi = run.law().phi_ahead(whole.y);
   s.transmitted.slides(whole.y, phi);
-  s.transmitted.slides(Real(whole.y + (end.at.y - from.y)), phi);
   if constexpr (Run::AnyWatcher::watches) {
     run.watcher().piece(s.now, whole.direction, drive.piece(whole));
   }
@@ -71,12 +70,14 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
   if (end.event == PieceEvent::arrival) {
     s.u = edge == 0 ? Real(0) : Real(sign * edge);
     s.v = end.at.v > 0 ? Real(sign * end.at.v) : Real(0);
+    s.transmitted.slides(edge, phi);
     run.law().reach(edge);
     reach_edge(run);
     return;
   }
   s.u = sign * (edge_ahead ? Real(end.at.y + edge) : end.at.y);
   s.v = sign * end.at.v;
+  s.transmitted.slides(Real(sign * s.u), phi);
   if (end.event == PieceEvent::turn) {
     run.turn();
   }
