@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_valid_inputs_are_no_error) {
 
 BOOST_AUTO_TEST_CASE(the_isolator_serves_340_to_429_mm_per_s) {
   constexpr double digits = 5e-4;  // theory: three digits
-  const auto physical = physical_input({2.8, std::nullopt, 1.2e6}, 0.4, 0);
+  const auto physical = physical_input({2.8, {}, {}, 1.2e6}, 0.4, 0);
   const Scales& scales = physical.scales;
   const DesignResult result =
       design::design({{0.4 / scales.velocity_m_per_s, scales.p, 0.15 / scales.length_m}});
