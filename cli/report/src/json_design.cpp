@@ -85,7 +85,7 @@ ordered_json built_notch_json(const DesignReport& report) {
           {"width_m", metres(width)},
           {"friction", number(friction)},
           {"outcome", name(response.outcome)},
-          {"zero_passages", number(response.zero_passages)},
+          {"zero_passages", count(response.zero_passages)},
           {"stop_time", number(response.stop_time)},
           {"stop_position", number(response.stop_position)},
           {"stop_position_m", metres(response.stop_position)},

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(the_mend_of_p_is_the_nearest_of_a_scan) {
   RandomSource random(2502);
   constexpr double step = 1.0005;
   std::array<int, 3> seen{};
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const Problem problem = random_problem(random, 0.5, 1.2);
     const Limits limits = at_most(problem.v0 * problem.p * random.uniform(0.7, 1.2),
                                   random.pick(2) * random.uniform(0, 0.3));
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(each_design_keeps_the_limit_over_its_box_and_none_better_is
   RandomSource random(2503);
   constexpr double scan_tolerance = 2e-3;
   int met = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const Problem problem = random_feasible_problem(random);
     const Limits limits = at_most(problem.v0 * problem.p * random.uniform(1, 1.1),
                                   random.pick(2) * random.uniform(0, 0.1));
