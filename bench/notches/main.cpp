@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a notch of width w tends to the paper's as w -> 0, and what a run with zones costs: the tables
-// of docs/notches.md.
+// How a notch of width w tends to the paper's as w -> 0, and what a run with zones costs: the
+// tables of docs/notches.md.
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
@@ -38,8 +38,8 @@ Surface notch(double width) {
 
 void print_convergence(const Scene& scene) {
   const ForcedResponse paper = run(scene, {});
-  fmt::print("\n{}: f = {:.4g}, delta = {:.4g}; the paper's {}\n\n", scene.name,
-             scene.oscillator.f, scene.oscillator.delta, summary(paper));
+  fmt::print("\n{}: f = {:.4g}, delta = {:.4g}; the paper's {}\n\n", scene.name, scene.oscillator.f,
+             scene.oscillator.delta, summary(paper));
   fmt::print(
       "| w | passages | rest / w | change of stop time / w | of the peak / w | transmitted |\n"
       "|---|---|---|---|---|---|\n");
@@ -48,8 +48,7 @@ void print_convergence(const Scene& scene) {
     fmt::print("| {} | {} | {:.5f} | {:.5f} | {:.5f} | {:.4g} |\n", w, *built.zero_passages,
                built.stop_position.value_or(0) / w,
                (built.stop_time.value_or(0) - paper.stop_time.value_or(0)) / w,
-               (built.peak_amplitude - paper.peak_amplitude) / w,
-               built.peak_absolute_acceleration);
+               (built.peak_amplitude - paper.peak_amplitude) / w, built.peak_absolute_acceleration);
   }
 }
 
@@ -91,15 +90,16 @@ int main() {
   print_convergence({"many passages", {1, 0.02, 0.02}, {0, 1}, {}, {}});
   print_convergence({"a half-sine", {1, 0.05, 0.05}, {0.3, 0}, HalfSine{0.5, 2}, {}});
   const Surface zones{{}, {{0.05, 0.06}, {0.15, 0.04}}};
-  fmt::print("\n| one run, us | the paper's | a notch 0.02 wide | two zones |\n|---|---|---|---|\n");
-  for (const Scene& scene : std::vector<Scene>{
-           {"free, f = delta = 0.005", {1, 0.005, 0.005}, {0, 1}, {}, 200},
-           {"harmonic, k = 0.3, lambda = 0.8, to tau = 200",
-            {1, 0.05, 0.01},
-            {0, 0.3},
-            Harmonic{0.3, 0.8},
-            200},
-           {"record of 3000 samples", {1, 0.05, 0}, {0, 0}, saw(), 59}}) {
+  fmt::print(
+      "\n| one run, us | the paper's | a notch 0.02 wide | two zones |\n|---|---|---|---|\n");
+  for (const Scene& scene :
+       std::vector<Scene>{{"free, f = delta = 0.005", {1, 0.005, 0.005}, {0, 1}, {}, 200},
+                          {"harmonic, k = 0.3, lambda = 0.8, to tau = 200",
+                           {1, 0.05, 0.01},
+                           {0, 0.3},
+                           Harmonic{0.3, 0.8},
+                           200},
+                          {"record of 3000 samples", {1, 0.05, 0}, {0, 0}, saw(), 59}}) {
     Scene narrow = scene;
     narrow.oscillator.delta = std::max(scene.oscillator.delta, 1e-4);
     fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} |\n", scene.name, time_of(scene, {}),

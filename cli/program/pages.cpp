@@ -40,7 +40,8 @@ std::string scene_of(const Settings& settings, Command command) {
 
 std::string input_section(Command command, const std::string& scene) {
   return format(
-      "<section><h2>Input</h2>\n<p>As <code>scene.json</code>; <code>stillpoint {} scene.json --html "
+      "<section><h2>Input</h2>\n<p>As <code>scene.json</code>; <code>stillpoint {} scene.json "
+      "--html "
       "page.html</code> gives this page again.</p>\n<pre>{}</pre></section>\n",
       name(command), figures::escaped(scene));
 }

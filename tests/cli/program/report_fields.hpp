@@ -24,8 +24,8 @@ void check_only_finite(std::string_view report);
 /// The report without its wall times, which are the only thing that differs from run to run.
 [[nodiscard]] nlohmann::json without_wall_times(nlohmann::json report);
 
-/// The report of a run with --json that must end well, with finite numbers alone. Standard error may
-/// say that the damper locks, and nothing else.
+/// The report of a run with --json that must end well, with finite numbers alone. Standard error
+/// may say that the damper locks, and nothing else.
 [[nodiscard]] nlohmann::json report_of(const Sandbox& sandbox, const Arguments& arguments,
                                        const Surroundings& surroundings = {});
 

@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(a_load_of_exactly_f_and_hold_is_held_and_an_ulp_more_is_not
   }
   // 0.25 + 0.5 is exact.
   BOOST_TEST(*run({1, 0.25, 1, 0.5}, {0, 0}, constant(0.75), 10).half_cycles == 0);
-  BOOST_TEST(
-      *run({1, 0.25, 1, 0.5}, {0, 0}, constant(std::nextafter(0.75, 1.0)), 10).half_cycles == 1);
+  BOOST_TEST(*run({1, 0.25, 1, 0.5}, {0, 0}, constant(std::nextafter(0.75, 1.0)), 10).half_cycles ==
+             1);
 }
 
 BOOST_AUTO_TEST_CASE(an_arrival_that_the_notch_stops_is_decided_by_the_load_at_once) {

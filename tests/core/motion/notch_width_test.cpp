@@ -49,9 +49,9 @@ Record constant(double k) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_work_of_each_zone_stops_the_mass) {
-  // p = 1, f = 0.125 beyond |x| = 0.5, 0.375 within. From x = 2: v^2 = 4 - 0.25 - 0.25 * 1.5 = 3.375
-  // at 0.5, 3.375 + 0.25 - 0.375 = 3.25 at 0, 3.25 - 0.625 = 2.625 at -0.5. Then
-  // 2.625 + 0.25 + 0.125 = 3 = x^2 + 0.25 x at the peak: x = sqrt(3.015625) - 0.125.
+  // p = 1, f = 0.125 beyond |x| = 0.5, 0.375 within. From x = 2: v^2 = 4 - 0.25 - 0.25 * 1.5
+  // = 3.375 at 0.5, 3.375 + 0.25 - 0.375 = 3.25 at 0, 3.25 - 0.625 = 2.625 at -0.5. Then 2.625 +
+  // 0.25 + 0.125 = 3 = x^2 + 0.25 x at the peak: x = sqrt(3.015625) - 0.125.
   const Surface zone{{}, {{0.5, 0.375}}};
   const auto response = run({1, 0.125, 0}, zone, {2, 0}, {}, 4);
   BOOST_TEST(*response.zero_passages == 1);
