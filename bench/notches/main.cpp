@@ -79,13 +79,7 @@ Record saw() {
   return record;
 }
 
-}  // namespace
-
-}  // namespace stillpoint::bench
-
-int main() {
-  using namespace stillpoint;
-  using namespace stillpoint::bench;
+void print_tables() {
   print_convergence({"a first return", {1, 0.26, 0.37}, {0, 1}, {}, {}});
   print_convergence({"many passages", {1, 0.02, 0.02}, {0, 1}, {}, {}});
   print_convergence({"a half-sine", {1, 0.05, 0.05}, {0.3, 0}, HalfSine{0.5, 2}, {}});
@@ -105,4 +99,12 @@ int main() {
     fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} |\n", scene.name, time_of(scene, {}),
                time_of(narrow, notch(0.02)), time_of(scene, zones));
   }
+}
+
+}  // namespace
+
+}  // namespace stillpoint::bench
+
+int main() {
+  stillpoint::bench::print_tables();
 }

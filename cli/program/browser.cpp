@@ -11,6 +11,7 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -41,12 +42,10 @@ bool can_be_run(const std::string& program) {
     return is_program(program);
   }
   const std::string path = variable("PATH");
-  for (const std::string_view folder : records::split(path, ':')) {
-    if (!program.empty() && is_program(fmt::format("{}/{}", folder, program))) {
-      return true;
-    }
-  }
-  return false;
+  return !program.empty() &&
+         std::ranges::any_of(records::split(path, ':'), [&program](std::string_view folder) {
+           return is_program(fmt::format("{}/{}", folder, program));
+         });
 }
 
 std::vector<std::string> words(std::string_view command) {
@@ -107,6 +106,7 @@ void open_page(std::vector<std::string> browser, const std::string& path) {
     browser.push_back(page);
   }
   std::vector<char*> arguments;
+  arguments.reserve(browser.size() + 1);
   for (std::string& word : browser) {
     arguments.push_back(word.data());
   }

@@ -185,6 +185,7 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 
 std::vector<std::string_view> command_names() {
   std::vector<std::string_view> names;
+  names.reserve(command_helps.size());
   for (const CommandHelp& help : command_helps) {
     names.push_back(name(help.command));
   }

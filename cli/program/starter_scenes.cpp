@@ -99,6 +99,7 @@ constexpr std::array starters{
 
 std::vector<std::string_view> starter_names() {
   std::vector<std::string_view> names;
+  names.reserve(starters.size());
   for (const Starter& starter : starters) {
     names.push_back(starter.name);
   }

@@ -67,6 +67,7 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
   constexpr double visible = 1e-3;  // of the distance between two ticks
   const auto written = [&ticks](int digits) {
     std::vector<std::string> labels;
+    labels.reserve(ticks.size());
     for (const double tick : ticks) {
       labels.push_back(fmt::format("{:.{}g}", tick, digits));
     }

@@ -60,7 +60,6 @@ double plot_left(const Figure& figure) {
 Layout::Layout(const Figure& figure, double at_least)
     : y(labelled(figure.y, figure.height < 200 ? 3 : 6)),
       left(std::max(at_least, plot_left(figure))),
-      upper(28),
       bottom(upper + figure.height),
       axis_words(figure.x.label.empty() ? 6 : 44) {
   for (const int wanted : {6, 4, 3, 2}) {

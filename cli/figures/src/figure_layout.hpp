@@ -40,12 +40,12 @@ struct Layout {
   Ticks x;
   Ticks y;
   double left;   ///< of the plot
-  double upper;  ///< of the plot
+  double upper{28};  ///< of the plot
   double width;  ///< of the plot
   double bottom;
   double axis_words;  ///< the height below the plot
 
-  Layout(const Figure& figure, double left);
+  Layout(const Figure& figure, double at_least);
 };
 
 }  // namespace stillpoint::figures

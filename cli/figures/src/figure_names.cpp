@@ -81,6 +81,7 @@ class Places {
  private:
   [[nodiscard]] std::vector<FigurePoint> pixels(const std::vector<FigurePoint>& points) const {
     std::vector<FigurePoint> made;
+    made.reserve(points.size());
     for (const FigurePoint& at : points) {
       made.push_back(plane_.pixel(at));
     }

@@ -14,7 +14,6 @@ namespace stillpoint::report {
 using figures::axis_around;
 using figures::Dash;
 using figures::Figure;
-using figures::FigureCurve;
 using figures::FigurePoint;
 using figures::Ink;
 

@@ -50,8 +50,10 @@ void add(Figure& figure, std::string name, std::vector<FigurePoint> outline, Ink
 void add_sides(Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
                const FigureUnits& units) {
   const double unit = units.length;
-  const auto& [label, x_least, x_most, x_scale] = figure.x;
-  const auto& [y_label, y_least, y_most, y_scale] = figure.y;
+  const double x_least = figure.x.least;
+  const double x_most = figure.x.most;
+  const double y_least = figure.y.least;
+  const double y_most = figure.y.most;
   const Level least = [&](double /*f*/) { return y_least; };
   const Level most = [&](double /*f*/) { return y_most; };
   const Level stop = [&](double f) {

@@ -19,10 +19,10 @@ namespace {
 using Wide = long double;
 
 struct Damper {
-  Wide f;
-  Wide d;
-  Wide beta;
-  Criterion criterion;
+  Wide f{0};
+  Wide d{0};
+  Wide beta{0};
+  Criterion criterion{};
   std::optional<double> acceleration_max;
 };
 
@@ -86,13 +86,14 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
   if (!admissible(problem, of_the_point, f, delta)) {
     return std::nullopt;
   }
-  const auto& [v0, p, beta, criterion] = problem;
+  const double v0 = problem.v0;
+  const double p = problem.p;
   const auto holds = [&](double speed, double stiffness) {
-    return admissible({speed, stiffness, beta, criterion}, of_the_point, f, delta);
+    return admissible({speed, stiffness, problem.beta, problem.criterion}, of_the_point, f, delta);
   };
   const auto with_v0 = [&](double value) { return holds(value, p); };
   const auto with_p = [&](double value) { return holds(v0, value); };
-  const Damper damper{f, 2 * Wide(delta), beta, criterion, limits.acceleration_max};
+  const Damper damper{f, 2 * Wide(delta), problem.beta, problem.criterion, limits.acceleration_max};
   const ValidInterval of_v0 = valid_v0(problem);
   const ValidInterval of_p = valid_p(problem);
   const auto ends = [](Wide low, Wide high, double nominal, const ValidInterval& valid,

@@ -30,7 +30,12 @@ class Hold {
   Hold(Real p, Real f, Real phi, Real u)
       : p_(std::move(p)), f_(std::move(f)), phi_(std::move(phi)), u_(std::move(u)) {}
   /// In a notch that holds `h` besides, phi = (f + h) / p: docs/notches.md, rule 1.
-  Hold(Real p, Real f, Real phi, Real u, Real h) : Hold(p, f, phi, u) { h_ = std::move(h); }
+  Hold(Real p, Real f, Real phi, Real u, Real h)
+      : p_(std::move(p)),
+        f_(std::move(f)),
+        phi_(std::move(phi)),
+        u_(std::move(u)),
+        h_(std::move(h)) {}
 
   [[nodiscard]] const Real& u() const { return u_; }
   /// What is held of a load in the direction `sign`.
