@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(the_mend_of_p_is_the_nearest_of_a_scan) {
   RandomSource random(2502);
   constexpr double step = 1.0005;
   std::array<int, 3> seen{};
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const Problem problem = random_problem(random, 0.5, 1.2);
     const Limits limits = at_most(problem.v0 * problem.p * random.uniform(0.7, 1.2),
                                   random.pick(2) * random.uniform(0, 0.3));
