@@ -39,9 +39,9 @@ struct Ticks {
 struct Layout {
   Ticks x;
   Ticks y;
-  double left;   ///< of the plot
+  double left;       ///< of the plot
   double upper{28};  ///< of the plot
-  double width;  ///< of the plot
+  double width;      ///< of the plot
   double bottom;
   double axis_words;  ///< the height below the plot
 
