@@ -3,6 +3,7 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include "testing/printing.hpp"
+#include "testing/simple_forced.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -19,25 +20,6 @@ BOOST_AUTO_TEST_SUITE(forced_rules_test)
 namespace {
 
 using std::numbers::pi;
-
-constexpr double tolerance = 1e-14;
-
-ForcedResponse run(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
-                   std::optional<double> t_end) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options);
-}
-
-void close(double value, double expected) {
-  BOOST_TEST(std::abs(value - expected) <= tolerance * std::fmax(1, std::abs(expected)),
-             value << " expected " << expected);
-}
-
-/// W = k for ever, as a record whose end lies far behind t_end.
-Record constant(double k) {
-  return {{k, k}, 1e6, {}};
-}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include "testing/printing.hpp"
+#include "testing/simple_forced.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -23,25 +24,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double tolerance = 1e-14;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-ForcedResponse run(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
-                   std::optional<double> t_end) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options);
-}
-
-void close(double value, double expected) {
-  BOOST_TEST(std::abs(value - expected) <= tolerance * std::fmax(1, std::abs(expected)),
-             value << " expected " << expected);
-}
-
-/// W = k for ever, as a record whose end lies far behind t_end.
-Record constant(double k) {
-  return {{k, k}, 1e6, {}};
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include "testing/printing.hpp"
+#include "testing/simple_forced.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -24,8 +25,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double tolerance = 1e-14;
-
 ForcedResponse run(const Oscillator& oscillator, const Surface& surface, const Start& start,
                    const Excitation& excitation = {}, std::optional<double> t_end = {}) {
   ForcedOptions options;
@@ -35,15 +34,6 @@ ForcedResponse run(const Oscillator& oscillator, const Surface& surface, const S
 
 Surface notch(double width) {
   return {width, {}};
-}
-
-void close(double value, double expected) {
-  BOOST_TEST(std::abs(value - expected) <= tolerance * std::fmax(1, std::abs(expected)),
-             value << " expected " << expected);
-}
-
-Record constant(double k) {
-  return {{k, k}, 1e6, {}};
 }
 
 }  // namespace

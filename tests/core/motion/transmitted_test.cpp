@@ -2,6 +2,7 @@
 #include "testing/forced_scene.hpp"
 #include "testing/printing.hpp"
 #include "testing/scene_count.hpp"
+#include "testing/simple_forced.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/forced_trajectory.hpp>
@@ -26,20 +27,6 @@ BOOST_AUTO_TEST_SUITE(transmitted_test)
 namespace {
 
 using std::numbers::pi;
-
-constexpr double tolerance = 1e-14;
-
-ForcedResponse run(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
-                   std::optional<double> t_end = {}) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options);
-}
-
-void close(double value, double expected) {
-  BOOST_TEST(std::abs(value - expected) <= tolerance * std::fmax(1, std::abs(expected)),
-             value << " expected " << expected);
-}
 
 /// The largest load on a mass that the notch catches at the start: v0^2 = 0.01 < 2 delta.
 void check_caught(const Excitation& excitation, std::optional<double> t_end, double load) {
