@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -18,8 +19,11 @@ namespace stillpoint::cli {
 [[nodiscard]] std::optional<double> notch_width(
     const Settings& settings, const std::optional<design::PhysicalInput>& physical);
 
-/// What the mass slides on. Edges are in metres with physical input. Throws InputError for a text
-/// that is no list of zones.
+/// Edges are in metres with physical input. Throws InputError for a text that is no list of zones.
+[[nodiscard]] std::vector<FrictionZone> friction_zones(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// What the mass slides on.
 [[nodiscard]] Surface surface_input(const Settings& settings,
                                     const std::optional<design::PhysicalInput>& physical);
 
