@@ -93,14 +93,4 @@ Surface surface_input(const Settings& settings,
   return {notch_width(settings, physical), friction_zones(settings, physical)};
 }
 
-void require_paper_notch(const Settings& settings, Command command) {
-  for (const std::string_view option : {"hold", "notch-width", "notch-width-m", "friction-zones"}) {
-    if (settings.has(option)) {
-      throw UsageError(
-          fmt::format("{} is not for {}, which computes the paper's notch and a constant f", option,
-                      name(command)));
-    }
-  }
-}
-
 }  // namespace stillpoint::cli

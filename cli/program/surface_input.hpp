@@ -27,7 +27,4 @@ namespace stillpoint::cli {
 [[nodiscard]] Surface surface_input(const Settings& settings,
                                     const std::optional<design::PhysicalInput>& physical);
 
-/// UsageError where the notch is not the paper's, for a command that knows no other.
-void require_paper_notch(const Settings& settings, Command command);
-
 }  // namespace stillpoint::cli
