@@ -55,7 +55,8 @@ ordered_json half_cycles_json(const std::vector<HalfCycle>& half_cycles) {
                     {"peak", number(now.peak)},
                     {"end_time", number(now.end_time)},
                     {"end_position", number(now.end_position)},
-                    {"arrival_speed", number(now.arrival_speed)}});
+                    {"arrival_speed", number(now.arrival_speed)},
+                    {"impulse", number(now.impulse)}});
   }
   return list;
 }

@@ -40,6 +40,11 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
                in("peak at", units.time_unit), in("peak", units.length_unit),
                in("ends", units.time_unit), in("arrives at", units.velocity_unit)},
               {}};
+  const bool impulses = std::ranges::any_of(
+      answer.half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
+  if (impulses) {
+    table.head.push_back(in("impulse/m", units.velocity_unit));
+  }
   const std::size_t listed = std::min(most_listed, answer.half_cycles.size());
   for (std::size_t i = 0; i < listed; ++i) {
     const HalfCycle& now = answer.half_cycles[i];
@@ -48,6 +53,9 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
           digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
           digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
           arrival(now, answer.response.outcome, units)}});
+    if (impulses) {
+      table.rows.back().cells.push_back(now.impulse ? digits(*now.impulse * units.velocity) : "");
+    }
   }
   Section& section = document.section("Half-cycles");
   section.parts.emplace_back(std::move(table));
@@ -95,6 +103,17 @@ std::string verdict(const MotionReport& report) {
   return text + ".";
 }
 
+/// Where the largest transmitted acceleration is felt, if there is a notch.
+std::string_view felt_where(const MotionReport& report) {
+  const auto& forced = report.answer.forced;
+  if (forced && forced->largest_load_while_locked == forced->peak_absolute_acceleration) {
+    return " while it is locked";
+  }
+  return report.request.oscillator.delta == 0 ? ""
+         : report.request.surface.notch_width ? ", the notch included"
+                                              : ", outside the notch";
+}
+
 void add_answer(Section& answer, const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Response& response = report.answer.response;
@@ -107,7 +126,7 @@ void add_answer(Section& answer, const MotionReport& report) {
   }
   answer.row("acceleration",
              format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
-                    delta > 0 ? ", outside the notch" : ""));
+                    felt_where(report)));
   constexpr double worth_saying = 0.01;  // no damper is built nearer to its drawing
   if (response.decision_margin && *response.decision_margin < worth_saying) {
     answer.row(

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <variant>
 
 namespace stillpoint {
@@ -19,7 +20,9 @@ class HalfCycleCollector {
  public:
   static constexpr bool watches = true;
 
-  HalfCycleCollector(double p, std::int64_t most) : p_(p), most_(most) {}
+  /// `notch` is 2 delta at x = 0; empty where the notch has a width.
+  HalfCycleCollector(double p, std::optional<double> notch, std::int64_t most)
+      : p_(p), notch_(notch), most_(most) {}
 
   void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
     const double tau = now.value() / p_;
@@ -33,6 +36,7 @@ class HalfCycleCollector {
         arrival_ = tau;
         break;
       case ForcedEventKind::passage:
+        feel_the_notch(std::abs(v));
         close(arrival_, 0);
         now_.start_time = now_.peak_time = tau;  // later, where the notch held the mass for a while
         now_.departure_speed = std::abs(v);
@@ -53,6 +57,7 @@ class HalfCycleCollector {
     if (!over_) {
       reach(tau, u);
       now_.last = over_ = true;
+      feel_the_notch(0);
       close(tau, u / p_);
     }
   }
@@ -67,6 +72,14 @@ class HalfCycleCollector {
       now_.peak = x;
       now_.peak_time = tau;
       now_.side = u > 0 ? 1 : -1;
+    }
+  }
+
+  /// A mass that left the notch later had stopped in it first.
+  void feel_the_notch(double departure) {
+    if (notch_ && now_.arrival_speed) {
+      now_.impulse =
+          departure > 0 ? *notch_ / (*now_.arrival_speed + departure) : *now_.arrival_speed;
     }
   }
 
@@ -85,6 +98,7 @@ class HalfCycleCollector {
   }
 
   double p_;
+  std::optional<double> notch_;
   std::int64_t most_;
   double arrival_{0};  ///< tau of the last arrival at x = 0
   bool over_{false};
@@ -101,7 +115,9 @@ std::vector<HalfCycle> forced_half_cycles(const Oscillator& oscillator, const St
                                           const Surface& surface) {
   require_valid(oscillator, start, excitation, t_end);
   require_valid(oscillator, surface);
-  HalfCycleCollector collector(oscillator.p, most);
+  const auto notch =
+      surface.notch_width ? std::nullopt : std::optional<double>(2 * oscillator.delta);
+  HalfCycleCollector collector(oscillator.p, notch, most);
   Patience asked(go_on, ForcedOptions().ask_every);
   const auto goes_on = [&](double tau) {
     return !collector.full() && asked.lasts([tau] { return tau; });

@@ -97,9 +97,11 @@ void HalfCycleSteps::end_at_zero(HalfCycle& now, double arrival) {
   passages_ += 1;
   const double left = left_of(arrival);
   if (!(left > 0)) {
+    now.impulse = now.arrival_speed;
     now.last = over_ = true;
     return;
   }
+  now.impulse = map_.notch / (*now.arrival_speed + std::sqrt(left));
   crest_ = next_crest(left);
   side_ = -side_;
 }

@@ -70,6 +70,33 @@ BOOST_AUTO_TEST_CASE(a_real_notch_and_zones_come_from_flags_and_from_a_scene) {
   BOOST_TEST(scene["input"]["friction_zones"][1]["f"] == 0.4);
 }
 
+BOOST_AUTO_TEST_CASE(the_answer_says_where_the_acceleration_is_felt) {
+  const auto says = [&](const Arguments& more, const std::string& where) {
+    const ProgramRun answer = run(joined(simulate("0.26", "0.37"), more));
+    BOOST_TEST(answer.out.find("g transmitted" + where + "\n") != std::string::npos, answer.out);
+  };
+  says({}, ", outside the notch");
+  says({"--notch-width", "0.1"}, ", the notch included");
+  // It stops at x = 0 under a load that goes on, and then grows.
+  write("late.csv", "0 0\n10 0\n14 3\n");
+  says({"--record", "late.csv"}, " while it is locked");
+}
+
+BOOST_AUTO_TEST_CASE(every_passage_has_its_impulse) {
+  // f = 0.02, Delta = 0.02: ten passages and a stop.
+  const json report = report_of(*this, simulate("0.02", "0.02"), impatient());
+  for (std::size_t i = 0; i < report["half_cycles"].size(); ++i) {
+    const json& now = report["half_cycles"][i];
+    const double arrival = now["arrival_speed"];
+    const double left = std::sqrt(std::max(0.0, arrival * arrival - 0.04));
+    BOOST_TEST(near(now["impulse"], arrival - left, 1e-12));
+  }
+  BOOST_TEST(run(joined(simulate("0.02", "0.02"), {"--verbose"})).out.find("impulse/m") !=
+             std::string::npos);
+  BOOST_TEST(run(joined(simulate("0.02", "0"), {"--verbose"})).out.find("impulse/m") ==
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(edges_of_zones_and_the_hold_may_carry_their_unit) {
   const Arguments motion{"simulate", "--velocity", "0.4", "--period", "2.8", "--f", "0.02"};
   const Arguments delta{"--delta-m", "1mm"};

@@ -57,7 +57,7 @@ bool equal(const HalfCycle& a, const HalfCycle& b) {
   return a.index == b.index && a.side == b.side && a.start_time == b.start_time &&
          a.departure_speed == b.departure_speed && a.peak_time == b.peak_time && a.peak == b.peak &&
          a.end_time == b.end_time && a.end_position == b.end_position &&
-         a.arrival_speed == b.arrival_speed && a.last == b.last;
+         a.arrival_speed == b.arrival_speed && a.impulse == b.impulse && a.last == b.last;
 }
 
 }  // namespace
@@ -82,9 +82,29 @@ BOOST_AUTO_TEST_CASE(follow_one_another_and_lose_what_the_notch_takes) {
           BOOST_TEST(now.side == -before.side);
           const double left = std::pow(*before.arrival_speed, 2) - 2 * run.oscillator.delta;
           BOOST_TEST(near(std::pow(now.departure_speed, 2), left, 1e-12));
+          BOOST_TEST(near(*before.impulse, *before.arrival_speed - now.departure_speed, 1e-12));
         }
+        BOOST_TEST(now.impulse.has_value() == now.arrival_speed.has_value());
       }
     }
+  }
+}
+
+// Without friction the mass comes back with the speed 1 at pi. The notch takes the energy 0.5,
+// which stops it, and lets it go when the load exceeds 1.5: the structure felt the whole stop.
+BOOST_AUTO_TEST_CASE(a_stop_in_a_notch_that_lets_go_is_felt_whole) {
+  Record late;
+  late.values = {0, 0, 2, 2};
+  late.times = {0, 4, 5, 20};
+  const auto list = forced_half_cycles({1, 0, 0.5, 1.5}, {0, 1}, late, 20, all);
+  BOOST_TEST_REQUIRE(list.size() > 1U);
+  BOOST_TEST(near(*list[0].arrival_speed, 1, 1e-14));
+  BOOST_TEST(*list[0].impulse == *list[0].arrival_speed);
+  BOOST_TEST(list[1].departure_speed == 0);
+  // A notch with a width is felt as an acceleration.
+  for (const HalfCycle& now :
+       forced_half_cycles({1, 0.02, 0.02}, {0, 1}, NoExcitation{}, 50, all, {}, {0.1, {}})) {
+    BOOST_TEST(!now.impulse);
   }
 }
 

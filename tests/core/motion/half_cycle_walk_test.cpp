@@ -55,6 +55,9 @@ void is_consistent(const Scene<>& scene, const std::vector<HalfCycle>& list, std
   BOOST_TEST(now.start_time == before.end_time);
   BOOST_TEST(now.side == -before.side);
   BOOST_TEST(now.departure_speed <= *before.arrival_speed);
+  // Where little is taken the difference of the speeds has lost its digits.
+  BOOST_TEST(std::abs(*before.impulse - (*before.arrival_speed - now.departure_speed)) <=
+             energy_tolerance * *before.arrival_speed);
   const double arrival = std::pow(*before.arrival_speed, 2);
   BOOST_TEST(std::abs(std::pow(now.departure_speed, 2) - (arrival - 2 * scene.delta)) <=
              energy_tolerance * arrival);
@@ -72,6 +75,7 @@ void agrees_with_free_response(const Scene<>& scene, const std::vector<HalfCycle
   const HalfCycle& last = list.back();
   near("end_time", last.end_time, *r.stop_time, 1e-13);
   BOOST_TEST(std::abs(last.end_position - *r.stop_position) <= length_tolerance * r.peak_amplitude);
+  BOOST_TEST((last.impulse == last.arrival_speed));  // all of it where the mass stops at x = 0
   if (last.arrival_speed) {
     const double energy = std::pow(scene.p * r.peak_amplitude, 2);
     const double difference = std::pow(*last.arrival_speed, 2) - std::pow(*r.arrival_speed, 2);
@@ -103,6 +107,9 @@ BOOST_AUTO_TEST_CASE(two_half_cycles_by_hand) {
   near("end_time", second.end_time, up + down + std::atan2(std::sqrt(32.0), 7.0), time_tolerance);
   BOOST_TEST(second.peak_time == second.end_time);
   BOOST_TEST(second.last);
+  // The notch takes sqrt(72) - sqrt(32) = 2 sqrt(2) of the speed; the second ends off x = 0.
+  near("impulse", *first.impulse, std::sqrt(8.0), speed_tolerance);
+  BOOST_TEST(!second.impulse);
 }
 
 BOOST_AUTO_TEST_CASE(an_inward_start_has_its_peak_at_the_start) {

@@ -23,7 +23,10 @@ struct HalfCycle {
   double end_time{0};                   ///< tau of the arrival at x = 0, or of the rest
   double end_position{0};               ///< 0, or the signed place of a rest off x = 0
   std::optional<double> arrival_speed;  ///< |x'| at x = 0 before the notch; empty: rests off x = 0
-  bool last{false};                     ///< the motion ends with it
+  /// v- - v+ of the notch at its end, per mass, which the structure feels; empty where it does not
+  /// end at x = 0, or where the notch has a width and is felt as an acceleration.
+  std::optional<double> impulse;
+  bool last{false};  ///< the motion ends with it
 };
 
 /// Walks through a free motion half-cycle by half-cycle, in constant memory, times included. With
