@@ -62,6 +62,10 @@ Layout::Layout(const Figure& figure, double at_least)
       left(std::max(at_least, plot_left(figure))),
       bottom(upper + figure.height),
       axis_words(figure.x.label.empty() ? 6 : 44) {
+  // One value alone says nothing of the scale.
+  for (int wanted = 4; y.values.size() < 2 && wanted <= 6; ++wanted) {
+    y = labelled(figure.y, wanted);
+  }
   for (const int wanted : {6, 4, 3, 2}) {
     x = labelled(figure.x, wanted);
     width = figure_width - left - std::max(right_margin, widest(x) / 2 + 1);

@@ -135,6 +135,16 @@ BOOST_AUTO_TEST_CASE(ticks_are_told_apart_and_stay_within_the_figure) {
   BOOST_TEST(plot_left(figure) > usual);
 }
 
+// Of the range of a low figure, +-0.35 by halves would be 0 alone.
+BOOST_AUTO_TEST_CASE(a_low_figure_has_two_values_beside_it_at_least) {
+  Figure figure = one_of_everything();
+  figure.height = 160;
+  figure.y = {"W", -0.37, 0.31};
+  const std::string text = svg(figure, Frame::in_page);
+  BOOST_TEST(text.find(">-0.2</text>") != std::string::npos);
+  BOOST_TEST(text.find(">0.2</text>") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
   Figure figure = one_of_everything();
   figure.map = {};
