@@ -3,6 +3,7 @@
 #include "motion_input.hpp"
 #include "request.hpp"
 #include "surface_input.hpp"
+#include "value_units.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -36,10 +37,11 @@ std::optional<sweep::ListFormat> list_format(const Settings& settings) {
   return *wanted == "csv" ? sweep::ListFormat::csv : sweep::ListFormat::jsonl;
 }
 
-std::shared_ptr<sweep::List> open_list(const Settings& settings) {
+std::shared_ptr<sweep::List> open_list(const Settings& settings,
+                                       const std::optional<SweepUnits>& units) {
   const auto format = list_format(settings);
   if (const auto path = settings.text("list")) {
-    return std::make_shared<sweep::List>(*path, format);
+    return std::make_shared<sweep::List>(*path, format, units);
   }
   if (format) {
     throw UsageError("list-format is for a list: give --list FILE as well");
@@ -47,15 +49,8 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings) {
   return {};
 }
 
-/// The option that gives the input; with physical input the one in metres and seconds.
-std::string option_of(Quantity input, const std::optional<SweepUnits>& units) {
-  std::string option(name(input, units));
-  std::ranges::replace(option, '_', '-');
-  return option;
-}
-
 bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
-  return settings.has(option_of(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
+  return settings.has(option_name(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
 }
 
 /// What is dimensionless by a length that a physical sweep does not have.
@@ -77,9 +72,6 @@ std::optional<SweepUnits> units(const Settings& settings) {
     return std::nullopt;
   }
   refuse_dimensionless(settings);
-  if (settings.has("list")) {
-    throw UsageError("list is for dimensionless input: give ranges, or --v0 and --p");
-  }
   SweepUnits units;
   units.gravity_m_per_s2 = settings.number("gravity").value_or(units.gravity_m_per_s2);
   require_within("gravity", units.gravity_m_per_s2, smallest_physical, largest_physical);
@@ -108,12 +100,12 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   if (!given(settings, spec, Quantity::beta)) {
     return excitation_type(settings) ? SweepKind::forced : SweepKind::free;
   }
-  const std::string beta = option_of(Quantity::beta, spec.units);
+  const std::string beta = option_name(Quantity::beta, spec.units);
   for (const Quantity other :
        {Quantity::f, Quantity::delta, Quantity::x0, Quantity::hold, Quantity::notch_width}) {
     if (given(settings, spec, other)) {
       throw UsageError(fmt::format("{0} and {1} exclude each other: {0} asks for a design", beta,
-                                   option_of(other, spec.units)));
+                                   option_name(other, spec.units)));
     }
   }
   return SweepKind::design;
@@ -121,7 +113,7 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
 
 /// Options that only one kind uses are refused with another, not ignored.
 void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
-  const std::string beta = option_of(Quantity::beta, spec.units);
+  const std::string beta = option_name(Quantity::beta, spec.units);
   if (spec.kind == SweepKind::design) {
     for (const char* const other :
          {"excitation", "record", "friction-zones", "t-end", "end-time", "half-cycle-limit"}) {
@@ -144,15 +136,44 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   }
 }
 
-/// The isolator and the stroke as design and simulate take them.
+/// "velocity = -1 m/s: must be from 1e-30 to 1e+30 m/s"
+void require_in_units(const std::string& option, double value, double least) {
+  if (value >= least && value <= largest_physical) {
+    return;
+  }
+  const auto units = units_of(find_option(option)->traits.dimension);
+  throw InputError(
+      option, fmt::format("{} {}", value, units.front().name),
+      fmt::format("must be from {} to {} {}", least, largest_physical, units.front().name));
+}
+
+/// What has a unit, in it: core would name dimensionless numbers.
 void require_physical(const std::string& option, const Axis& axis, Quantity input,
                       const SweepSpec& spec) {
-  const bool is_positive = input == Quantity::p || input == Quantity::beta ||
-                           (input == Quantity::v0 && spec.kind == SweepKind::design);
-  if (spec.units && is_positive) {
-    require_within(option.c_str(), axis.ends().first, smallest_physical, largest_physical);
-    require_within(option.c_str(), axis.ends().second, smallest_physical, largest_physical);
+  if (!spec.units || find_option(option)->traits.units != Units::physical) {
+    return;
   }
+  const bool may_be_negative =
+      input == Quantity::x0 || (input == Quantity::v0 && spec.kind != SweepKind::design);
+  const double least = may_be_negative            ? -largest_physical
+                       : input == Quantity::delta ? 0
+                                                  : smallest_physical;
+  require_in_units(option, axis.ends().first, least);
+  require_in_units(option, axis.ends().second, least);
+}
+
+/// What is wrong with the time or the frequency of a load, by the option that gave it.
+InputError of_physical_option(const InputError& error, const Settings& settings) {
+  for (const auto& [field, option] :
+       {std::pair{"lambda", "excitation-frequency"}, std::pair{"lambda", "pulse-duration"},
+        std::pair{"duration", "excitation-duration"}, std::pair{"t_end", "end-time"}}) {
+    if (error.field() == field && settings.has(option)) {
+      const auto unit = units_of(find_option(option)->traits.dimension).front().name;
+      return {option, fmt::format("{} {}", *settings.number(option), unit),
+              fmt::format("makes {}", error.what())};
+    }
+  }
+  return error;
 }
 
 /// Where nothing else is given a motion starts from x = 0, and from rest if something else moves
@@ -161,7 +182,7 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
   const bool may_rest = spec.kind == SweepKind::forced ||
                         (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
   for (const Quantity input : sweep::inputs(spec.kind)) {
-    const std::string option = option_of(input, spec.units);
+    const std::string option = option_name(input, spec.units);
     if (const auto axis = settings.axis(option)) {
       require_physical(option, *axis, input, spec);
       spec.axes.push_back({input, *axis});
@@ -188,6 +209,9 @@ void add_design(const Settings& settings, SweepSpec& spec) {
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");
   spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
+  if (spec.units && spec.limits.delta_max) {
+    require_in_units("delta-max-m", *spec.limits.delta_max, smallest_physical);
+  }
   spec.limits.acceleration_max = settings.number("acceleration-max");
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
 }
@@ -250,7 +274,7 @@ SweepSpec sweep_request(const Settings& settings) {
   spec.threads = static_cast<int>(settings.count("threads", all_threads, 1, 1024));
   spec.resume = settings.flag("resume");
   spec.units = units(settings);
-  spec.list = open_list(settings);
+  spec.list = open_list(settings, spec.units);
   spec.kind = kind_of(settings, spec);
   refuse_for_other_kinds(settings, spec);
   if (spec.kind == SweepKind::design) {
@@ -261,7 +285,14 @@ SweepSpec sweep_request(const Settings& settings) {
   add_axes(settings, spec);
   spec.columns = columns(settings, spec);
   spec.identity = identity(settings, spec);
-  require_valid(spec);
+  try {
+    require_valid(spec);
+  } catch (const InputError& error) {
+    if (spec.units) {
+      throw of_physical_option(error, settings);
+    }
+    throw;
+  }
   return spec;
 }
 

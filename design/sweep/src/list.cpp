@@ -9,8 +9,10 @@
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace stillpoint::sweep {
 
@@ -20,17 +22,28 @@ using records::longest_word;
 using records::printable;
 using records::trimmed;
 
-bool is_input(Quantity quantity) {
-  using enum Quantity;
-  return quantity == v0 || quantity == p || quantity == x0 || quantity == beta || quantity == f ||
-         quantity == delta || quantity == hold || quantity == notch_width;
+using enum Quantity;
+constexpr std::array inputs{v0, p, x0, beta, f, delta, hold, notch_width};
+
+/// The input of that name; '-' and '_' are the same.
+std::optional<Quantity> find_input(std::string_view written,
+                                   const std::optional<SweepUnits>& units) {
+  std::string underscored(written);
+  std::ranges::replace(underscored, '-', '_');
+  const auto* const found = std::ranges::find_if(
+      inputs, [&](Quantity input) { return name(input, units) == underscored; });
+  return found == inputs.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string not_a(std::string_view what, std::string_view found) {
-  return fmt::format(
-      "\"{}\" is not a {} of a list, which may have v0, p, x0, beta, f, delta, hold and "
-      "notch_width",
-      printable(found, longest_word), what);
+std::string not_a(std::string_view what, std::string_view found,
+                  const std::optional<SweepUnits>& units) {
+  std::vector<std::string_view> names;
+  names.reserve(inputs.size());
+  for (const Quantity input : inputs) {
+    names.push_back(name(input, units));
+  }
+  return fmt::format("\"{}\" is not a {} of a list, which may have {}",
+                     printable(found, longest_word), what, fmt::join(names, ", "));
 }
 
 /// "1 value", "2 values"
@@ -40,8 +53,9 @@ std::string counted(std::size_t count, std::string_view what) {
 
 }  // namespace
 
-List::List(const std::string& path, std::optional<ListFormat> format)
-    : lines_(std::make_unique<LineReader>(path)) {
+List::List(const std::string& path, std::optional<ListFormat> format,
+           const std::optional<SweepUnits>& units)
+    : lines_(std::make_unique<LineReader>(path)), units_(units) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::string_view line;
   if (!next_line(line, {})) {
@@ -92,15 +106,15 @@ bool List::next_line(std::string_view& line, const std::stop_token& stop) {
 void List::read_header(std::string_view line) {
   CsvLine fields(line);
   for (std::string_view field; fields.next(field);) {
-    const auto quantity = find_quantity(field);
+    const auto quantity = find_input(field, units_);
     if (fields.unclosed()) {
       refuse("a quote is opened and not closed");
     }
-    if (!quantity || !is_input(*quantity)) {
-      refuse(not_a("column", field));
+    if (!quantity) {
+      refuse(not_a("column", field, units_));
     }
     if (has(*quantity)) {
-      refuse(fmt::format("the column {} is there twice", name(*quantity)));
+      refuse(fmt::format("the column {} is there twice", name(*quantity, units_)));
     }
     columns_.push_back(*quantity);
   }
@@ -116,7 +130,7 @@ void List::read_row(std::string_view line, std::vector<double>& values) {
     }
     if (count < columns_.size()) {
       try {
-        values.push_back(records::parse_number(name(columns_[count]), field));
+        values.push_back(records::parse_number(name(columns_[count], units_), field));
       } catch (const InputError& error) {
         refuse(printable(error.what(), 4 * longest_word));
       }
@@ -137,18 +151,18 @@ void List::read_object(std::string_view line, std::vector<double>& values) {
   values.resize(row.fields.size());
   for (std::size_t i = 0; i < row.fields.size(); ++i) {
     const auto& [key, value] = row.fields[i];
-    const auto quantity = find_quantity(key);
-    if (!quantity || !is_input(*quantity)) {
-      refuse(not_a("key", key));
+    const auto quantity = find_input(key, units_);
+    if (!quantity) {
+      refuse(not_a("key", key, units_));
     }
     const auto place = std::ranges::find(columns_, *quantity);
     if (is_first && place == columns_.end()) {
       columns_.push_back(*quantity);
       values[i] = value;
     } else if (is_first) {
-      refuse(fmt::format("the key {} is there twice", name(*quantity)));
+      refuse(fmt::format("the key {} is there twice", name(*quantity, units_)));
     } else if (place == columns_.end()) {
-      refuse(fmt::format("has the key {}, but the first object does not", name(*quantity)));
+      refuse(fmt::format("has the key {}, but the first object does not", name(*quantity, units_)));
     } else if (row.fields.size() == columns_.size()) {
       values[static_cast<std::size_t>(place - columns_.begin())] = value;
     }

@@ -29,7 +29,7 @@ const SweepSpec& drawable(const SweepSpec& spec) {
   for (const SweepAxis& swept : spec.axes) {
     if (swept.quantity != Quantity::f && swept.quantity != Quantity::delta &&
         swept.axis.size() > 1) {
-      throw InputError(std::string(name(swept.quantity, spec.units)), swept.axis.text(),
+      throw InputError(option_name(swept.quantity, spec.units), swept.axis.text(),
                        "must be one number if a map of f and delta is drawn");
     }
   }
@@ -71,13 +71,13 @@ std::uint8_t SweepClass::of(Outcome outcome, double half_cycles) {
   return 2 * ranges + 2;
 }
 
-MapAxis::MapAxis(const SweepAxis& swept)
+MapAxis::MapAxis(const SweepAxis& swept, const std::optional<SweepUnits>& units)
     : axis_(swept.axis),
       stride_((axis_.size() + most_cells - 1) / most_cells),
       cells_((axis_.size() + stride_ - 1) / stride_),
       falling_(axis_[0] > axis_[axis_.size() - 1]) {
   if (!axis_.spacing() || axis_.size() < 2 || axis_[0] == axis_[axis_.size() - 1]) {
-    throw InputError(std::string(name(swept.quantity)), axis_.text(),
+    throw InputError(option_name(swept.quantity, units), axis_.text(),
                      "must be a range first:last:count of 2 values or more if a map is drawn");
   }
 }
@@ -94,8 +94,8 @@ double MapAxis::value(std::int64_t cell) const {
 }
 
 SweepMap::SweepMap(const SweepSpec& spec)
-    : f_(axis_of(drawable(spec), Quantity::f)),
-      delta_(axis_of(spec, Quantity::delta)),
+    : f_(axis_of(drawable(spec), Quantity::f), spec.units),
+      delta_(axis_of(spec, Quantity::delta), spec.units),
       delta_size_(axis_of(spec, Quantity::delta).axis.size()),
       cells_(static_cast<std::size_t>(f_.cells() * delta_.cells()), unknown) {}
 

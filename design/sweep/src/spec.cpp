@@ -90,7 +90,7 @@ std::optional<std::int64_t> entries(const SweepSpec& spec) {
   std::int64_t count = 1;
   for (const SweepAxis& swept : spec.axes) {
     if (swept.axis.size() > most / count) {
-      throw InputError(std::string(name(swept.quantity, spec.units)), swept.axis.text(),
+      throw InputError(option_name(swept.quantity, spec.units), swept.axis.text(),
                        fmt::format("makes a grid of more than {} entries", most));
     }
     count *= swept.axis.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/units.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -103,6 +104,12 @@ std::string_view name(Quantity quantity, const std::optional<SweepUnits>& units)
     }
   }
   return name(quantity);
+}
+
+std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units) {
+  std::string option(name(quantity, units));
+  std::ranges::replace(option, '_', '-');
+  return option;
 }
 
 }  // namespace stillpoint::sweep

@@ -24,7 +24,7 @@ bool contains(std::span<const Quantity> quantities, Quantity quantity) {
 /// Each input has one axis, or is a column of the list.
 void require_inputs(const SweepSpec& spec) {
   for (const SweepAxis& swept : spec.axes) {
-    const std::string field(name(swept.quantity, spec.units));
+    const std::string field = option_name(swept.quantity, spec.units);
     const auto refuse = [&](const std::string& bound) {
       throw InputError(field, swept.axis.text(), bound);
     };
@@ -45,7 +45,7 @@ void require_inputs(const SweepSpec& spec) {
     const bool may_be_left_out = input == Quantity::hold || input == Quantity::notch_width;
     if (!may_be_left_out && !given(spec, input)) {
       throw InputError::missing(
-          std::string(name(input, spec.units)),
+          option_name(input, spec.units),
           fmt::format("give a number, a range first:last:count, or numbers a,b,c{}",
                       spec.list ? ", or make it a column of the list" : ""));
     }
@@ -121,9 +121,6 @@ void require_valid(const SweepSpec& spec) {
   }
   if (spec.half_cycle_limit) {
     require_within("half-cycle-limit", *spec.half_cycle_limit, 1, 1e15);
-  }
-  if (spec.units && spec.list) {
-    throw InputError("list", spec.list->source(), "must be dimensionless, like the other input");
   }
   if (entries(spec)) {
     check_corners(spec);

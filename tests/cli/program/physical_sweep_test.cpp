@@ -137,6 +137,29 @@ BOOST_FIXTURE_TEST_CASE(loads_are_in_hertz_and_seconds, Sandbox) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(lists_are_in_metres_and_seconds, Sandbox) {
+  const Arguments motion{"--velocity", "0.4", "--period", "2.8s"};
+  write("dampers.csv", "f,delta-m\n0.02,0.001\n0.03,0.004\n");
+  write("dampers.jsonl", R"({"f": 0.02, "delta_m": 0.001}
+{"f": 0.03, "delta_m": 0.004})");
+  const SweepTable grid =
+      rows(*this, joined(motion, {"--f", "0.02,0.03", "--delta-m", "1mm,4mm", "--times"}));
+  for (const char* const list : {"dampers.csv", "dampers.jsonl"}) {
+    const SweepTable table = rows(*this, joined(motion, {"--list", list, "--times"}));
+    BOOST_TEST(table.columns == grid.columns, boost::test_tools::per_element());
+    BOOST_TEST_REQUIRE(table.rows.size() == 2U);
+    BOOST_TEST(table.rows[0] == grid.rows[0], boost::test_tools::per_element());
+    BOOST_TEST(table.rows[1] == grid.rows[3], boost::test_tools::per_element());
+  }
+  write("plain.csv", "f,delta\n0.02,0.001\n");
+  const ProgramRun mixed = run(joined({"sweep", "--list", "plain.csv"}, motion));
+  BOOST_TEST(mixed.exit_code == 2);
+  BOOST_TEST(
+      mixed.err.find("\"delta\" is not a column of a list, which may have velocity, period") !=
+          std::string::npos,
+      mixed.err);
+}
+
 BOOST_FIXTURE_TEST_CASE(real_notches_are_in_metres, Sandbox) {
   const Arguments motion{"--velocity", "0.4", "--period", "2.8", "--f", "0.02"};
   const SweepTable table =
@@ -189,10 +212,35 @@ const std::vector<Wrong> wrongs{
      sweep({"--period", "1", "--delta-m", "0", "--excitation", "half-sine", "--k", "1", "--lambda",
             "1"}),
      {"lambda is dimensionless", "--excitation-frequency"}},
-    {"list",
-     sweep({"--period", "1", "--delta-m", "0", "--list", "l.csv"}),
-     {"list", "dimensionless"}},
-    {"period_zero", sweep({"--period", "0:1:3", "--delta-m", "0"}), {"period = 0", "from 1e-30"}},
+    {"period_zero",
+     sweep({"--period", "0:1:3", "--delta-m", "0"}),
+     {"period = 0 s", "from 1e-30 to 1e+30 s"}},
+    {"delta_negative",
+     sweep({"--period", "1", "--delta-m", "1mm,-1mm"}),
+     {"delta-m = -0.001 m", "from 0 to 1e+30 m"}},
+    {"velocity_too_large",
+     {"sweep", "--velocity", "1e200", "--period", "1", "--f", "0", "--delta-m", "0"},
+     {"velocity = 1e+200 m/s", "m/s"}},
+    {"notch_width_zero",
+     sweep({"--period", "1", "--delta-m", "0", "--notch-width-m", "0"}),
+     {"notch-width-m = 0 m", "from 1e-30"}},
+    {"delta_max_negative",
+     {"sweep", "--velocity", "1", "--period", "1", "--max-displacement", "1", "--delta-max-m",
+      "-1"},
+     {"delta-max-m = -1 m"}},
+    {"frequency_too_high",
+     sweep({"--period", "1", "--delta-m", "0", "--excitation", "harmonic", "--k", "1",
+            "--excitation-frequency", "1e29Hz", "--end-time", "1"}),
+     {"excitation-frequency = 1e+29 Hz", "lambda"}},
+    {"end_too_late",
+     sweep({"--period", "1", "--delta-m", "0", "--excitation", "harmonic", "--k", "1",
+            "--excitation-frequency", "1", "--end-time", "1e29s"}),
+     {"end-time = 1e+29 s"}},
+    {"delta_missing", sweep({"--period", "1"}), {"delta-m is missing"}},
+    {"map_of_a_list_of_delta",
+     {"sweep", "--velocity", "1", "--period", "1", "--f", "0:1:3", "--delta-m", "0,1mm", "--html",
+      "map.html", "--output", "rows.csv"},
+     {"delta-m = 0,0.001"}},
     {"mass_missing", sweep({"--stiffness", "1", "--delta-m", "0"}), {"mass is missing"}},
     {"period_missing", sweep({"--delta-m", "0"}), {"period is missing"}},
     {"dimensionless_column",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/sweep/quantity.hpp>
+#include <stillpoint/sweep/units.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -23,8 +24,10 @@ enum class ListFormat { csv, jsonl };
 class List {
  public:
   /// Reads the header, or the first object. `path` "-" is standard input. Without a format the list
-  /// is JSON lines if its first character other than a blank is "{".
-  explicit List(const std::string& path, std::optional<ListFormat> format = {});
+  /// is JSON lines if its first character other than a blank is "{". With `units` its columns have
+  /// the names of physical inputs, and its numbers are in SI units.
+  explicit List(const std::string& path, std::optional<ListFormat> format = {},
+                const std::optional<SweepUnits>& units = {});
   List(const List&) = delete;
   List& operator=(const List&) = delete;
   List(List&&) = delete;
@@ -53,6 +56,7 @@ class List {
   [[noreturn]] void refuse(std::string_view what) const;
 
   std::unique_ptr<LineReader> lines_;
+  std::optional<SweepUnits> units_;
   ListFormat format_{ListFormat::csv};
   std::vector<Quantity> columns_;
   std::optional<std::vector<double>> first_;  ///< read with the keys, not yet given

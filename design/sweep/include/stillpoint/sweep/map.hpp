@@ -36,7 +36,7 @@ class SweepClass {
 class MapAxis {
  public:
   /// Throws InputError unless the axis is a range with two different values or more.
-  explicit MapAxis(const SweepAxis& swept);
+  explicit MapAxis(const SweepAxis& swept, const std::optional<SweepUnits>& units = {});
 
   [[nodiscard]] std::int64_t cells() const { return cells_; }
   [[nodiscard]] Axis::Spacing spacing() const { return *axis_.spacing(); }

@@ -34,7 +34,7 @@ enum class RowFormat { csv, npy };
 /// What a sweep is to compute, and where its rows go. Without `units` everything is dimensionless.
 struct SweepSpec {
   SweepKind kind{SweepKind::free};
-  /// Inputs and results of the rows are physical, see units.hpp; not beside a list. Excitation,
+  /// Inputs and results of the rows are physical, see units.hpp, and so is a list. Excitation,
   /// t_end, zones and limits are dimensionless by these units.
   std::optional<SweepUnits> units{};
   /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has

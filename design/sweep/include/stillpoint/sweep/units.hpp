@@ -4,6 +4,7 @@
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace stillpoint::sweep {
@@ -28,5 +29,8 @@ struct SweepUnits {
 
 /// The name of a column: "stop_time", and with units "stop_time_s".
 [[nodiscard]] std::string_view name(Quantity quantity, const std::optional<SweepUnits>& units);
+
+/// The same as an option and in messages: "stop-time-s".
+[[nodiscard]] std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units);
 
 }  // namespace stillpoint::sweep
