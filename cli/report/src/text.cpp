@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace stillpoint::report {
@@ -104,23 +105,55 @@ class Text {
         widths[i] = std::max(widths[i], cells[i].size());
       }
     };
-    widen(table.head);
     std::ranges::for_each(table.rows, widen, &TableRow::cells);
-    std::string text = aligned({table.head}, widths);
+    const std::vector<std::size_t> narrow = widths;
+    widen(table.head);
+    std::vector<std::vector<std::string>> heads{table.head};
+    if (width(widths, usual_gap) > page_width) {
+      heads = units_below(table.head);
+      widths = narrow;
+      std::ranges::for_each(heads, widen);
+    }
+    const std::size_t gap = width(widths, usual_gap) > page_width ? narrow_gap : usual_gap;
+    std::string text;
+    for (const std::vector<std::string>& head : heads) {
+      text += aligned({head}, widths, gap);
+    }
     for (const TableRow& row : table.rows) {
-      text += aligned(row, widths);
+      text += aligned(row, widths, gap);
     }
     return text;
   }
 
  private:
-  [[nodiscard]] std::string aligned(const TableRow& row,
-                                    const std::vector<std::size_t>& widths) const {
+  static constexpr std::size_t usual_gap = 3;  // between columns
+  static constexpr std::size_t narrow_gap = 2;
+
+  static std::size_t width(const std::vector<std::size_t>& columns, std::size_t gap) {
+    return std::accumulate(columns.begin(), columns.end(), 2 + (columns.size() - 1) * gap);
+  }
+
+  /// "peak, mm" in two lines; one line where no head has a unit.
+  static std::vector<std::vector<std::string>> units_below(const std::vector<std::string>& heads) {
+    std::vector<std::vector<std::string>> lines(2);
+    bool any = false;
+    for (const std::string& head : heads) {
+      const std::size_t comma = head.find(", ");
+      any = any || comma != std::string::npos;
+      lines[0].push_back(head.substr(0, comma));
+      lines[1].push_back(comma == std::string::npos ? "" : head.substr(comma + 2));
+    }
+    lines.resize(any ? 2 : 1);
+    return lines;
+  }
+
+  [[nodiscard]] std::string aligned(const TableRow& row, const std::vector<std::size_t>& widths,
+                                    std::size_t gap) const {
     std::string text;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const std::string& cell = row.cells[i];
       const bool last = i + 1 == row.cells.size();
-      text += i == 0 ? "  " : "   ";
+      text += std::string(i == 0 ? 2 : gap, ' ');
       text += last     ? styled(row.tone, cell)
               : i == 0 ? fmt::format("{:<{}}", cell, widths[i])
                        : fmt::format("{:>{}}", cell, widths[i]);

@@ -48,6 +48,21 @@ BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
              "  A note.\n");
 }
 
+BOOST_AUTO_TEST_CASE(a_wide_table_has_its_units_below) {
+  Document document;
+  const std::string wide(34, 'x');
+  document.section("Wide").parts.emplace_back(
+      Table{{"", "starts, s", wide, wide, "peak, mm"}, {{{"1", "0", "2", "3", "4"}}}});
+  const std::string written = text(document, {});
+  const std::string::size_type heads = written.find("  starts");
+  BOOST_TEST_REQUIRE(heads != std::string::npos);
+  const std::size_t next = written.find('\n', heads) + 1;
+  BOOST_TEST(written.substr(heads, next - heads).find("peak\n") != std::string::npos);
+  BOOST_TEST(written.substr(next, written.find('\n', next) + 1 - next).find(" s ") !=
+             std::string::npos);
+  BOOST_TEST(written.find("starts, s") == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
   BOOST_TEST(html(sample()) ==
              "<section><h2>Rows</h2>\n"
