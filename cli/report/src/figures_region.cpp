@@ -35,6 +35,14 @@ struct Span {
   ProblemAt at;
 };
 
+/// The arrival whose strip is drawn: that at which the damper stops the mass, else the first.
+std::int64_t arrival_drawn(const DrawnRegion& drawn) {
+  const auto& damper = drawn.damper;
+  return damper && !drawn.pulse
+             ? design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(1)
+             : 1;
+}
+
 Span span_of(const DrawnRegion& drawn) {
   const Region& region = drawn.region;
   if (drawn.pulse && region.f_lower) {
@@ -51,6 +59,30 @@ Span span_of(const DrawnRegion& drawn) {
 double highest_delta(const DrawnRegion& drawn, const Span& span, double f) {
   const double v0 = span.at(f).v0;
   return std::min(v0 * v0 / 2, drawn.limits.delta_max.value_or(HUGE_VAL));
+}
+
+/// The same of a later arrival, between the edges of its strip.
+std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, const Span& span,
+                                       std::int64_t arrival, double unit) {
+  std::vector<FigurePoint> lower;
+  std::vector<FigurePoint> upper;
+  const double n = static_cast<double>(arrival);
+  const double tip = drawn.problem.v0 * drawn.problem.p / (2 * std::sqrt(n * (n + 1)));
+  const double last = std::min(span.last, tip);
+  for (int i = 0; span.first <= last && i <= steps; ++i) {
+    const double f = span.first + (last - span.first) * i / steps;
+    const auto range = design::delta_range(drawn.problem, arrival, f);
+    const double top = range ? std::min(range->high, drawn.limits.delta_max.value_or(HUGE_VAL)) : 0;
+    if (range && range->low <= top) {
+      lower.push_back({f, range->low * unit});
+      upper.push_back({f, top * unit});
+    }
+  }
+  if (lower.size() < 2) {
+    return {};
+  }
+  lower.insert(lower.end(), upper.rbegin(), upper.rend());
+  return lower;
 }
 
 /// What the five constraints and the limits leave, tolerance aside. Empty where that is nothing.
@@ -175,6 +207,20 @@ void add_start(Figure& figure, const DrawnRegion& drawn, const Span& span, doubl
   figure.curves.push_back(std::move(start));
 }
 
+/// The edges that every arrival has.
+void add_limits(Figure& figure, const DrawnRegion& drawn, double unit) {
+  add_vertical(figure, drawn.region.f2, "amplitude: f ≥ f₂");
+  if (drawn.limits.f_max) {
+    add_vertical(figure, *drawn.limits.f_max, "f max");
+  }
+  if (drawn.region.f4) {
+    add_vertical(figure, *drawn.region.f4, "acceleration: f ≤ f₄");
+  }
+  if (drawn.limits.delta_max) {
+    add_horizontal(figure, *drawn.limits.delta_max * unit, "Δ max");
+  }
+}
+
 void add_edges(Figure& figure, const DrawnRegion& drawn, const Span& span, double unit) {
   const double last = drawn.pulse ? span.last : drawn.region.f3;
   add_delta1(figure, span.at, last, unit);
@@ -216,7 +262,9 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
   const Span span = span_of(drawn);
-  auto outline = admissible_outline(drawn, span, unit);
+  const std::int64_t arrival = arrival_drawn(drawn);
+  auto outline = arrival > 1 ? strip_outline(drawn, span, arrival, unit)
+                             : admissible_outline(drawn, span, unit);
   const auto tolerance_box = damper ? box(*damper, unit) : std::vector<FigurePoint>{};
   Extent seen;
   seen.add(outline);
@@ -236,8 +284,19 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
       "f < {:.6g}. {}",
       drawn.pulse ? span.first : std::max(region.f2, 0.0), last, region.delta2 * unit, region.f1,
       region.feasible ? "" : "Nothing is left: no design is admissible. ");
+  if (arrival > 1) {
+    figure.title = format("Admissible region of arrival {}", arrival);
+    figure.description = format(
+        "The plane of f and Δ. The strip in which the mass stops at x = 0 at arrival {}, within "
+        "the "
+        "limits. ",
+        arrival);
+  } else if (drawn.problem.arrivals > 1) {
+    figure.title += " of the first arrival";
+  }
   if (!outline.empty()) {
-    figure.areas.push_back({"admissible", std::move(outline), Ink::sky});
+    figure.areas.push_back({arrival > 1 ? format("admissible, arrival {}", arrival) : "admissible",
+                            std::move(outline), Ink::sky});
   }
   if (damper) {
     figure.description +=
@@ -249,7 +308,11 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
     figure.marks.push_back(
         {damper->name, {{damper->f, damper->delta * unit}}, Shape::diamond, Ink::blue});
   }
-  add_edges(figure, drawn, span, unit);
+  if (arrival > 1) {
+    add_limits(figure, drawn, unit);
+  } else {
+    add_edges(figure, drawn, span, unit);
+  }
   return figure;
 }
 

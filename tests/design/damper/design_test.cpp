@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(the_box_of_a_design_is_safe_in_simulation) {
   for (int i = 0; i < 200; ++i) {
     DesignRequest request;
     request.problem = random_feasible_problem(random);
-    const auto& [v0, p, beta, criterion] = request.problem;
+    const auto& [v0, p, beta, criterion, arrivals] = request.problem;
     const DesignPoint point = design::design(request).finding->point;
     for (int j = -10; j <= 10; ++j) {
       for (int k = -10; k <= 10; ++k) {
