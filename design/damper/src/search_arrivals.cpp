@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace stillpoint::design {
 
@@ -76,9 +77,9 @@ std::optional<SearchResult> search_strip(const StripTask& task, const SearchOpti
   const DesignPoint middle =
       with_best_delta(task, interval->low + start_fraction * (interval->high - interval->low));
   const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
-  BestTried tried{HUGE_VAL, Eigen::Vector2d(task.scaled(middle.f) / task.a_cap, 0.5)};
+  Tried tried{{}, HUGE_VAL, Eigen::Vector2d(task.scaled(middle.f) / task.a_cap, 0.5)};
   const NloptProblem posed = strip_posed(algorithm.constraints, task, objective, middle, tried);
-  const NloptOutcome outcome = run(posed, algorithm.name, options, [&] { return tried.at; });
+  const NloptOutcome outcome = run(posed, algorithm.name, options, [&] { return tried.best; });
 
   std::optional<Winner> best;
   const auto consider = [&](const DesignPoint& point) {
@@ -93,7 +94,15 @@ std::optional<SearchResult> search_strip(const StripTask& task, const SearchOpti
   if (!std::isnan(outcome.x[0])) {
     consider(at(task.f_of(outcome.x[0] * task.a_cap)));
   }
-  consider(at(task.f_of(tried.at[0] * task.a_cap)));
+  consider(at(task.f_of(tried.best[0] * task.a_cap)));
+  // NLopt returns the best point that met all constraints to the last bit, which may be its start;
+  // the last ones that it tried are those that it came to.
+  constexpr std::size_t last = 3;
+  for (const double x : std::span(tried.x).last(std::min(last, tried.x.size()))) {
+    if (!std::isnan(x)) {
+      consider(at(task.f_of(x * task.a_cap)));
+    }
+  }
   // The points that NLopt may miss: where an objective is flat, or the strip very thin.
   consider(at(interval->low));
   consider(at(interval->high));

@@ -127,7 +127,15 @@ std::optional<double> largest_tolerance(const StripTask& task, double f, double 
   return tolerance < asked && fits(asked) ? asked : tolerance;
 }
 
-std::optional<Ends> feasible_f(const StripTask& task) {
+namespace {
+
+/// What feasible_f gives, and the f of the centre where the two edges meet.
+struct WholeInterval {
+  Ends ends;
+  double closing;
+};
+
+std::optional<WholeInterval> whole_interval(const StripTask& task) {
   const double tolerance = task.limits.tolerance;
   const auto corners = unit::high_corners(task.problem.criterion, task.n, tolerance, task.d_cap);
   if (!corners) {
@@ -135,21 +143,28 @@ std::optional<Ends> feasible_f(const StripTask& task) {
   }
   const double low =
       std::max(lowest_centre(task.edge.f2, tolerance), task.f_of(corners->low / (1 + tolerance)));
-  const double high = highest_centre(
-      std::min(task.edge.f_cap, task.f_of(std::min(corners->high, task.a_cap))), tolerance);
-  return low <= high ? std::optional(Ends{low, high}) : std::nullopt;
+  const double closing = highest_centre(task.f_of(corners->high), tolerance);
+  const double high = std::min(closing, highest_centre(task.edge.f_cap, tolerance));
+  return low <= high ? std::optional(WholeInterval{{low, high}, closing}) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Ends> feasible_f(const StripTask& task) {
+  const auto whole = whole_interval(task);
+  return whole ? std::optional(whole->ends) : std::nullopt;
 }
 
 std::optional<Ends> design_f(const StripTask& task) {
-  const auto all = feasible_f(task);
-  if (!all) {
+  const auto whole = whole_interval(task);
+  if (!whole) {
     return std::nullopt;
   }
-  const double tip = task.f_of(unit::strip_tip(task.n));
-  const double high = std::min(all->high, tip * (1 - strip_inset));
+  const auto& [all, closing] = *whole;
+  const double high = std::min(all.high, closing * (1 - strip_inset));
   const double least = std::min(high / 2, strip_inset * task.problem.v0 * task.problem.p);
-  const Ends inside{std::max(all->low * (1 + strip_inset), least), high};
-  return inside.low <= inside.high ? inside : *all;
+  const Ends inside{std::max(all.low * (1 + strip_inset), least), high};
+  return inside.low <= inside.high ? inside : all;
 }
 
 DesignPoint with_best_delta(const StripTask& task, double f, bool least) {

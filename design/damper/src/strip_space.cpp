@@ -84,7 +84,7 @@ double strip_cost(const StripTask& task, Objective objective, double a, double d
 }
 
 NloptProblem strip_posed(ConstraintSupport support, const StripTask& task, Objective objective,
-                         const DesignPoint& start, BestTried& best) {
+                         const DesignPoint& start, Tried& tried) {
   const Scaled scaled{task.a_cap, d_scale(task), task.limits.tolerance};
   const bool robust = objective == Objective::robust;
   const bool by_box = robust && support == ConstraintSupport::yes;
@@ -101,10 +101,11 @@ NloptProblem strip_posed(ConstraintSupport support, const StripTask& task, Objec
     posed.start[2] = std::min(posed.start[2], posed.upper[2]);
     posed.lower[2] = posed.start[2];
   }
-  const auto cost = [&task, scaled, objective](const Eigen::VectorXd& at,
-                                               Eigen::VectorXd& gradient) {
+  const auto cost = [&task, &tried, scaled, objective](const Eigen::VectorXd& at,
+                                                       Eigen::VectorXd& gradient) {
     const double a = at[0] * scaled.a_cap;
     const double d = at[1] * scaled.d_cap;
+    tried.x.push_back(at[0]);
     if (objective != Objective::time) {
       scaled.slopes(gradient, objective_slope(objective, a), 0, 0);
     } else if (gradient.size() > 0) {
@@ -118,14 +119,15 @@ NloptProblem strip_posed(ConstraintSupport support, const StripTask& task, Objec
     posed.constraints = conditions_of(task, scaled);
     posed.objective = cost;
     if (by_box) {
-      posed.objective = [scaled](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+      posed.objective = [&tried, scaled](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+        tried.x.push_back(at[0]);
         scaled.slopes(gradient, 0, 0, -1);
         return -at[2];
       };
     }
     return posed;
   }
-  posed.objective = [&task, &best, scaled, robust, cost, conditions = conditions_of(task, scaled)](
+  posed.objective = [&task, &tried, scaled, robust, cost, conditions = conditions_of(task, scaled)](
                         const Eigen::VectorXd& at, Eigen::VectorXd& /*gradient*/) {
     // Above every value inside, as in search_space.cpp.
     constexpr double above_all = 10;
@@ -144,8 +146,9 @@ NloptProblem strip_posed(ConstraintSupport support, const StripTask& task, Objec
       };
       value = robust ? -tolerance() : cost(at, none);
     }
-    if (value < best.value) {
-      best = {value, at.head<2>()};
+    if (value < tried.value) {
+      tried.value = value;
+      tried.best = at.head<2>();
     }
     return value;
   };

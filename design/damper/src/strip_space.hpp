@@ -13,6 +13,8 @@
 
 #include <stillpoint/design/search.hpp>
 
+#include <vector>
+
 namespace stillpoint::design {
 
 /// The scale of y.
@@ -21,14 +23,14 @@ namespace stillpoint::design {
 /// What the objective minimises at (a, d), of order one; `robust` has no closed form.
 [[nodiscard]] double strip_cost(const StripTask& task, Objective objective, double a, double d);
 
-/// The best (x, y) that an algorithm without constraints has tried.
-struct BestTried {
+/// What an algorithm has tried: every x, and of one without constraints the best point.
+struct Tried {
+  std::vector<double> x;
   double value;
-  Eigen::Vector2d at;
+  Eigen::Vector2d best;
 };
 
 [[nodiscard]] NloptProblem strip_posed(ConstraintSupport support, const StripTask& task,
-                                       Objective objective, const DesignPoint& start,
-                                       BestTried& best);
+                                       Objective objective, const DesignPoint& start, Tried& tried);
 
 }  // namespace stillpoint::design
