@@ -2,7 +2,6 @@
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/design.hpp>
 
 #include <boost/test/unit_test.hpp>
@@ -395,18 +394,6 @@ BOOST_AUTO_TEST_CASE(a_damper_that_cannot_stop_the_mass_in_time_is_explained) {
   const Region narrow = admissible_region(problem, wide);
   BOOST_TEST((narrow.conflict == Conflict::no_arrival));
   BOOST_TEST(reason(narrow, problem, wide).find("first 3 arrivals") != std::string::npos);
-}
-
-BOOST_AUTO_TEST_CASE(wrong_numbers_of_arrivals_are_refused) {
-  for (const std::int64_t wrong :
-       {std::int64_t{0}, std::int64_t{-1}, most_arrivals + 1, std::int64_t{1'000'000'000}}) {
-    BOOST_CHECK_THROW(
-        static_cast<void>(design::design(DesignRequest{{1, 1, 0.9, Criterion::exact, wrong}})),
-        InputError);
-  }
-  DesignRequest pulsed{{1, 1, 0.9, Criterion::exact, 2}};
-  pulsed.pulse = HalfSine{2, 20};
-  BOOST_CHECK_THROW(static_cast<void>(design::design(pulsed)), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
