@@ -40,11 +40,12 @@ Task task(const Settings& settings, Command command, bool pulse) {
     require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
                    largest_physical);
   }
-  return {{motion.v0, motion.p, beta, criterion(settings)},
-          {settings.number("f-max"),
-           point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
-           settings.number("tolerance").value_or(0), settings.number("acceleration-max")},
-          motion.physical};
+  return {
+      {motion.v0, motion.p, beta, criterion(settings), settings.integer("arrivals").value_or(1)},
+      {settings.number("f-max"),
+       point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
+       settings.number("tolerance").value_or(0), settings.number("acceleration-max")},
+      motion.physical};
 }
 
 }  // namespace

@@ -185,8 +185,10 @@ void add_answer(Section& answer, const design::Finding& finding, const design::P
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
              pulsed ? ", under the pulse" : ""));
   if (response.stop_time) {
-    answer.row("rest", format("at x = {} after {}", length_shown(physical, *response.stop_position),
-                              time_shown(physical, *response.stop_time)));
+    answer.row("rest",
+               format("at x = {} after {}{}", length_shown(physical, *response.stop_position),
+                      time_shown(physical, *response.stop_time),
+                      problem.arrivals > 1 ? format(", at arrival {}", finding.arrival) : ""));
   }
   answer.row("acceleration", felt(finding, response, physical));
   answer.row("tolerance", format("f and delta may both be off by +-{:.4g} %", 100 * tolerance));

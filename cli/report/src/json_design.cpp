@@ -14,12 +14,26 @@ void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
   task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
 }
 
-ordered_json design_point_json(const design::Problem& problem, const design::DesignPoint& point) {
+ordered_json design_point_json(const design::Problem& problem, const design::Finding& finding) {
+  const design::DesignPoint& point = finding.point;
   return {{"f", number(point.f)},
           {"delta", number(point.delta)},
           {"tolerance", number(point.tolerance)},
+          {"arrival", finding.arrival},
           {"delta1_published", number(design::delta1_published(problem, point.f))},
           {"delta1_exact", number(design::delta1_exact(problem, point.f))}};
+}
+
+ordered_json strips_json(const std::vector<design::Strip>& strips) {
+  ordered_json list = ordered_json::array();
+  for (const design::Strip& strip : strips) {
+    list.push_back({{"arrival", strip.arrival},
+                    {"beta_min", number(strip.beta_min)},
+                    {"f_lower", number(strip.f_lower)},
+                    {"f_upper", number(strip.f_upper)},
+                    {"tolerance", number(strip.tolerance)}});
+  }
+  return list;
 }
 
 ordered_json search_json(const design::SearchRecord& search) {
@@ -119,7 +133,7 @@ ordered_json json(const DesignReport& report) {
                     {"physical", physical_json(report)}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
-    json["design"] = design_point_json(problem, finding.point);
+    json["design"] = design_point_json(problem, finding);
     json["constraints"] = constraints_json(finding.constraints);
     json["works_for"] = works_for_json(finding.works_for);
     if (!pulse) {
@@ -148,10 +162,12 @@ ordered_json json(const RegionReport& report) {
       {"program", program_json()},
       {"input", task},
       {"region", region_fields(answer)},
+      {"strips", strips_json(answer.strips)},
       {"delta1_published", number(answer.delta1_published)},
       {"delta1_exact", number(answer.delta1_exact)},
       {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},
       {"tolerance", number(answer.tolerance)},
+      {"arrival", answer.arrival ? ordered_json(*answer.arrival) : ordered_json(nullptr)},
       {"constraints", constraints_json(answer.constraints)},
       {"works_for", works_for_json(answer.works_for)},
       {"hits", point ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},

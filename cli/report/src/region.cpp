@@ -6,6 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+#include <utility>
+
 namespace stillpoint::report {
 
 using fmt::format;
@@ -43,6 +47,29 @@ std::string judgement(const design::RegionAnswer& answer) {
   return text;
 }
 
+/// Of several arrivals.
+void add_strips(Document& document, const design::Problem& problem,
+                const std::vector<design::Strip>& strips) {
+  constexpr std::size_t most_listed = 10;
+  if (problem.arrivals == 1 || strips.empty()) {
+    return;
+  }
+  Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
+  for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
+    table.rows.push_back(
+        {{format("{}", strip.arrival),
+          strip.f_lower ? format("{:.6g} to {:.6g}", *strip.f_lower, *strip.f_upper)
+                        : "none with the tolerance asked for",
+          format("+-{:.4g} %", 100 * strip.tolerance)}});
+  }
+  Section& section = document.section("Dampers that stop at each arrival");
+  section.parts.emplace_back(std::move(table));
+  if (strips.size() > most_listed) {
+    section.line(format("{} more arrivals have a damper; --json lists them all.",
+                        strips.size() - most_listed));
+  }
+}
+
 }  // namespace
 
 Document document(const RegionReport& report) {
@@ -52,6 +79,7 @@ Document document(const RegionReport& report) {
   document.title = "Admissible region";
   add_problem(document, problem, limits, report.physical);
   add_region(document, answer.region, report.physical).detail = false;
+  add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
     document.verdict =
         format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
