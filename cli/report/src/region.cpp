@@ -97,7 +97,9 @@ Document document(const RegionReport& report) {
       add_point(section, report);
       document.verdict += format(" The damper is {}.", judgement(answer));
       add_works_for(document.answer, answer.works_for, report.physical);
-      add_practice(document.detail("In practice"), answer.practice, report.physical);
+      if (answer.practice) {
+        add_practice(document.detail("In practice"), answer.practice, report.physical);
+      }
       add_constraints(document, answer.constraints, report.physical);
     }
   }
