@@ -141,7 +141,6 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
 }
 
 ExitCode run_accuracy(const Settings& settings, Output& output) {
-  require_paper_notch(settings, Command::accuracy);
   const SimulateInput input = simulate_input(settings);
   const peers::Scene scene = peers::comparison_scene(input.request);
   print_report(

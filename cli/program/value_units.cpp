@@ -104,14 +104,15 @@ std::string physical_rivals(const Option& option) {
   return found.empty() ? "" : fmt::format("; with a unit give {}", found);
 }
 
-InputError wrong_unit(const Option& option, std::string_view text) {
-  const std::vector<Unit> accepted = units_of(option.traits.dimension);
-  return {
-      std::string(option.name), fmt::format("\"{}\"", text),
-      accepted.empty()
-          ? fmt::format("must be a number without a unit{}", physical_rivals(option))
-          : fmt::format("must be a number in {}, or end in {}", accepted.front().name,
-                        accepted.size() == 1 ? "this unit" : unit_names(option.traits.dimension))};
+InputError wrong_unit(std::string_view field, Dimension dimension, std::string_view text) {
+  const std::vector<Unit> accepted = units_of(dimension);
+  const Option* const option = find_option(field);
+  return {std::string(field), fmt::format("\"{}\"", text),
+          accepted.empty()
+              ? fmt::format("must be a number without a unit{}",
+                            option != nullptr ? physical_rivals(*option) : "")
+              : fmt::format("must be a number in {}, or end in {}", accepted.front().name,
+                            accepted.size() == 1 ? "this unit" : unit_names(dimension))};
 }
 
 }  // namespace
@@ -132,22 +133,25 @@ std::string unit_names(Dimension dimension) {
 }
 
 double parse_value(const Option& option, std::string_view text) {
+  return parse_value(option.name, option.traits.dimension, text);
+}
+
+double parse_value(std::string_view field, Dimension dimension, std::string_view text) {
   const auto parts = divided(text);
-  if (!parts || parts->unit.empty() ||
-      (option.traits.dimension == none && !is_known(parts->unit))) {
-    return records::parse_number(option.name, text);
+  if (!parts || parts->unit.empty() || (dimension == none && !is_known(parts->unit))) {
+    return records::parse_number(field, text);
   }
-  for (const Unit& unit : units_of(option.traits.dimension)) {
+  for (const Unit& unit : units_of(dimension)) {
     if (unit.name == parts->unit) {
       const auto scanned = records::scan_number(moved(parts->number, unit.power_of_ten));
       if (scanned.fault != records::NumberFault::none) {
-        throw InputError(std::string(option.name), std::string(text),
+        throw InputError(std::string(field), std::string(text),
                          "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
       }
       return scanned.value;
     }
   }
-  throw wrong_unit(option, records::shortened(text, records::longest_word));
+  throw wrong_unit(field, dimension, records::shortened(text, records::longest_word));
 }
 
 Axis axis_value(const Option& option, std::string_view text) {

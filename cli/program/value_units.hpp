@@ -29,6 +29,10 @@ struct Unit {
 /// names the option, the text and the units that it accepts.
 [[nodiscard]] double parse_value(const Option& option, std::string_view text);
 
+/// The same for a number that is only a part of an option's text.
+[[nodiscard]] double parse_value(std::string_view field, Dimension dimension,
+                                 std::string_view text);
+
 /// The same for each number of an axis: "100mm:200mm:5".
 [[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
 
