@@ -8,7 +8,6 @@
 #include <stillpoint/records/record_file.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -298,10 +297,6 @@ std::span<const Option> options() {
 const Option* find_option(std::string_view name) {
   const auto found = std::ranges::find(table(), name, &Option::name);
   return found == table().end() ? nullptr : &*found;
-}
-
-std::string listed(std::span<const std::string_view> values) {
-  return fmt::format("{} or {}", fmt::join(values.first(values.size() - 1), ", "), values.back());
 }
 
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> names) {

@@ -29,7 +29,7 @@ std::vector<FrictionZone> parse_zones(std::string_view text, Dimension edge) {
     if (colon == std::string_view::npos) {
       throw InputError(field, std::string(zone), "must be X:F, an edge and the friction up to it");
     }
-    zones.push_back({parse_value(field + ": to", edge, zone.substr(0, colon)),
+    zones.push_back({records::parse_value(field + ": to", edge, zone.substr(0, colon)),
                      parse_number(field + ": f", zone.substr(colon + 1))});
     more = comma != std::string_view::npos;
     text.remove_prefix(more ? comma + 1 : text.size());
