@@ -144,6 +144,13 @@ std::vector<Option> rows() {
           "largest acceleration in g that the mass may feel outside the notch", of_designs,
           {.dimension = Dimension::gravities}),
 
+      row("catalogue", text, "FILE", searching,
+          "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
+          "standard input",
+          design | region, {.file = FileUse::read}),
+      row("trade-off", integer, "N", searching,
+          "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
+          design),
       row("objective", text, "NAME", searching, "{}", design | sweep,
           {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
