@@ -4,7 +4,6 @@
 #include "excitation_input.hpp"
 #include "motion_input.hpp"
 #include "request.hpp"
-#include "value_units.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/sweep/catalogue_file.hpp>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface_input.hpp"
 
-#include "value_units.hpp"
-
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
