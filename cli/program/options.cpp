@@ -8,7 +8,6 @@
 #include <stillpoint/records/record_file.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -131,6 +130,9 @@ std::vector<Option> rows() {
           of_excitations),
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
           {.values = criterion_names(), .first_is_default = true}),
+      row("arrivals", integer, "N", damper,
+          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1",
+          design | region),
       row("tolerance", number, "R", damper,
           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
@@ -142,6 +144,13 @@ std::vector<Option> rows() {
           "largest acceleration in g that the mass may feel outside the notch", of_designs,
           {.dimension = Dimension::gravities}),
 
+      row("catalogue", text, "FILE", searching,
+          "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
+          "standard input",
+          design | region, {.file = FileUse::read}),
+      row("trade-off", integer, "N", searching,
+          "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
+          design),
       row("objective", text, "NAME", searching, "{}", design | sweep,
           {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
@@ -295,10 +304,6 @@ std::span<const Option> options() {
 const Option* find_option(std::string_view name) {
   const auto found = std::ranges::find(table(), name, &Option::name);
   return found == table().end() ? nullptr : &*found;
-}
-
-std::string listed(std::span<const std::string_view> values) {
-  return fmt::format("{} or {}", fmt::join(values.first(values.size() - 1), ", "), values.back());
 }
 
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> names) {

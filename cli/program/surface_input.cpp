@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface_input.hpp"
 
-#include "value_units.hpp"
-
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,7 +28,7 @@ std::vector<FrictionZone> parse_zones(std::string_view text, Dimension edge) {
     if (colon == std::string_view::npos) {
       throw InputError(field, std::string(zone), "must be X:F, an edge and the friction up to it");
     }
-    zones.push_back({parse_value(field + ": to", edge, zone.substr(0, colon)),
+    zones.push_back({records::parse_value(field + ": to", edge, zone.substr(0, colon)),
                      parse_number(field + ": f", zone.substr(colon + 1))});
     more = comma != std::string_view::npos;
     text.remove_prefix(more ? comma + 1 : text.size());

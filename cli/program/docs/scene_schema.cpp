@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "generated_docs.hpp"
-#include "option_facts.hpp"
-#include "value_units.hpp"
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include "generated_docs.hpp"
+#include "option_facts.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -21,7 +19,7 @@ ordered_json number_type(Dimension dimension) {
     return {{"type", "number"}};
   }
   std::string names;
-  for (const Unit& unit : units_of(dimension)) {
+  for (const records::Unit& unit : records::units_of(dimension)) {
     names += fmt::format("{}{}", names.empty() ? "" : "|", unit.name);
   }
   return {{"type", {"number", "string"}},
@@ -63,7 +61,7 @@ ordered_json type_of(const Option& option) {
 
 /// "; may carry a unit: m, cm or mm"
 std::string units_text(const Option& option) {
-  const std::string names = unit_names(option.traits.dimension);
+  const std::string names = records::unit_names(option.traits.dimension);
   return names.empty() ? "" : "; in a text it may carry its unit: " + names;
 }
 

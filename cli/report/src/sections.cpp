@@ -102,6 +102,9 @@ Section& add_problem(Document& document, const design::Problem& problem,
   section.row("dimensionless", format("v0 = {:.6g}   p = {:.6g}   beta = {:.6g}", problem.v0,
                                       problem.p, problem.beta));
   section.row("criterion", format("{} Delta1", name(problem.criterion)));
+  if (problem.arrivals > 1) {
+    section.row("arrivals", format("stop at x = 0 at arrival {} at the latest", problem.arrivals));
+  }
   std::string limit;
   const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
   if (limits.f_max) {
