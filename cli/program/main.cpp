@@ -2,12 +2,13 @@
 #include "browser.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
-#include "doubtful_values.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
 #include "starter_scenes.hpp"
 #include "written_files.hpp"
+
+#include <stillpoint/design/doubtful_values.hpp>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,23 @@ void note_unused(const Settings& scene, Command command) {
     if (!find_option(option)->serves(command)) {
       remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
+  }
+}
+
+/// They are computed all the same.
+void warn_of_doubtful_values(const Settings& settings, Command command) {
+  design::GivenValues given;
+  for (const auto& [option, value] : settings.values()) {
+    const double* const number = std::get_if<double>(&value);
+    if (number != nullptr && find_option(option)->serves(command)) {
+      given[std::string(option)] = {*number, settings.with_unit(option).has_value()};
+    }
+  }
+  for (const auto& [text, meant] : design::doubtful_values(given)) {
+    remark(fmt::format(
+        "warning: {}{}", text,
+        meant ? fmt::format("; did you mean --{} {}{}?", meant->name, meant->value, meant->unit)
+              : ""));
   }
 }
 
@@ -89,9 +107,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run_command(invocation.command, settings, output);
   output.commit();
-  for (const std::string& warning : doubtful_values(invocation.command, settings)) {
-    remark("warning: " + warning);
-  }
+  warn_of_doubtful_values(settings, invocation.command);
   note_unused(scene, invocation.command);
   if (opens) {
     open_page(opener, *settings.text("html"));

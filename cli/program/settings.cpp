@@ -80,13 +80,6 @@ void Settings::set_number(const Option& option, std::string_view text) {
   }
 }
 
-void Settings::copy(const Option& option, const Settings& other) {
-  values_[option.name] = other.values_.at(option.name);
-  if (const auto given = other.with_unit(option.name)) {
-    with_units_[option.name] = *given;
-  }
-}
-
 std::optional<std::string> Settings::with_unit(std::string_view name) const {
   const auto found = with_units_.find(name);
   return found == with_units_.end() ? std::nullopt : std::optional(found->second);

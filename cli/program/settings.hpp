@@ -62,9 +62,6 @@ class Settings {
   /// A text that must be one of the option's values. Throws InputError.
   [[nodiscard]] std::optional<std::string> known(std::string_view name) const;
 
-  /// Sets the option as `other` has it.
-  void copy(const Option& option, const Settings& other);
-
   /// A number as it was given, if that was with a unit: "150mm".
   [[nodiscard]] std::optional<std::string> with_unit(std::string_view name) const;
 

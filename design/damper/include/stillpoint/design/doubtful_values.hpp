@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// A value in SI units, as somebody gave it.
+struct GivenValue {
+  double value;
+  bool with_unit;
+};
+
+/// By names such as velocity, max-displacement, natural-frequency.
+using GivenValues = std::map<std::string, GivenValue, std::less<>>;
+
+/// A value that is absurd beside the others, most often a number in millimetres, milliseconds or
+/// tonnes where metres, seconds or kilograms are meant.
+struct Doubt {
+  /// What was likely meant: this number, in this unit.
+  struct Meant {
+    std::string name;
+    double value;
+    std::string unit;
+  };
+  std::string text;  ///< names the value and says what is wrong with it
+  std::optional<Meant> meant{};
+};
+
+[[nodiscard]] std::vector<Doubt> doubtful_values(const GivenValues& given);
+
+}  // namespace stillpoint::design

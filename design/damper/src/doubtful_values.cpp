@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/design/doubtful_values.hpp>
+#include <stillpoint/records/units.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+using records::Dimension;
+
+/// A stroke is compared with V0/omega, the stroke without friction. A damper exists for strokes
+/// from 0.71 of it and is of no use above 1, so a factor of 20 either way is no design.
+constexpr double far_from_one = 20;
+/// What a likely unit must make of it.
+constexpr double near_one = 3;
+/// A motion of more than 30 m without friction is no isolator's; this is as likely as any.
+constexpr double longest_m = 30;
+constexpr double likely_m = 0.1;
+constexpr double likely_factor = 30;
+/// A notch that takes more than this many times the energy of the hit was given in another unit.
+constexpr double far_beyond = 20;
+/// A pulse longer than this many natural periods is no pulse.
+constexpr double longest_pulse = 10;
+
+constexpr double standard_gravity = 9.80665;
+
+/// What dimensionless ratios are made of, in SI units.
+struct Values {
+  std::optional<double> velocity, period, frequency, stiffness, mass, stroke, x0;
+  double gravity{standard_gravity};
+
+  [[nodiscard]] std::optional<double> omega() const {
+    if (period) {
+      return 2 * std::numbers::pi / *period;
+    }
+    if (frequency) {
+      return 2 * std::numbers::pi * *frequency;
+    }
+    return stiffness && mass ? std::optional(std::sqrt(*stiffness / *mass)) : std::nullopt;
+  }
+  /// The largest displacement without friction.
+  [[nodiscard]] std::optional<double> reach() const {
+    const auto w = omega();
+    const double by_velocity = w && velocity ? std::abs(*velocity) / *w : 0;
+    const double most = std::max(by_velocity, std::abs(x0.value_or(0)));
+    return w && most > 0 ? std::optional(most) : std::nullopt;
+  }
+};
+
+/// A value, where it stands, what it measures, and the range that it mostly has.
+struct Source {
+  std::string_view name;
+  std::optional<double> Values::*value;
+  Dimension dimension;
+  double least;
+  double most;
+};
+
+constexpr std::array sources{
+    Source{"max-displacement", &Values::stroke, Dimension::length, 1e-3, 3},
+    Source{"velocity", &Values::velocity, Dimension::velocity, 1e-2, 10},
+    Source{"period", &Values::period, Dimension::time, 1e-2, 20},
+    Source{"natural-frequency", &Values::frequency, Dimension::frequency, 5e-2, 100},
+    Source{"stiffness", &Values::stiffness, Dimension::stiffness, 1e3, 1e12},
+    Source{"mass", &Values::mass, Dimension::mass, 1, 1e9},
+    Source{"x0-m", &Values::x0, Dimension::length, 1e-3, 3},
+};
+
+std::optional<double> number(const GivenValues& given, std::string_view name) {
+  const auto found = given.find(name);
+  return found == given.end() ? std::nullopt : std::optional(found->second.value);
+}
+
+bool with_unit(const GivenValues& given, std::string_view name) {
+  const auto found = given.find(name);
+  return found != given.end() && found->second.with_unit;
+}
+
+Values values_of(const GivenValues& given) {
+  Values values;
+  for (const Source& source : sources) {
+    values.*source.value = number(given, source.name);
+  }
+  values.gravity = number(given, "gravity").value_or(values.gravity);
+  return values;
+}
+
+/// How many powers of ten a value is outside of its usual range.
+double outside(const Source& source, double value) {
+  return std::max({0.0, std::log10(source.least / value), std::log10(value / source.most)});
+}
+
+/// The value that was given without a unit and of which another unit makes `ratio` likely, in that
+/// unit; of several the one that is furthest from what is usual, then the one that makes the ratio
+/// nearest to 1.
+template <class Ratio>
+std::optional<Doubt::Meant> likely_unit(const GivenValues& given, const Values& values,
+                                        double factor, const Ratio& ratio) {
+  std::optional<Doubt::Meant> found;
+  std::pair<double, double> best{-1, 0};
+  for (const Source& source : sources) {
+    const auto value = values.*source.value;
+    if (!value || *value == 0 || with_unit(given, source.name)) {
+      continue;
+    }
+    for (const records::Unit& unit : records::units_of(source.dimension)) {
+      Values now = values;
+      now.*source.value = *value * std::pow(10, unit.power_of_ten);
+      const double then = std::abs(std::log(ratio(now)));
+      const std::pair rank{outside(source, std::abs(*value)), -then};
+      if (unit.power_of_ten != 0 && then < std::log(factor) && rank > best) {
+        best = rank;
+        found = Doubt::Meant{std::string(source.name), *value, std::string(unit.name)};
+      }
+    }
+  }
+  return found;
+}
+
+/// The number of a value that has no unit, in one that makes it likely.
+std::optional<Doubt::Meant> in_unit(const GivenValues& given, std::string_view name, double value,
+                                    std::string_view unit, bool likely) {
+  return likely && !with_unit(given, name)
+             ? std::optional(Doubt::Meant{std::string(name), value, std::string(unit)})
+             : std::nullopt;
+}
+
+std::optional<Doubt> doubtful_stroke(const GivenValues& given, const Values& values) {
+  const auto reach = values.reach();
+  if (!values.stroke || !reach || *values.stroke <= 0) {
+    return std::nullopt;
+  }
+  const auto ratio = [](const Values& now) { return *now.stroke / *now.reach(); };
+  const double now = ratio(values);
+  if (now <= far_from_one && now >= 1 / far_from_one) {
+    return std::nullopt;
+  }
+  return Doubt{
+      fmt::format("max-displacement = {} m is {:.3g} times V0/omega = {:.3g} m, the stroke "
+                  "without friction",
+                  *values.stroke, now, *reach),
+      likely_unit(given, values, near_one, ratio)};
+}
+
+std::optional<Doubt> doubtful_reach(const GivenValues& given, const Values& values) {
+  const auto ratio = [](const Values& now) {
+    return now.stroke.value_or(now.reach().value_or(likely_m)) / likely_m;
+  };
+  const double length = ratio(values) * likely_m;
+  if (length <= longest_m) {
+    return std::nullopt;
+  }
+  return Doubt{values.stroke
+                   ? fmt::format("max-displacement = {} m is longer than any stroke", length)
+                   : fmt::format("the motion reaches {:.3g} m without friction", length),
+               likely_unit(given, values, likely_factor, ratio)};
+}
+
+/// The notch against the energy of the hit: g Delta against V0^2/2.
+std::optional<Doubt> doubtful_notch(const GivenValues& given, const Values& values,
+                                    std::string_view name) {
+  const auto notch = number(given, name);
+  if (!notch || !values.velocity || *values.velocity == 0 || values.x0.value_or(0) != 0) {
+    return std::nullopt;
+  }
+  const double hit = *values.velocity * *values.velocity / (2 * values.gravity);
+  if (*notch <= far_beyond * hit) {
+    return std::nullopt;
+  }
+  return Doubt{fmt::format("{} = {} m takes {:.3g} times the energy of the hit at each passage",
+                           name, *notch, *notch / hit),
+               in_unit(given, name, *notch, "mm", *notch * 1e-3 <= near_one * hit)};
+}
+
+std::optional<Doubt> doubtful_pulse(const GivenValues& given, const Values& values) {
+  constexpr std::string_view name = "pulse-duration";
+  const auto pulse = number(given, name);
+  const auto omega = values.omega();
+  if (!pulse || !omega) {
+    return std::nullopt;
+  }
+  const double period = 2 * std::numbers::pi / *omega;
+  if (*pulse <= longest_pulse * period) {
+    return std::nullopt;
+  }
+  return Doubt{fmt::format("{} = {} s is {:.3g} natural periods", name, *pulse, *pulse / period),
+               in_unit(given, name, *pulse, "ms", *pulse * 1e-3 <= period)};
+}
+
+/// g itself, within a percent, as the peak of what is given in g.
+std::optional<Doubt> doubtful_peak(const GivenValues& given) {
+  const auto k = number(given, "k");
+  if (!k || std::abs(*k / standard_gravity - 1) > 0.01 || with_unit(given, "k")) {
+    return std::nullopt;
+  }
+  return Doubt{fmt::format("k = {} is in g, so the load is {:.3g} m/s2", *k, *k * standard_gravity),
+               Doubt::Meant{"k", 1, ""}};
+}
+
+}  // namespace
+
+std::vector<Doubt> doubtful_values(const GivenValues& given) {
+  const Values values = values_of(given);
+  const auto stroke = doubtful_stroke(given, values);
+  std::vector<Doubt> doubts;
+  for (const std::optional<Doubt>& doubt :
+       {stroke ? stroke : doubtful_reach(given, values), doubtful_notch(given, values, "delta-m"),
+        doubtful_notch(given, values, "delta-max-m"), doubtful_pulse(given, values),
+        doubtful_peak(given)}) {
+    if (doubt) {
+      doubts.push_back(*doubt);
+    }
+  }
+  return doubts;
+}
+
+}  // namespace stillpoint::design
