@@ -11,6 +11,7 @@
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/design/works_for.hpp>
