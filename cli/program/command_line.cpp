@@ -7,6 +7,7 @@
 #include "terminal_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -168,14 +169,15 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
     if (given == nullptr || given->count() == 0) {
       continue;
     }
-    if (given->count() > 1) {
+    if (given->count() > 1 && !option.repeats_in(command)) {
       throw UsageError(fmt::format("--{} is given {} times: an option can be given only once",
                                    option.name, given->count()));
     }
     if (option.kind == OptionKind::flag) {
       settings.set(option, collected.flags.at(option.name));
     } else {
-      set_typed(settings, option, collected.texts.at(option.name).front(), command);
+      const std::vector<std::string>& texts = collected.texts.at(option.name);
+      set_typed(settings, option, fmt::format("{}", fmt::join(texts, "\n")), command);
     }
   }
   return settings;

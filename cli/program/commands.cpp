@@ -4,11 +4,13 @@
 #include "messages.hpp"
 #include "pages.hpp"
 #include "progress.hpp"
+#include "record_design_input.hpp"
 #include "request.hpp"
 #include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/peers/comparison.hpp>
+#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
@@ -98,7 +100,30 @@ ExitCode exit_code(const design::DesignResult& result) {
   return result.finding->cross_check.passed ? exit_done : exit_check_failed;
 }
 
+ExitCode exit_code(const design::RecordDesign& result) {
+  if (!result.finding) {
+    return exit_infeasible;
+  }
+  return result.finding->check.passed ? exit_done : exit_check_failed;
+}
+
+namespace {
+
+ExitCode run_record_design(const Settings& settings, Output& output) {
+  report::RecordDesignInput input = record_design_input(settings);
+  const report::RecordDesignReport report{design::design(input.request), input.physical};
+  write_page_of(report, Command::design, settings, output);
+  print_report(report, settings, output);
+  return exit_code(report.result);
+}
+
+}  // namespace
+
 ExitCode run_design(const Settings& settings, Output& output) {
+  if (designs_under_records(settings)) {
+    return run_record_design(settings, output);
+  }
+  require_no_record_options(settings);
   DesignInput input = design_input(settings);
   const std::optional<double> width = notch_width(settings, input.physical);
   require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});

@@ -5,6 +5,7 @@
 #include "settings.hpp"
 
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/record_design.hpp>
 
 namespace stillpoint::cli {
 
@@ -28,5 +29,6 @@ ExitCode run_accuracy(const Settings& settings, Output& output);
 
 /// 3 without an admissible design, 4 where the cross-check failed, else 0.
 [[nodiscard]] ExitCode exit_code(const design::DesignResult& result);
+[[nodiscard]] ExitCode exit_code(const design::RecordDesign& result);
 
 }  // namespace stillpoint::cli

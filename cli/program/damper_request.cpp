@@ -6,7 +6,10 @@
 #include "request.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/record_design.hpp>
 #include <stillpoint/sweep/catalogue_file.hpp>
+
+#include <fmt/format.h>
 
 namespace stillpoint::cli {
 
@@ -57,8 +60,17 @@ design::Criterion criterion(const Settings& settings) {
 }
 
 design::Objective objective(const Settings& settings) {
-  const auto wanted = settings.known("objective");
-  return wanted ? *design::parse_objective(*wanted) : design::SearchOptions().objective;
+  const auto wanted = settings.text("objective");
+  if (!wanted) {
+    return design::SearchOptions().objective;
+  }
+  const auto objective = design::parse_objective(*wanted);
+  if (!objective) {
+    throw InputError("objective", *wanted,
+                     fmt::format("must be {}{}", listed(design::objective_names()),
+                                 design::parse_suite_objective(*wanted) ? " without records" : ""));
+  }
+  return *objective;
 }
 
 DesignInput design_input(const Settings& settings) {

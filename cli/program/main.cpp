@@ -24,9 +24,9 @@ namespace stillpoint::cli {
 namespace {
 
 /// A scene may serve several commands; what this one does not use is said, not passed over.
-void note_unused(const Settings& scene, Command command) {
+void note_unused(const Settings& scene, const Settings& settings, Command command) {
   for (const auto& [option, value] : scene.values()) {
-    if (!find_option(option)->serves(command)) {
+    if (!find_option(option)->serves(command) || !settings.has(option)) {
       remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
   }
@@ -108,7 +108,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   const ExitCode code = run_command(invocation.command, settings, output);
   output.commit();
   warn_of_doubtful_values(settings, invocation.command);
-  note_unused(scene, invocation.command);
+  note_unused(scene, settings, invocation.command);
   if (opens) {
     open_page(opener, *settings.text("html"));
   }

@@ -4,6 +4,7 @@
 #include "excitation_kinds.hpp"
 
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/records/record_file.hpp>
 
@@ -40,6 +41,8 @@ constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
 /// What a load with a wave, or a pulse, takes in hertz and seconds.
 constexpr CommandSet in_hertz = design | of_excitations;
+/// What takes acceleration records.
+constexpr CommandSet in_records = design | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | sweep;
 
 constexpr auto dimensionless = Units::dimensionless;
@@ -55,6 +58,18 @@ std::vector<std::string_view> record_unit_names() {
   return {name(g), name(m_per_s2), name(cm_per_s2)};
 }
 
+/// Of a design for a hit, then what only one under records has.
+std::vector<std::string_view> all_objectives() {
+  const auto of_a_hit = design::objective_names();
+  std::vector<std::string_view> names(of_a_hit.begin(), of_a_hit.end());
+  for (const std::string_view name : design::suite_objective_names()) {
+    if (std::ranges::find(names, name) == names.end()) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
 Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
            std::string_view group, std::string help, CommandSet commands,
            OptionTraits traits = {}) {
@@ -64,7 +79,7 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
 /// In `help`, {} stands for the values.
 std::vector<Option> rows() {
   const auto algorithms = design::algorithm_names();
-  const auto objectives = design::objective_names();
+  const auto combines = design::combine_names();
   return {
       // name, kind, placeholder, group, help, commands, traits
       row("v0", number, "V", motion, "initial velocity", every,
@@ -115,7 +130,8 @@ std::vector<Option> rows() {
            .units = si,
            .dimension = Dimension::length}),
       row("hold", number, "H", damper,
-          "what the notch holds at x = 0 besides f, in g; default: any load", of_excitations,
+          "what the notch holds at x = 0 besides f, in g; default: any load",
+          design | of_excitations,
           {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
@@ -133,6 +149,10 @@ std::vector<Option> rows() {
       row("arrivals", integer, "N", damper,
           "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1",
           design | region),
+      row("residual", number, "R", damper, "a rest with |x| up to R is admissible too",
+          design | region, {.rivals = Rivals::residual, .units = dimensionless}),
+      row("residual-m", number, "M", damper, "the same in m, with physical input", design | region,
+          {.rivals = Rivals::residual, .units = si, .dimension = Dimension::length}),
       row("tolerance", number, "R", damper,
           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
@@ -151,8 +171,20 @@ std::vector<Option> rows() {
       row("trade-off", integer, "N", searching,
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
           design),
-      row("objective", text, "NAME", searching, "{}", design | sweep,
-          {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),
+      row("objective", text, "NAME", searching,
+          "{}; under records acceleration (default), amplitude or residual", design | sweep,
+          {.values = all_objectives(), .first_is_default = true}),
+      row("combine", text, "NAME", searching,
+          "of the figures of all records: {}; default: max below seven records", design,
+          {.values = {combines.begin(), combines.end()}}),
+      row("search-f", text, "LOW:HIGH", searching,
+          "under records: where f is searched; default: from 0 to the largest load", design),
+      row("search-delta-m", text, "LOW:HIGH", searching,
+          "under records: where delta is searched, in m; default: from 0 to (p beta)^2", design,
+          {.units = si, .dimension = Dimension::length}),
+      row("search-period", text, "LOW:HIGH", searching,
+          "under records: the period is searched as well, here, in s", design,
+          {.units = si, .dimension = Dimension::time}),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           {.values = {algorithms.begin(), algorithms.end()}}),
 
@@ -178,9 +210,12 @@ std::vector<Option> rows() {
       row("duration", number, "TAU", shaking, "of a harmonic, in tau, 0 or more; default for ever",
           of_excitations, {.rivals = Rivals::duration}),
       row("record", text, "FILE", shaking,
-          "accelerations: PEER .AT2 or columns; times in s with physical input, else in tau",
-          of_excitations, {.file = FileUse::read}),
-      row("record-units", text, "UNITS", shaking, "{}", of_excitations,
+          "accelerations: PEER .AT2 or columns; times in s with physical input, else in tau; of "
+          "design, one or more",
+          in_records, {.file = FileUse::read, .repeats = true}),
+      row("records-list", text, "FILE", shaking, "CSV with the header file,scale: more records",
+          design, {.file = FileUse::read}),
+      row("record-units", text, "UNITS", shaking, "{}", in_records,
           {.values = record_unit_names(), .first_is_default = true}),
       row("record-step", number, "DT", shaking,
           "between values that have no time column, in the unit of the times", of_excitations,
@@ -207,8 +242,8 @@ std::vector<Option> rows() {
       row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
           {.role = Role::output}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
-      row("threads", integer, "N", sweeping, "default: all. No result depends on it", sweep,
-          {.role = Role::execution}),
+      row("threads", integer, "N", sweeping, "default: all. No result depends on it",
+          design | sweep, {.role = Role::execution}),
       row("resume", flag, "", sweeping, "continue an interrupted sweep", sweep,
           {.role = Role::execution}),
 

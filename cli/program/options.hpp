@@ -60,6 +60,7 @@ enum class Rivals {
   start,
   point_friction,
   point_friction_limit,
+  residual,
   frequency,
   duration,
   end,
@@ -84,6 +85,7 @@ struct OptionTraits {
   FileUse file{FileUse::none};
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
+  bool repeats{false};                     ///< may be given several times to design
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -100,6 +102,9 @@ struct Option {
   [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
   [[nodiscard]] OptionKind kind_in(Command command) const {
     return traits.sweeps && command == Command::sweep ? OptionKind::axis : kind;
+  }
+  [[nodiscard]] bool repeats_in(Command command) const {
+    return traits.repeats && command == Command::design;
   }
   /// Whether a report repeats it in its scene.
   [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }

@@ -2,6 +2,7 @@
 #include "pages.hpp"
 
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/report/version.hpp>
@@ -13,6 +14,7 @@
 #include <cassert>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -31,7 +33,11 @@ std::string scene_of(const Settings& settings, Command command) {
                                     !settings.has("excitation") && !settings.has("record");
     if (option.is_echoed() && option.serves(command) && !for_the_trajectory) {
       const auto given = settings.with_unit(name);
-      scene[std::string(name)] = given ? nlohmann::ordered_json(*given) : as_json(value);
+      const std::vector<std::string> texts =
+          option.repeats_in(command) ? settings.texts(name) : std::vector<std::string>();
+      scene[std::string(name)] = given              ? nlohmann::ordered_json(*given)
+                                 : texts.size() > 1 ? nlohmann::ordered_json(texts)
+                                                    : as_json(value);
     }
   }
   constexpr int indent = 2;
@@ -61,8 +67,16 @@ void make_directory(const std::string& path) {
 
 std::span<const std::string_view> figure_names(Command command) {
   switch (command) {
-    case Command::design:
-      return report::design_figures;
+    case Command::design: {
+      static const std::vector<std::string_view> all = [] {
+        std::vector<std::string_view> list(report::design_figures.begin(),
+                                           report::design_figures.end());
+        list.insert(list.end(), report::record_design_figures.begin(),
+                    report::record_design_figures.end());
+        return list;
+      }();
+      return all;
+    }
     case Command::region:
       return report::region_figures;
     case Command::simulate:

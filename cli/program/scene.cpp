@@ -158,6 +158,21 @@ Axis axis(const Option& option, const json& value) {
   return Axis(std::move(values));
 }
 
+/// A line for each, as repeated flags give them.
+std::string joined_texts(const Option& option, const json& list) {
+  std::string text;
+  for (const json& entry : list) {
+    if (!entry.is_string()) {
+      throw InputError(std::string(option.name), entry.dump(), "must be a text in quotes");
+    }
+    text += (text.empty() ? "" : "\n") + entry.get<std::string>();
+  }
+  if (text.empty()) {
+    throw InputError(std::string(option.name), list.dump(), "must have at least one text");
+  }
+  return text;
+}
+
 /// Of what is not a number with its unit in a text.
 Settings::Value typed(const Option& option, const json& value, Command command) {
   const auto wrong_type = [&](std::string_view wanted) {
@@ -185,6 +200,9 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
     case OptionKind::text:
       if (option.name == "friction-zones" && value.is_array()) {
         return zones_text(value);
+      }
+      if (option.traits.repeats && value.is_array() && command == Command::design) {
+        return joined_texts(option, value);
       }
       if (!value.is_string()) {
         throw wrong_type("a text in quotes");

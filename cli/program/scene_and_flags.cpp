@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string_view>
 
 namespace stillpoint::cli {
@@ -45,6 +47,31 @@ void drop_excitation(const Settings& flags, Settings& scene) {
   scene.drop("pulse");
 }
 
+/// A design is for a hit or under records. A flag for one sets the other of the scene aside; of a
+/// scene that has both, for several commands, a design takes the hit.
+void keep_one_design(const Settings& flags, Settings& settings) {
+  constexpr std::array<std::string_view, 7> hit{
+      "v0", "velocity", "pulse", "k", "lambda", "pulse-duration", "excitation-frequency"};
+  constexpr std::array<std::string_view, 11> records{
+      "record",   "records-list", "record-units",   "record-step",   "record-scale", "combine",
+      "search-f", "hold",         "search-delta-m", "search-period", "threads"};
+  const auto any = [](const Settings& given, std::span<const std::string_view> names) {
+    return std::ranges::any_of(names, [&](std::string_view name) { return given.has(name); });
+  };
+  const bool records_asked = any(flags, std::span(records).first(2));
+  const bool for_a_hit = any(flags, std::span(hit).first(3)) ||
+                         (any(settings, std::span(hit).first(3)) && !records_asked);
+  if (!for_a_hit && !any(settings, std::span(records).first(2))) {
+    return;
+  }
+  for (const std::string_view name : for_a_hit ? std::span<const std::string_view>(records)
+                                               : std::span<const std::string_view>(hit)) {
+    if (!flags.has(name)) {
+      settings.drop(name);
+    }
+  }
+}
+
 /// A scene's pulse excites a motion like any other excitation.
 void follow_pulse(Settings& scene) {
   if (!scene.has("pulse") || scene.has("excitation") || scene.has("record")) {
@@ -76,6 +103,9 @@ Settings scene_and_flags(Command command, const Settings& flags, Settings& scene
   }
   Settings settings = flags;
   settings.complete_with(scene);
+  if (command == Command::design) {
+    keep_one_design(flags, settings);
+  }
   return settings;
 }
 

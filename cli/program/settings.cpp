@@ -56,6 +56,18 @@ std::optional<std::string> Settings::text(std::string_view name) const {
   return get<std::string>(name);
 }
 
+std::vector<std::string> Settings::texts(std::string_view name) const {
+  std::vector<std::string> list;
+  if (const auto joined = text(name)) {
+    for (std::size_t begin = 0; begin <= joined->size();) {
+      const std::size_t end = std::min(joined->find('\n', begin), joined->size());
+      list.push_back(joined->substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+  return list;
+}
+
 std::optional<std::string> Settings::known(std::string_view name) const {
   auto wanted = text(name);
   const auto& values = find_option(name)->traits.values;

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -39,7 +40,9 @@ std::vector<NamedFile> files(Command command, const Settings& settings, FileUse 
   std::vector<NamedFile> files;
   for (const Option& option : options()) {
     if (option.traits.file == use && option.serves(command) && settings.has(option.name)) {
-      files.push_back({std::string(option.name), *settings.text(option.name)});
+      for (std::string& path : settings.texts(option.name)) {
+        files.push_back({std::string(option.name), std::move(path)});
+      }
     }
   }
   return files;

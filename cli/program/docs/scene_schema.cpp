@@ -47,6 +47,9 @@ ordered_json type_of(const Option& option) {
             {"additionalProperties", false}};
         return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", zone}};
       }
+      if (option.traits.repeats) {
+        return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", {{"type", "string"}}}};
+      }
       return option.traits.values.empty()
                  ? ordered_json{{"type", "string"}}
                  : ordered_json{{"type", "string"}, {"enum", option.traits.values}};

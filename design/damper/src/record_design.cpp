@@ -3,6 +3,7 @@
 #include "suite_check.hpp"
 #include "suite_search.hpp"
 
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/design/record_design.hpp>
@@ -104,7 +105,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
       }
     }
     const double speed = request.p.high * peak;
-    request.delta = SearchRange{0, speed * speed / 2};
+    request.delta = SearchRange{0, speed * speed};
   }
   require_range("delta", *request.delta, 0, largest_square);
   for (const double p : {request.p.low, request.p.high}) {
@@ -259,25 +260,26 @@ RecordDesign design(const RecordDesignRequest& request) {
   return result;
 }
 
-SuiteMap suite_map(const RecordDesignRequest& request, double p) {
+SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
   require_valid(request);
-  RecordDesignRequest slice = completed(request);
-  slice.p = {p, p};
-  const Suite suite(slice);
-  const SuiteBox box(slice);
-  const SuiteScan scanned = scan(suite, box, slice.scan_points, slice.threads);
+  require_within("side", side, 1, 10'000);
+  const RecordDesignRequest task = completed(request);
+  const Suite suite(task);
   SuiteMap map;
-  map.figures = scanned.figures;
-  const bool over_f = slice.f->low < slice.f->high;
-  const bool over_delta = slice.delta->low < slice.delta->high;
-  const std::int64_t side = scanned.side;
-  for (std::int64_t i = 0; i < (over_f ? side : 1); ++i) {
-    const auto index = static_cast<std::size_t>(over_delta ? i * side : i);
-    map.f.push_back(box.at(scanned.unit(index, box.variables())).f);
+  const auto middle = [side](const SearchRange& range, int i) {
+    return range.low + (range.high - range.low) * (i + 0.5) / side;
+  };
+  for (int i = 0; i < side; ++i) {
+    map.f.push_back(middle(*task.f, i));
+    map.delta.push_back(middle(*task.delta, i));
   }
-  for (std::int64_t i = 0; i < (over_delta ? side : 1); ++i) {
-    map.delta.push_back(box.at(scanned.unit(static_cast<std::size_t>(i), box.variables())).delta);
-  }
+  const auto cells = static_cast<std::size_t>(side);
+  map.figures.resize(cells * cells);
+  for_each_entry(
+      static_cast<std::ptrdiff_t>(cells * cells), task.threads, {}, [&](std::ptrdiff_t i) {
+        const auto index = static_cast<std::size_t>(i);
+        map.figures[index] = suite.figures({p, map.f[index / cells], map.delta[index % cells]});
+      });
   return map;
 }
 

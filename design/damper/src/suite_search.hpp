@@ -16,6 +16,11 @@ class SuiteBox {
   explicit SuiteBox(const RecordDesignRequest& request);
 
   [[nodiscard]] std::size_t variables() const { return variables_.size(); }
+  /// Whether the coordinate 0 is a friction of 0.
+  [[nodiscard]] bool may_vanish(std::size_t variable) const {
+    return (variables_[variable] == Variable::f && f_.low == 0) ||
+           (variables_[variable] == Variable::delta && delta_.low == 0);
+  }
   [[nodiscard]] SuiteDamper at(const std::vector<double>& unit) const;
 
  private:

@@ -37,7 +37,7 @@ bool contains(const std::string& text, const std::string& part) {
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
-  std::filesystem::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));  // of a catalogue
+  std::filesystem::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));
   for (const auto& entry : std::filesystem::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
     if (entry.path().extension() != ".json") {
       continue;

@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(serves_several_commands_and_says_what_one_does_not_use) {
 }
 
 BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
-  std::filesystem::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));  // of a catalogue
+  std::filesystem::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
     if (entry.path().extension() != ".json") {
@@ -186,6 +186,10 @@ BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
       BOOST_TEST(design.err.empty(), design.err);
       check_only_finite(design.out);
       const json report = design.json();
+      if (report.contains("records")) {  // record_design_command_test
+        BOOST_TEST(report["cross_check"]["passed"] == true);
+        continue;
+      }
       BOOST_TEST(report["region"]["feasible"] == !infeasible);
       if (!infeasible) {
         BOOST_TEST(report["cross_check"]["passed"] == true);

@@ -56,8 +56,8 @@ struct RecordDesignRequest {
   SearchRange p{1, 1};  ///< low > 0
   /// Default: up to the largest load, beyond which nothing moves.
   std::optional<SearchRange> f{};
-  /// Default: up to (p peak)^2/2 with the largest p and the limit of the peak, or without a limit
-  /// the peak without a damper: the energy of a free motion of that size.
+  /// Default: up to (p peak)^2 with the largest p and the limit of the peak, or without a limit the
+  /// peak without a damper: twice the energy of a free motion of that size, for a load adds to it.
   std::optional<SearchRange> delta{};
   SuiteObjective objective{SuiteObjective::acceleration};
   std::optional<Combine> combine{};  ///< default: max below seven records, else mean
@@ -161,13 +161,13 @@ struct RecordDesign {
 /// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request);
 
-/// The figures over f and delta for one p, on the points of the search's scan: delta runs faster.
+/// The figures over f and delta for one p, in the middles of even cells: delta runs faster.
 struct SuiteMap {
   std::vector<double> f;
   std::vector<double> delta;
   std::vector<SuiteFigures> figures;
 };
-/// `request` as a RecordDesign has it. Throws InputError.
-[[nodiscard]] SuiteMap suite_map(const RecordDesignRequest& request, double p);
+/// Of `request` as a RecordDesign has it, `side` cells along each. Throws InputError.
+[[nodiscard]] SuiteMap suite_map(const RecordDesignRequest& request, double p, int side = 60);
 
 }  // namespace stillpoint::design

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The report of a design under records.
+
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/report/document.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::report {
+
+struct RecordDesignInput {
+  design::RecordDesignRequest request;
+  std::optional<design::PhysicalInput> physical{};
+};
+
+struct RecordDesignReport {
+  design::RecordDesign result;
+  std::optional<design::PhysicalInput> physical{};
+};
+
+/// Why there is no damper, in one sentence; empty where there is one.
+[[nodiscard]] std::string shortfall_sentence(const RecordDesignReport& report);
+
+[[nodiscard]] Document document(const RecordDesignReport& report);
+/// As docs/reports.md describes it.
+[[nodiscard]] nlohmann::ordered_json json(const RecordDesignReport& report);
+/// The map of the objective and the motion of each record; the map takes a second scan.
+[[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
+
+/// The ids of the figures that the page may have: the map and the first eleven motions.
+inline constexpr std::array<std::string_view, 12> record_design_figures{
+    "map",      "record-1", "record-2", "record-3", "record-4",  "record-5",
+    "record-6", "record-7", "record-8", "record-9", "record-10", "record-11"};
+
+}  // namespace stillpoint::report

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/record_design.hpp>
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+namespace {
+
+using design::SuiteObjective;
+
+std::string_view words(SuiteObjective which) {
+  switch (which) {
+    case SuiteObjective::amplitude:
+      return "stroke";
+    case SuiteObjective::residual:
+      return "residual";
+    case SuiteObjective::acceleration:
+      break;
+  }
+  return "acceleration";
+}
+
+std::string shown(const Physical& physical, SuiteObjective which, double value) {
+  return which == SuiteObjective::acceleration ? acceleration_shown(value)
+                                               : length_shown(physical, value);
+}
+
+std::string_view combined(design::Combine combine) {
+  return combine == design::Combine::max ? "largest" : "mean";
+}
+
+std::string period_words(const Physical& physical, double p) {
+  return physical ? format("period {:.4g} s", 2 * std::numbers::pi / p * physical->scales.time_s)
+                  : format("p = {}", digits(p));
+}
+
+/// Which records lock the mass, if any.
+std::string lock_words(const design::RecordDesign& result) {
+  std::size_t count = 0;
+  double most = 0;
+  for (const ForcedResponse& response : result.finding->responses) {
+    if (response.locked_from) {
+      ++count;
+      most = std::max(most, *response.largest_load_while_locked);
+    }
+  }
+  return count == 0 ? "no record locks it while the load goes on"
+                    : format(
+                          "under {} of {} records the notch holds it to the end, against up to "
+                          "{}",
+                          count, result.finding->responses.size(), acceleration_shown(most));
+}
+
+std::string verdict(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  if (!result.finding) {
+    return shortfall_sentence(report);
+  }
+  const Physical& physical = report.physical;
+  const auto& [damper, figures] = result.finding->point;
+  return format(
+      "f = {} and delta = {} with {}: the {} transmitted acceleration of {} record{} is "
+      "{}, the stroke {}, the residual {}.",
+      digits(damper.f), length_shown(physical, damper.delta), period_words(physical, damper.p),
+      combined(result.request.combine.value()), result.finding->responses.size(),
+      result.finding->responses.size() == 1 ? "" : "s", acceleration_shown(figures.acceleration),
+      length_shown(physical, figures.peak), length_shown(physical, figures.residual));
+}
+
+void add_answer(Section& answer, const design::RecordDesign& result) {
+  answer.row("locked", lock_words(result));
+  const design::Sensitivity& near = result.finding->sensitivity;
+  answer.row("tolerance", format("{} of {} samples within +-{:.3g} % meet the limits",
+                                 near.admissible, near.samples, 100 * near.tolerance));
+  const design::SuiteCheck& check = result.finding->check;
+  answer.row("check",
+             check.passed ? format("passed: Runge-Kutta agrees within {:.1e}", check.relative_error)
+                          : format("FAILED: Runge-Kutta is off by {:.1e}, {:.0e} is allowed",
+                                   check.relative_error, check.tolerance),
+             check.passed ? Tone::good : Tone::bad);
+}
+
+void add_damper(Document& document, const RecordDesignReport& report) {
+  const Physical& physical = report.physical;
+  const design::SuiteDamper& damper = report.result.finding->point.damper;
+  Section& section = document.detail("Design");
+  section.row("f", digits(damper.f), Tone::heading);
+  section.row("delta", length_text(physical, damper.delta), Tone::heading);
+  section.row("spring", period_words(physical, damper.p));
+  add_damper_physics(section, physical, damper.f, damper.delta);
+  const design::Sensitivity& near = report.result.finding->sensitivity;
+  section.row("sensitivity", format("f and delta off by up to {:.3g} %: the four corners and {} "
+                                    "random points, a sample and no proof",
+                                    100 * near.tolerance, near.samples - 4));
+  section.row("", near.worst.settled ? format("the worst has {}, stroke {}, residual {}",
+                                              acceleration_shown(near.worst.acceleration),
+                                              length_shown(physical, near.worst.peak),
+                                              length_shown(physical, near.worst.residual))
+                                     : "under some of them the mass never rests");
+}
+
+void add_records(Document& document, const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  const Physical& physical = report.physical;
+  Table table{{"record", "peak", "residual", "acceleration", "locked from"}, {}};
+  for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
+    const ForcedResponse& response = result.finding->responses[i];
+    const std::string& path = result.request.records[i].name;
+    const double scale = result.request.records[i].scale;
+    table.rows.push_back(
+        {{(scale == 1 ? "" : format("{:.4g} x ", scale)) +
+              spelled_out(path.substr(path.rfind('/') + 1)),
+          length_shown(physical, response.peak_amplitude),
+          length_shown(physical, std::abs(response.stop_position.value())),
+          acceleration_shown(response.peak_absolute_acceleration),
+          response.locked_from ? time_shown(physical, *response.locked_from) : "never"}});
+  }
+  document.section("Records").parts.emplace_back(std::move(table));
+}
+
+void add_shortfalls(Document& document, const RecordDesignReport& report) {
+  const Physical& physical = report.physical;
+  Section& section = document.section("Limits");
+  if (!report.result.nearest.figures.settled) {
+    section.line("No damper of the search comes to rest.", Tone::bad);
+    return;
+  }
+  const design::SuiteDamper& damper = report.result.nearest.damper;
+  section.row("nearest",
+              format("f = {}, delta = {}, {}", digits(damper.f),
+                     length_text(physical, damper.delta), period_words(physical, damper.p)));
+  for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
+    section.row(
+        std::string(words(which)),
+        format("{}, {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
+        nearest > limit ? Tone::bad : Tone::plain);
+    section.row("", relaxed ? format("with {} allowed, and the others as they are, there is a "
+                                     "damper",
+                                     shown(physical, which, *relaxed))
+                            : "no value of this limit alone would do");
+  }
+}
+
+void add_task(Document& document, const RecordDesignReport& report) {
+  const design::RecordDesignRequest& task = report.result.request;
+  const Physical& physical = report.physical;
+  Section& section = document.detail("Task");
+  section.row("objective", format("minimise the {} {} of the records",
+                                  combined(task.combine.value()), words(task.objective)));
+  if (task.limits.peak) {
+    section.row("stroke", format("at most {}", length_text(physical, *task.limits.peak)));
+  }
+  if (task.limits.residual) {
+    section.row("residual", format("at most {}", length_text(physical, *task.limits.residual)));
+  }
+  if (task.limits.acceleration) {
+    section.row("acceleration",
+                format("at most {} transmitted", acceleration_shown(*task.limits.acceleration)));
+  }
+  if (std::isfinite(task.hold)) {
+    section.row("notch", format("holds {} besides f", acceleration_shown(task.hold)));
+  }
+  if (task.notch_width) {
+    section.row("notch", format("{} wide", length_text(physical, *task.notch_width)));
+  }
+  section.row("f", format("{} to {}", digits(task.f->low), digits(task.f->high)));
+  section.row("delta", format("{} to {}", length_text(physical, task.delta->low),
+                              length_text(physical, task.delta->high)));
+  if (task.p.low < task.p.high) {
+    section.row("", format("{} to {}", period_words(physical, task.p.high),
+                           period_words(physical, task.p.low)));
+  }
+}
+
+void add_search(Document& document, const design::SuiteSearch& search) {
+  Section& section = document.detail("Search");
+  section.row("scan",
+              format("{} dampers, {} within the limits", search.scan_points, search.scan_feasible));
+  section.row("NLopt", format("{} evaluations; the best by {} ({})", search.evaluations,
+                              search.algorithm, search.status));
+  section.row("time", format("{:.3g} s", search.wall_time_s));
+}
+
+}  // namespace
+
+std::string shortfall_sentence(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  if (result.finding) {
+    return {};
+  }
+  if (!result.nearest.figures.settled) {
+    return "No damper was found: none of the search comes to rest.";
+  }
+  if (std::ranges::none_of(result.shortfalls,
+                           [](const auto& each) { return each.nearest > each.limit; })) {
+    return "No damper was found whose motions are safe from tipping into another outcome.";
+  }
+  std::string broken;
+  for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
+    if (nearest > limit) {
+      broken +=
+          format("{}{} {} of {} where {} is allowed", broken.empty() ? "" : " and ",
+                 which == SuiteObjective::acceleration ? "an" : "a", words(which),
+                 shown(report.physical, which, nearest), shown(report.physical, which, limit));
+    }
+  }
+  return format("No damper was found that meets the limits. The nearest has {}.", broken);
+}
+
+Document document(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  Document document;
+  document.title = "Damper under records";
+  document.verdict = verdict(report);
+  if (result.finding) {
+    document.tone = result.finding->check.passed ? Tone::good : Tone::bad;
+    add_answer(document.answer, result);
+    add_records(document, report);
+    add_damper(document, report);
+  } else {
+    document.tone = Tone::bad;
+    add_shortfalls(document, report);
+  }
+  add_task(document, report);
+  add_search(document, result.search);
+  return document;
+}
+
+}  // namespace stillpoint::report
