@@ -130,8 +130,7 @@ std::vector<Option> rows() {
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
           {.values = criterion_names(), .first_is_default = true}),
       row("arrivals", integer, "N", damper,
-          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1",
-          design | region),
+          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1", of_designs),
       row("tolerance", number, "R", damper,
           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
@@ -146,7 +145,7 @@ std::vector<Option> rows() {
       row("catalogue", text, "FILE", searching,
           "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
           "standard input",
-          design | region, {.file = FileUse::read}),
+          of_designs, {.file = FileUse::read}),
       row("trade-off", integer, "N", searching,
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
           design),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
@@ -47,9 +48,10 @@ struct SweepSpec {
   Excitation excitation;                   ///< of forced motions, as is
   std::optional<double> t_end;             ///< required if the excitation never ends
 
-  design::Criterion criterion{design::Criterion::published};  ///< of design problems, as are
+  design::Problem task;  ///< of design problems, less v0, p and beta; as are
   design::Limits limits;
   design::SearchOptions search;
+  std::vector<design::Part> parts;  ///< if any, a design is the best of these
 
   std::optional<std::string> output;  ///< a file; empty: standard output
   RowFormat format{RowFormat::csv};
