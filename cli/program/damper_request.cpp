@@ -52,6 +52,15 @@ Task task(const Settings& settings, Command command, bool pulse) {
       motion.physical};
 }
 
+std::vector<design::Part> read_parts(const Settings& settings, std::optional<double> length_m,
+                                     bool metres_only) {
+  const Option& in_metres = *find_option("delta-m");
+  return sweep::read_catalogue(*settings.text("catalogue"),
+                               {length_m, metres_only, [&in_metres](std::string_view text) {
+                                  return parse_value(in_metres, text);
+                                }});
+}
+
 }  // namespace
 
 design::Criterion criterion(const Settings& settings) {
@@ -106,20 +115,26 @@ RegionInput region_input(const Settings& settings) {
 
 std::optional<std::vector<design::Part>> catalogue_input(
     const Settings& settings, const std::optional<design::PhysicalInput>& physical) {
-  const auto path = settings.text("catalogue");
-  if (!path) {
+  if (!settings.has("catalogue")) {
     return std::nullopt;
   }
   if (settings.has("pulse")) {
     throw UsageError("catalogue and pulse exclude each other: parts are chosen for a velocity");
   }
-  sweep::CatalogueUnits units;
-  if (physical) {
-    units.length_m = physical->scales.length_m;
+  return read_parts(settings, physical ? std::optional(physical->scales.length_m) : std::nullopt,
+                    false);
+}
+
+std::vector<design::Part> catalogue_input(const Settings& settings,
+                                          const std::optional<sweep::SweepUnits>& physical) {
+  if (!settings.has("catalogue")) {
+    return {};
   }
-  const Option& in_metres = *find_option("delta-m");
-  units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
-  return sweep::read_catalogue(*path, units);
+  if (settings.text("catalogue") == "-" && settings.text("list") == "-") {
+    throw UsageError(
+        "the list and the catalogue cannot both be standard input: give a file for one");
+  }
+  return read_parts(settings, physical ? std::optional(1.0) : std::nullopt, physical.has_value());
 }
 
 }  // namespace stillpoint::cli

@@ -147,8 +147,7 @@ std::vector<Option> rows() {
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
           {.values = criterion_names(), .first_is_default = true}),
       row("arrivals", integer, "N", damper,
-          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1",
-          design | region),
+          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1", of_designs),
       row("residual", number, "R", damper, "a rest with |x| up to R is admissible too",
           design | region, {.rivals = Rivals::residual, .units = dimensionless}),
       row("residual-m", number, "M", damper, "the same in m, with physical input", design | region,
@@ -167,7 +166,7 @@ std::vector<Option> rows() {
       row("catalogue", text, "FILE", searching,
           "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
           "standard input",
-          design | region, {.file = FileUse::read}),
+          of_designs, {.file = FileUse::read}),
       row("trade-off", integer, "N", searching,
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
           design),

@@ -44,6 +44,9 @@ struct SimulateInput {
 /// pulse and records::FileError for a wrong file.
 [[nodiscard]] std::optional<std::vector<design::Part>> catalogue_input(
     const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+/// The same for a sweep; the unit of length is a metre.
+[[nodiscard]] std::vector<design::Part> catalogue_input(
+    const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
 [[nodiscard]] SimulateInput simulate_input(const Settings& settings);
 
 /// Opens the list and reads its header.

@@ -205,7 +205,8 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
 }
 
 void add_design(const Settings& settings, SweepSpec& spec) {
-  spec.criterion = criterion(settings);
+  spec.task.criterion = criterion(settings);
+  spec.task.arrivals = settings.integer("arrivals").value_or(spec.task.arrivals);
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");
   spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
@@ -214,6 +215,7 @@ void add_design(const Settings& settings, SweepSpec& spec) {
   }
   spec.limits.acceleration_max = settings.number("acceleration-max");
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
+  spec.parts = catalogue_input(settings, spec.units);
 }
 
 std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
@@ -244,6 +246,16 @@ std::uint64_t record_digest(const Excitation& excitation) {
   return digest.value();
 }
 
+/// The same of a catalogue.
+std::uint64_t catalogue_digest(const std::vector<design::Part>& parts) {
+  sweep::Digest digest;
+  for (const design::Part& part : parts) {
+    digest.add(part.f);
+    digest.add(part.delta);
+  }
+  return digest.value();
+}
+
 /// SweepSpec::identity: the options that decide the rows, as they were given.
 std::string identity(const Settings& settings, const SweepSpec& spec) {
   nlohmann::ordered_json result;
@@ -261,6 +273,9 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
     }
   }
   result["record_digest"] = record_digest(spec.excitation);
+  if (!spec.parts.empty()) {
+    result["catalogue_digest"] = catalogue_digest(spec.parts);
+  }
   return result.dump();
 }
 

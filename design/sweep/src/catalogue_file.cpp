@@ -90,6 +90,9 @@ class CatalogueReader {
     if (delta_ && delta_m_) {
       refuse("the header has both delta and delta_m: give one of them");
     }
+    if (delta_ && units_.metres_only) {
+      refuse("the column delta is dimensionless: with physical input give delta_m");
+    }
     if (delta_m_ && !units_.length_m) {
       refuse(
           "the column delta_m is in metres, so the task must be too: give --velocity and "

@@ -81,6 +81,19 @@ bool writes(const SweepSpec& spec, Quantity column) {
   return std::ranges::find(spec.columns, column) != spec.columns.end();
 }
 
+/// The best damper of all, or of the parts; empty if none is admissible.
+std::optional<design::DesignPoint> design_of(const design::Problem& problem,
+                                             const SweepSpec& spec) {
+  if (spec.parts.empty()) {
+    const auto found = design::search(problem, spec.limits, spec.search);
+    return found ? std::optional(found->point) : std::nullopt;
+  }
+  const auto [part, admissible, tolerance, violated] =
+      design::ranked(problem, spec.limits, spec.search.objective, spec.parts).front();
+  return admissible ? std::optional(design::DesignPoint{part.f, part.delta, tolerance.value_or(0)})
+                    : std::nullopt;
+}
+
 }  // namespace
 
 SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
@@ -231,20 +244,21 @@ void SweepStep::run_design(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const FreeOptions options{.times = times_, .margin = false};
   for_each(block, [&](Index i) {
-    const design::Problem problem{
-        .v0 = block[v0][i], .p = block[p][i], .beta = block[beta][i], .criterion = spec_.criterion};
-    const auto found = design::search(problem, spec_.limits, spec_.search);
+    design::Problem problem = spec_.task;
+    problem.v0 = block[v0][i];
+    problem.p = block[p][i];
+    problem.beta = block[beta][i];
+    const std::optional<design::DesignPoint> found = design_of(problem, spec_);
     block[feasible][i] = found ? 1 : 0;
-    block[f][i] = found ? found->point.f : absent;
-    block[delta][i] = found ? found->point.delta : absent;
-    block[tolerance][i] = found ? found->point.tolerance : absent;
+    block[f][i] = found ? found->f : absent;
+    block[delta][i] = found ? found->delta : absent;
+    block[tolerance][i] = found ? found->tolerance : absent;
     block[peak_amplitude][i] = absent;
     block[stop_time][i] = absent;
     block[peak_absolute_acceleration][i] = absent;
     if (found) {
-      const Response motion =
-          free_response({.p = problem.p, .f = found->point.f, .delta = found->point.delta},
-                        {.x0 = 0, .v0 = problem.v0}, options);
+      const Response motion = free_response({.p = problem.p, .f = found->f, .delta = found->delta},
+                                            {.x0 = 0, .v0 = problem.v0}, options);
       block[peak_amplitude][i] = motion.peak_amplitude;
       block[stop_time][i] = motion.stop_time.value_or(absent);
       block[peak_absolute_acceleration][i] = motion.peak_absolute_acceleration;

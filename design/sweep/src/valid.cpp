@@ -73,11 +73,11 @@ using Corner = std::array<double, quantity_count>;
 void check(const Corner& corner, const SweepSpec& spec) {
   const auto at = [&corner](Quantity quantity) { return corner[index(quantity)]; };
   if (spec.kind == SweepKind::design) {
-    require_valid(design::Problem{.v0 = at(Quantity::v0),
-                                  .p = at(Quantity::p),
-                                  .beta = at(Quantity::beta),
-                                  .criterion = spec.criterion},
-                  spec.limits);
+    design::Problem problem = spec.task;
+    problem.v0 = at(Quantity::v0);
+    problem.p = at(Quantity::p);
+    problem.beta = at(Quantity::beta);
+    require_valid(problem, spec.limits);
     return;
   }
   Oscillator oscillator{.p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)};

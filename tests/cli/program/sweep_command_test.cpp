@@ -151,6 +151,53 @@ BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_design) {
   BOOST_TEST(table.at(2, "feasible") == "true");
 }
 
+BOOST_AUTO_TEST_CASE(of_problems_takes_arrivals_and_a_catalogue) {
+  write("parts.csv", "name,f,delta\na,0.26,0.37\nb,0.1,0.4\nc,0.05,0.2\n");
+  for (const Arguments& more :
+       {Arguments{"--arrivals", "3", "--f-max", "0.1"}, Arguments{"--catalogue", "parts.csv"},
+        Arguments{"--catalogue", "parts.csv", "--arrivals", "2", "--f-max", "0.2"}}) {
+    const SweepTable table = table_of(run(sweep(joined({"--beta", "0.7,0.85,0.95,1.2"}, more))));
+    BOOST_TEST_REQUIRE(table.rows.size() == 4U);
+    int designs = 0;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      const json report =
+          run(joined({"design", "--v0", "1", "--p", "1", "--beta", table.at(row, "beta"), "--json"},
+                     more))
+              .json();
+      BOOST_TEST((table.at(row, "feasible") == "true") == report.at("design").is_object());
+      if (report.at("design").is_object()) {
+        ++designs;
+        check_row(table, row, report.at("design"), {"f", "delta", "tolerance"});
+        check_row(table, row, report.at("response"), {"peak_amplitude"});
+      }
+    }
+    BOOST_TEST((designs > 0 && designs < 4));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_problems_in_metres_takes_parts_in_metres) {
+  write("parts.csv", "name,f,delta_m\na,0.02,6mm\nb,0.025,5mm\nc,0.03,4mm\n");
+  const SweepTable table =
+      table_of(run({"sweep", "--velocity", "0.3:0.4:3", "--period", "2.8", "--max-displacement",
+                    "0.15", "--catalogue", "parts.csv"}));
+  BOOST_TEST_REQUIRE(table.rows.size() == 3U);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const json report = run({"design", "--velocity", table.at(row, "velocity"), "--period", "2.8",
+                             "--max-displacement", "0.15", "--catalogue", "parts.csv", "--json"})
+                            .json();
+    BOOST_TEST((table.at(row, "feasible") == "true") == report.at("design").is_object());
+    if (report.at("design").is_object()) {
+      check_row(table, row, report.at("design"), {"f"});
+    }
+  }
+  write("plain.csv", "name,f,delta\na,0.02,0.03\n");
+  const ProgramRun refused = run({"sweep", "--velocity", "0.3:0.4:3", "--period", "2.8",
+                                  "--max-displacement", "0.15", "--catalogue", "plain.csv"});
+  BOOST_TEST(refused.exit_code == 2);
+  BOOST_TEST(refused.err.find("plain.csv, line 1: the column delta is dimensionless") !=
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(range_is_even_and_ends_where_it_says) {
   const SweepTable even = table_of(run(sweep({"--f", "0.1:0.7:4", "--delta", "0"})));
   BOOST_TEST_REQUIRE(even.rows.size() == 4U);

@@ -20,6 +20,7 @@ inline constexpr std::size_t longest_part_name = 100;
 struct CatalogueUnits {
   /// Metres of the dimensionless 1; empty where the task is dimensionless.
   std::optional<double> length_m{};
+  bool metres_only{false};  ///< a column delta is refused: it has no length of its own
   /// A number in metres, which may carry a unit; throws InputError.
   std::function<double(std::string_view)> parse_metres{};
 };

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/surface.hpp>
+#include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
@@ -50,9 +51,10 @@ struct SweepSpec {
   Excitation excitation;                   ///< of forced motions, as is
   std::optional<double> t_end;             ///< required if the excitation never ends
 
-  design::Criterion criterion{design::Criterion::published};  ///< of design problems, as are
+  design::Problem task;  ///< of design problems, less v0, p and beta; as are
   design::Limits limits;
   design::SearchOptions search;
+  std::vector<design::Part> parts;  ///< if any, a design is the best of these
 
   std::optional<std::string> output;  ///< a file; empty: standard output
   RowFormat format{RowFormat::csv};

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+
+// Measures what a design costs in the library, in microseconds of processor time.
+//
+//   stillpoint_design_speed [ROUNDS]
+//
+// Each round measures every case once, and the shortest time of each counts, since other work of
+// the machine can only add to it. A case is repeated for beta from 0.8 to 1.2, so that no single
+// task decides.
+
+#include <stillpoint/design.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::bench {
+
+namespace {
+
+using namespace stillpoint::design;
+
+constexpr int tasks = 40;
+
+struct Case {
+  std::string name;
+  std::function<void(double)> run;  ///< with that beta
+  double microseconds{HUGE_VAL};
+};
+
+Problem problem(double beta, std::int64_t arrivals = 1) {
+  return {.v0 = 1, .p = 1, .beta = beta, .criterion = Criterion::published, .arrivals = arrivals};
+}
+
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void measure(Case& one) {
+  constexpr double least_beta = 0.8;
+  constexpr double most_beta = 1.2;
+  const double begin = processor_time();
+  for (int i = 0; i < tasks; ++i) {
+    one.run(least_beta + (most_beta - least_beta) * i / (tasks - 1));
+  }
+  one.microseconds = std::min(one.microseconds, 1e6 * (processor_time() - begin) / tasks);
+}
+
+std::vector<Part> thousand_parts() {
+  std::vector<Part> parts;
+  for (int i = 0; i < 1000; ++i) {
+    parts.push_back({"part " + std::to_string(i), 0.01 * (i % 40), 0.02 * (i / 40)});
+  }
+  return parts;
+}
+
+std::vector<Case> cases() {
+  constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
+                                  Objective::acceleration};
+  constexpr Limits within_10_percent{.tolerance = 0.1};
+  const auto parts = thousand_parts();
+  std::vector<Case> all;
+  for (const Objective objective : objectives) {
+    const SearchOptions options{.objective = objective};
+    const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
+    for (const std::int64_t arrivals : {1, 2, 4, 10}) {
+      all.push_back({fmt::format("search, {}, arrivals {}", name(objective), arrivals),
+                     [=](double beta) { (void)search(problem(beta, arrivals), limits, options); }});
+    }
+  }
+  all.push_back({"search, robust, arrivals 4, f_max 0.1",
+                 [](double beta) { (void)search(problem(beta, 4), {.f_max = 0.1}); }});
+  for (const std::int64_t arrivals : {1, 4}) {
+    all.push_back({fmt::format("region, arrivals {}", arrivals),
+                   [=](double beta) { (void)admissible_region(problem(beta, arrivals)); }});
+    all.push_back({fmt::format("whole design with its checks, arrivals {}", arrivals),
+                   [=](double beta) { (void)design::design({problem(beta, arrivals)}); }});
+    all.push_back({fmt::format("1000 parts ranked, arrivals {}", arrivals), [=](double beta) {
+                     (void)ranked(problem(beta, arrivals), within_10_percent, Objective::robust,
+                                  parts);
+                   }});
+    all.push_back({fmt::format("front of 25, arrivals {}", arrivals),
+                   [=](double beta) { (void)trade_off(problem(beta, arrivals), {}, 25); }});
+  }
+  return all;
+}
+
+}  // namespace
+
+}  // namespace stillpoint::bench
+
+int main(int count, char** arguments) {
+  const int rounds = count > 1 ? std::max(1, std::atoi(arguments[1])) : 5;
+  auto all = stillpoint::bench::cases();
+  for (int round = 0; round < rounds; ++round) {
+    std::ranges::for_each(all, stillpoint::bench::measure);
+  }
+  for (const auto& one : all) {
+    fmt::print("{:<46}{:>10.1f} us\n", one.name, one.microseconds);
+  }
+}
