@@ -3,7 +3,6 @@
 
 #include "motion_input.hpp"
 #include "surface_input.hpp"
-#include "value_units.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>

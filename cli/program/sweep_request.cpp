@@ -3,7 +3,6 @@
 #include "motion_input.hpp"
 #include "request.hpp"
 #include "surface_input.hpp"
-#include "value_units.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -124,7 +123,8 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
     return;
   }
   for (const Option& option : options()) {
-    const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate);
+    const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate) &&
+                            option.traits.role == Role::input;
     if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
       throw UsageError(fmt::format("{} is for designs: give --{} as well", option.name, beta));
     }
