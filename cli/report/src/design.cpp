@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "choices.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
@@ -132,7 +133,8 @@ void add_checks(Document& document, const design::CrossCheck& check, const Physi
 }
 
 /// What to build.
-std::string verdict(const design::Finding& finding, const Physical& physical) {
+std::string verdict(const DesignReport& report, const Physical& physical) {
+  const design::Finding& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
   const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
@@ -142,6 +144,10 @@ std::string verdict(const design::Finding& finding, const Physical& physical) {
           ? format("Build a friction force of {} and a notch that takes {} at a passage.",
                    with_unit(*force, "N"), with_unit(*energy, "J"))
           : format("Build f = {} and delta = {}.", digits(f), length_shown(physical, delta));
+  if (report.catalogue) {
+    text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
+                  digits(f), length_shown(physical, delta));
+  }
   if (!finding.cross_check.passed) {
     text += " But the cross-check DISAGREES: do not rely on this design.";
   }
@@ -185,8 +191,10 @@ void add_answer(Section& answer, const design::Finding& finding, const design::P
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
              pulsed ? ", under the pulse" : ""));
   if (response.stop_time) {
-    answer.row("rest", format("at x = {} after {}", length_shown(physical, *response.stop_position),
-                              time_shown(physical, *response.stop_time)));
+    answer.row("rest",
+               format("at x = {} after {}{}", length_shown(physical, *response.stop_position),
+                      time_shown(physical, *response.stop_time),
+                      problem.arrivals > 1 ? format(", at arrival {}", finding.arrival) : ""));
   }
   answer.row("acceleration", felt(finding, response, physical));
   answer.row("tolerance", format("f and delta may both be off by +-{:.4g} %", 100 * tolerance));
@@ -219,12 +227,23 @@ Document document(const DesignReport& report) {
   add_region(document, report.result.region, physical);
   if (!report.result.finding) {
     add_emptiness(document, report.result, physical);
+    if (report.catalogue) {
+      add_parts(document, *report.catalogue, {problem, limits, physical});
+    }
     return document;
   }
   const design::Finding& finding = *report.result.finding;
-  document.verdict = verdict(finding, physical);
+  document.verdict = verdict(report, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
   add_answer(document.answer, finding, problem, physical);
+  if (report.catalogue) {
+    document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
+    add_parts(document, *report.catalogue, {problem, limits, physical});
+  }
+  if (report.trade_off) {
+    document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
+    add_trade_off(document, *report.trade_off, physical);
+  }
   add_damper(document, problem, finding, physical);
   add_constraints(document, finding.constraints, physical);
   Section& motion = document.detail("Motion");
@@ -239,6 +258,9 @@ Document document(const DesignReport& report) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_checks(document, finding.cross_check, physical);
+  if (report.catalogue) {
+    return document;  // without a search
+  }
   document.detail("Search").line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms",
                                         design::nlopt_version(), finding.search.algorithm,
                                         finding.search.status, finding.search.evaluations,

@@ -13,6 +13,7 @@ namespace stillpoint::report {
 using figures::AreaLook;
 using figures::Dash;
 using figures::Figure;
+using figures::FigureArea;
 using figures::FigureAxis;
 using figures::FigureCurve;
 using figures::FigurePoint;
@@ -47,6 +48,13 @@ std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const Regi
   }
   lower.insert(lower.end(), upper.rbegin(), upper.rend());
   return lower;
+}
+
+std::vector<FigureArea> area_of(std::string name, std::vector<FigurePoint> outline) {
+  if (outline.empty()) {
+    return {};
+  }
+  return {{std::move(name), std::move(outline), Ink::sky}};
 }
 
 std::vector<FigurePoint> box(const DrawnDamper& damper, double unit) {
@@ -183,10 +191,14 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
   const RegionSpan span(drawn);
-  auto outline = admissible_outline(drawn, span, unit);
+  const bool several = drawn.problem.arrivals > 1;
+  auto admissible = several ? strip_areas(drawn, units)
+                            : area_of("admissible", admissible_outline(drawn, span, unit));
   const auto tolerance_box = damper ? box(*damper, unit) : std::vector<FigurePoint>{};
   Extent seen;
-  seen.add(outline);
+  for (const FigureArea& area : admissible) {
+    seen.add(area.outline);
+  }
   Extent all = seen;
   all.add({{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2 * unit}});
   constexpr double far = 1.6;  // farther out, a damper would flatten the region
@@ -200,20 +212,31 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.title = region.feasible ? "Admissible region" : drawn.mend;
   figure.x = axis_of("constant friction f", seen.least.x, seen.most.x, all.most.x);
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
-  figure.description = format(
-      "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) to {:.4g} "
-      "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone requires "
-      "f < {:.4g}. {}",
-      span.first, span.last, units.length_words(region.delta2), region.f1,
-      region.feasible ? "" : "Nothing is left: no design is admissible. ");
-  figure.caption = outline.empty() ? "No damper is admissible: the forbidden sides meet."
-                                   : "A damper in the clear area is admissible; each hatched side "
-                                     "says what goes wrong there.";
-  if (!outline.empty()) {
-    figure.areas.push_back({"admissible", std::move(outline), Ink::sky});
+  figure.description =
+      several ? "The plane of f and Δ with the strip of each arrival at which the mass may stop. "
+              : format(
+                    "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) "
+                    "to {:.4g} "
+                    "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone "
+                    "requires "
+                    "f < {:.4g}. {}",
+                    span.first, span.last, units.length_words(region.delta2), region.f1,
+                    region.feasible ? "" : "Nothing is left: no design is admissible. ");
+  if (admissible.empty()) {
+    figure.caption = "No damper is admissible: the forbidden sides meet.";
+  } else {
+    figure.caption = several ? "A damper in a strip stops at x = 0 at that arrival; between the "
+                               "strips the mass comes to rest off centre."
+                             : "A damper in the clear area is admissible; each hatched side says "
+                               "what goes wrong there.";
   }
-  add_sides(figure, drawn, span, units);
-  add_delta1(figure, span.at, span.last, unit);
+  figure.areas = std::move(admissible);
+  if (several) {
+    add_limits(figure, drawn, units);
+  } else {
+    add_sides(figure, drawn, span, units);
+    add_delta1(figure, span.at, span.last, unit);
+  }
   if (damper) {
     add_damper(figure, *damper, tolerance_box, units);
   }

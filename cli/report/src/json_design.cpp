@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/report.hpp>
+#include "choices.hpp"
 #include "json_parts.hpp"
 
 namespace stillpoint::report {
@@ -14,12 +15,27 @@ void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
   task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
 }
 
-ordered_json design_point_json(const design::Problem& problem, const design::DesignPoint& point) {
-  return {{"f", number(point.f)},
+ordered_json design_point_json(const design::Problem& problem, const design::Finding& finding) {
+  const design::DesignPoint& point = finding.point;
+  return {{"name", nullptr},
+          {"f", number(point.f)},
           {"delta", number(point.delta)},
           {"tolerance", number(point.tolerance)},
+          {"arrival", finding.arrival},
           {"delta1_published", number(design::delta1_published(problem, point.f))},
           {"delta1_exact", number(design::delta1_exact(problem, point.f))}};
+}
+
+ordered_json strips_json(const std::vector<design::Strip>& strips) {
+  ordered_json list = ordered_json::array();
+  for (const design::Strip& strip : strips) {
+    list.push_back({{"arrival", strip.arrival},
+                    {"beta_min", number(strip.beta_min)},
+                    {"f_lower", number(strip.f_lower)},
+                    {"f_upper", number(strip.f_upper)},
+                    {"tolerance", number(strip.tolerance)}});
+  }
+  return list;
 }
 
 ordered_json search_json(const design::SearchRecord& search) {
@@ -70,6 +86,10 @@ ordered_json pulse_check_json(const design::PulseCheck& check) {
 
 namespace {
 
+ordered_json file_of(const std::optional<Catalogue>& catalogue) {
+  return catalogue ? ordered_json(spelled_out(catalogue->file)) : ordered_json(nullptr);
+}
+
 /// In metres where the input was.
 ordered_json built_notch_json(const DesignReport& report) {
   if (!report.built_notch) {
@@ -102,6 +122,9 @@ ordered_json json(const DesignReport& report) {
   add_pulse(task, pulse);
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);
+  task["catalogue"] = file_of(report.catalogue);
+  task["trade_off"] = report.trade_offs ? ordered_json(*report.trade_offs) : ordered_json(nullptr);
+  const PartTask parts{problem, limits, report.physical};
   ordered_json json{{"schema", "stillpoint/design-report/1"},
                     {"program", program_json()},
                     {"input", task},
@@ -116,10 +139,14 @@ ordered_json json(const DesignReport& report) {
                     {"cross_check", nullptr},
                     {"pulse", nullptr},
                     {"built_notch", built_notch_json(report)},
+                    {"catalogue", catalogue_json(report.catalogue, parts)},
+                    {"trade_off", trade_off_json(report.trade_off, report.physical)},
                     {"physical", physical_json(report)}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
-    json["design"] = design_point_json(problem, finding.point);
+    json["design"] = design_point_json(problem, finding);
+    json["design"]["name"] =
+        report.catalogue ? ordered_json(report.catalogue->parts.front().part.name) : nullptr;
     json["constraints"] = constraints_json(finding.constraints);
     json["works_for"] = works_for_json(finding.works_for);
     if (!pulse) {
@@ -127,7 +154,9 @@ ordered_json json(const DesignReport& report) {
     }
     json["practice"] = practice_json(finding.practice);
     json["response"] = response_json(finding.response);
-    json["search"] = search_json(finding.search);
+    if (!report.catalogue) {
+      json["search"] = search_json(finding.search);
+    }
     json["cross_check"] = cross_check_json(finding.cross_check);
     if (finding.pulse) {
       json["pulse"] = pulse_check_json(*finding.pulse);
@@ -142,20 +171,24 @@ ordered_json json(const RegionReport& report) {
   ordered_json task = task_json(problem, limits);
   task["f"] = number(f);
   task["delta"] = number(delta);
+  task["catalogue"] = file_of(report.catalogue);
   const bool point = f && delta;
   return {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},
       {"input", task},
       {"region", region_fields(answer)},
+      {"strips", strips_json(answer.strips)},
       {"delta1_published", number(answer.delta1_published)},
       {"delta1_exact", number(answer.delta1_exact)},
       {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},
       {"tolerance", number(answer.tolerance)},
+      {"arrival", answer.arrival ? ordered_json(*answer.arrival) : ordered_json(nullptr)},
       {"constraints", constraints_json(answer.constraints)},
       {"works_for", works_for_json(answer.works_for)},
       {"hits", point ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
       {"practice", practice_json(answer.practice)},
+      {"catalogue", catalogue_json(report.catalogue, {problem, limits, report.physical})},
       {"physical", physical_json(report)}};
 }
 

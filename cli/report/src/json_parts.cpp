@@ -45,6 +45,8 @@ ordered_json conflict_json(design::Conflict conflict) {
       return {"stop", "start"};
     case design::Conflict::stop_against_delta_max:
       return {"stop", "delta_max"};
+    case design::Conflict::no_arrival:
+      return {"stop", "arrivals"};
     case design::Conflict::narrower_than_rounding:
       return {"rounding"};
   }
@@ -138,6 +140,7 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
           {"p", number(problem.p)},
           {"beta", number(problem.beta)},
           {"criterion", name(problem.criterion)},
+          {"arrivals", problem.arrivals},
           {"tolerance", number(limits.tolerance)},
           {"f_max", number(limits.f_max)},
           {"delta_max", number(limits.delta_max)},

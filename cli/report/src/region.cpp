@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "choices.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -43,6 +48,29 @@ std::string judgement(const design::RegionAnswer& answer) {
   return text;
 }
 
+/// Of several arrivals.
+void add_strips(Document& document, const design::Problem& problem,
+                const std::vector<design::Strip>& strips) {
+  constexpr std::size_t most_listed = 10;
+  if (problem.arrivals == 1 || strips.empty()) {
+    return;
+  }
+  Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
+  for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
+    table.rows.push_back(
+        {{format("{}", strip.arrival),
+          strip.f_lower ? format("{:.6g} to {:.6g}", *strip.f_lower, *strip.f_upper)
+                        : "none with the tolerance asked for",
+          format("+-{:.4g} %", 100 * strip.tolerance)}});
+  }
+  Section& section = document.section("Dampers that stop at each arrival");
+  section.parts.emplace_back(std::move(table));
+  if (strips.size() > most_listed) {
+    section.line(format("{} more arrivals have a damper; --json lists them all.",
+                        strips.size() - most_listed));
+  }
+}
+
 }  // namespace
 
 Document document(const RegionReport& report) {
@@ -52,12 +80,17 @@ Document document(const RegionReport& report) {
   document.title = "Admissible region";
   add_problem(document, problem, limits, report.physical);
   add_region(document, answer.region, report.physical).detail = false;
+  add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
     document.verdict =
         format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
     document.tone = Tone::good;
   } else {
     add_emptiness(document, answer, report.physical);
+  }
+  if (report.catalogue) {
+    document.verdict += format(" {}.", how_many_fit(report.catalogue->parts));
+    add_parts(document, *report.catalogue, {problem, limits, report.physical});
   }
   if (f) {
     Section& section = document.section(format("At f = {:.6g}", *f));
@@ -69,7 +102,9 @@ Document document(const RegionReport& report) {
       add_point(section, report);
       document.verdict += format(" The damper is {}.", judgement(answer));
       add_works_for(document.answer, answer.works_for, report.physical);
-      add_practice(document.detail("In practice"), answer.practice, report.physical);
+      if (answer.practice) {
+        add_practice(document.detail("In practice"), answer.practice, report.physical);
+      }
       add_constraints(document, answer.constraints, report.physical);
     }
   }

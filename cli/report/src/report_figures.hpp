@@ -140,6 +140,12 @@ struct RegionSpan {
 void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
                const FigureUnits& units);
 
+/// Of a task that allows several arrivals: the strip of each within the limits, the damper's own
+/// in front, and what forbids the rest of the figure.
+[[nodiscard]] std::vector<figures::FigureArea> strip_areas(const DrawnRegion& drawn,
+                                                           const FigureUnits& units);
+void add_limits(figures::Figure& figure, const DrawnRegion& drawn, const FigureUnits& units);
+
 /// The admissible region in the (f, Delta) plane, its forbidden sides in words, and a point in it.
 [[nodiscard]] figures::Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units);
 

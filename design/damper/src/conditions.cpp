@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
+#include "strip.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -48,6 +49,16 @@ Constraint compared(std::string_view name, std::string_view variable, std::strin
   return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
 }
 
+/// `return` and `stop` of a later arrival, as region.hpp has them.
+void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
+  const int n = deciding_arrival(problem, f, delta).n;
+  if (n > 1) {
+    const auto [reach, pass] = passing_speeds(problem, n, f, delta);
+    list[3] = compared("return", "v0", ">=", problem.v0, reach);
+    list[4] = compared("stop", "v0", "<", problem.v0, pass);
+  }
+}
+
 /// Whether the conditions that are tightest at this corner of the box hold there.
 bool hold_at(Corner corner, const Problem& problem, double f, double delta) {
   const auto list = constraints(problem, f, delta);
@@ -62,7 +73,7 @@ bool hold_at(Corner corner, const Problem& problem, double f, double delta) {
 }  // namespace
 
 std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
-  const Region region = admissible_region(problem);
+  const Region region = admissible_region(with_one_arrival(problem));
   require_within("f", f, 0, largest_square);
   require_within("delta", delta, 0, largest_square);
   const Asked asked{problem, region, f};
@@ -71,6 +82,9 @@ std::array<Constraint, 5> constraints(const Problem& problem, double f, double d
     return compared(condition.name, condition.variable, condition.relation,
                     condition.variable == "f" ? f : delta, condition.limit(asked));
   });
+  if (problem.arrivals > 1) {
+    compare_hits(list, problem, f, delta);
+  }
   return list;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "judge.hpp"
 #include "runge_kutta.hpp"
+#include "strip.hpp"
 #include "unit_problem.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
@@ -8,6 +9,8 @@
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/region.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +21,15 @@ namespace stillpoint::design {
 namespace {
 
 /// (31): an error e of the arrival energy moves the stop phase by about e phi / w for phi >> w, and
-/// by sqrt(e) where w vanishes.
-double grazing_factor(const Prediction& prediction, const Problem& problem, double f,
+/// by sqrt(e) where w vanishes. Of a later arrival (53).
+double grazing_factor(const Prediction& prediction, const Problem& problem, double f, double delta,
                       double tolerance) {
+  if (prediction.half_cycles > 1) {
+    const double d = delta / problem.v0 / problem.v0;
+    return std::max(1.0, unit::course(static_cast<int>(prediction.half_cycles),
+                                      f / problem.p / problem.v0, d, tolerance)
+                             .grazing);
+  }
   const double phi = f / problem.p;
   const double w = std::max(prediction.arrival_speed, std::sqrt(tolerance) * phi);
   return phi > w ? phi / w : 1;
@@ -39,7 +48,7 @@ constexpr Quality runge_kutta_quality{"runge_kutta", 1e-9, 1000 * integrator_tol
 }  // namespace
 
 Prediction predict(const Problem& problem, double f) {
-  require_within("f", f, 0, admissible_region(problem).f3);
+  require_within("f", f, 0, admissible_region(with_one_arrival(problem)).f3);
   const double a = std::min(f / problem.p / problem.v0, unit::a3);
   Prediction prediction;
   prediction.peak_amplitude = unit::peak(a) * problem.v0 / problem.p;
@@ -49,13 +58,34 @@ Prediction predict(const Problem& problem, double f) {
   return prediction;
 }
 
+Prediction predict(const Problem& problem, double f, double delta) {
+  const auto arrival = arrival_of(problem, f, delta);
+  if (!arrival) {
+    throw InputError("f, delta", fmt::format("{}, {}", f, delta),
+                     fmt::format("must stop at one of the first {} arrivals", problem.arrivals));
+  }
+  if (*arrival == 1) {
+    return predict(problem, f);
+  }
+  const double a = f / problem.p / problem.v0;
+  const auto course = unit::course(static_cast<int>(*arrival), a, delta / problem.v0 / problem.v0);
+  Prediction prediction;
+  prediction.peak_amplitude = unit::peak(a) * problem.v0 / problem.p;
+  prediction.peak_acceleration = unit::radius(a) * problem.v0 * problem.p;
+  prediction.stop_time = course.phase / problem.p;
+  prediction.arrival_speed = course.arrival_speed * problem.v0;
+  prediction.half_cycles = static_cast<double>(*arrival);
+  return prediction;
+}
+
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
-           const Problem& problem, double f, double margin) {
+           const Problem& problem, double f, double delta, double margin) {
   const bool same_end = method.half_cycles == prediction.half_cycles &&
                         method.stop_position == prediction.stop_position;
   method.name = quality.name;
-  method.tolerance = quality.tolerance * grazing_factor(prediction, problem, f, quality.tolerance);
-  method.decided = same_end || margin > quality.resolution;
+  method.tolerance =
+      quality.tolerance * grazing_factor(prediction, problem, f, delta, quality.tolerance);
+  method.decided = same_end || margin > quality.resolution * prediction.half_cycles;
   method.relative_error = relative(method.peak_amplitude, prediction.peak_amplitude);
   if (method.decided) {
     const double acceleration =
@@ -90,7 +120,7 @@ CrossCheck cross_check(const Prediction& prediction, const Problem& problem, dou
     map.stop_position = *response.stop_position;
     margin = response.decision_margin.value_or(0);
   });
-  judge(map, map_quality, prediction, problem, f, margin);
+  judge(map, map_quality, prediction, problem, f, delta, margin);
 
   CheckMethod integrated;
   integrated.wall_time_s = timed([&] {
@@ -103,7 +133,7 @@ CrossCheck cross_check(const Prediction& prediction, const Problem& problem, dou
     integrated.half_cycles = static_cast<double>(motion.half_cycles);
     integrated.stop_position = motion.stop_position;
   });
-  judge(integrated, runge_kutta_quality, prediction, problem, f, margin);
+  judge(integrated, runge_kutta_quality, prediction, problem, f, delta, margin);
 
   return {map.passed && integrated.passed, {map, integrated}};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "finding.hpp"
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 
@@ -13,17 +14,23 @@ Finding finding_of(const Problem& problem, const Limits& limits, const SearchRes
   Finding finding;
   finding.point = point;
   finding.search = record;
+  finding.arrival = arrival_of(problem, point.f, point.delta).value();
   finding.constraints = constraints(problem, limits, point.f, point.delta);
   const Oscillator oscillator{problem.p, point.f, point.delta};
   finding.response = free_response(oscillator, {0, problem.v0});
   finding.practice = practice(oscillator, finding.response, limits.acceleration_max);
-  finding.cross_check = cross_check(predict(problem, point.f), problem, point.f, point.delta);
+  finding.cross_check =
+      cross_check(predict(problem, point.f, point.delta), problem, point.f, point.delta);
   return finding;
 }
 
 DesignResult design(const DesignRequest& request) {
   const auto& [problem, limits, options, pulse] = request;
   if (pulse) {
+    if (problem.arrivals > 1) {
+      throw InputError("arrivals", fmt::format("{}", problem.arrivals),
+                       "must be 1 with a pulse: a design for a pulse stops at the first arrival");
+    }
     return design(
         PulseRequest{{*pulse, problem.p, problem.beta, problem.criterion}, limits, options});
   }

@@ -21,7 +21,7 @@ struct Quality {
 /// Completes a method whose figures are already there; `margin` is the decision margin of the
 /// predicted motion.
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
-           const Problem& problem, double f, double margin);
+           const Problem& problem, double f, double delta, double margin);
 
 /// Runs it and returns how long that took, in seconds.
 template <class Run>

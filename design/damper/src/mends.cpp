@@ -2,6 +2,7 @@
 #include "mend_list.hpp"
 #include "nearest_fit.hpp"
 #include "region_edges.hpp"
+#include "strip.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
@@ -32,8 +33,20 @@ bool strip_fits(const Case& now) {
   return edge.f4 >= 0 && stop_fits(now.problem, edge, now.limits);
 }
 
-bool feasible(const Case& now) {
+/// At the first arrival.
+bool first_fits(const Case& now) {
   return amplitude_fits(now) && acceleration_fits(now) && strip_fits(now);
+}
+
+bool feasible(const Case& now) {
+  bool found = first_fits(now);
+  if (!found && now.problem.arrivals > 1) {
+    for_each_strip(now.problem, now.limits, [&](const StripTask& task) {
+      found = any_point(task).has_value();
+      return !found;
+    });
+  }
+  return found;
 }
 
 Input<Case> v0_of(const Problem& problem) {
@@ -49,38 +62,95 @@ Input<Case> beta_of(const Problem& problem) {
 
 /// The p at which a box has the most room between f2 and f4, the root of (34).
 double roomiest_p(const Case& now) {
-  const auto& [v0, p, beta, criterion] = now.problem;
+  const auto& [v0, p, beta, criterion, arrivals] = now.problem;
   const double wider = (1 + now.limits.tolerance) / (1 - now.limits.tolerance);
   const double f4 = v0 / beta / wider * v0;
   const double most = now.limits.acceleration_max.value();
   return f4 < most ? std::sqrt((most - f4) / v0) * std::sqrt((most + f4) / v0) : 0;
 }
 
-/// More p helps the amplitude and can only harm the stop, so both are tested one after the other.
-/// With a limit of the acceleration the p that fit are one interval; if it is not empty, the p with
-/// the most room is in it, as far as the other conditions let it.
-std::optional<double> mended_p(const Case& base, double least, double most) {
+/// What asks for more p and what asks for less, and both.
+template <class Amplitude, class Strip, class All>
+std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, const Strip& strip,
+                               const All& all) {
+  const auto [least, most] = valid_p(base.problem);
   const auto with = [&](double p) {
     Case changed = base;
     changed.problem.p = p;
     return changed;
   };
+  // More p helps the amplitude and can only harm the stop, so both are tested one after the other.
+  // With a limit of the acceleration the p that fit are one interval; if it is not empty, the p
+  // with the most room is in it, as far as the other conditions let it.
   if (base.limits.acceleration_max) {
-    const auto low = nearest_fit(least, most, [&](double p) { return amplitude_fits(with(p)); });
-    const auto high = nearest_fit(most, least, [&](double p) { return strip_fits(with(p)); });
+    const auto low = nearest_fit(least, most, [&](double p) { return amplitude(with(p)); });
+    const auto high = nearest_fit(most, least, [&](double p) { return strip(with(p)); });
     if (!low || !high || *low > *high) {
       return std::nullopt;
     }
     return nearest_fit(base.problem.p, std::clamp(roomiest_p(base), *low, *high),
-                       [&](double p) { return feasible(with(p)); });
+                       [&](double p) { return all(with(p)); });
   }
   const auto raised =
-      nearest_fit(base.problem.p, most, [&](double p) { return amplitude_fits(with(p)); });
+      nearest_fit(base.problem.p, most, [&](double p) { return amplitude(with(p)); });
   if (!raised) {
     return std::nullopt;
   }
-  const auto value = nearest_fit(*raised, least, [&](double p) { return strip_fits(with(p)); });
-  return value && feasible(with(*value)) ? value : std::nullopt;
+  const auto value = nearest_fit(*raised, least, [&](double p) { return strip(with(p)); });
+  return value && all(with(*value)) ? value : std::nullopt;
+}
+
+/// The same for a later arrival, whose strip in a = f/(V0 p) does not depend on p. That is a root,
+/// so the last bits are left to the points themselves.
+std::optional<double> mended_p(const Case& base, const StripTask& task) {
+  const double tolerance = base.limits.tolerance;
+  const auto corners = unit::high_corners(base.problem.criterion, task.n, tolerance, task.d_cap);
+  if (!corners) {
+    return std::nullopt;
+  }
+  const auto in_strip = [&](const Case& now) { return StripTask(now.problem, now.limits, task.n); };
+  const auto amplitude = [&](const Case& now) {
+    const StripTask strip = in_strip(now);
+    const double cap = std::min(strip.f_of(corners->high), now.limits.f_max.value_or(HUGE_VAL));
+    return lowest_centre(strip.edge.f2, tolerance) <= highest_centre(cap, tolerance);
+  };
+  const auto low_end = [&](const Case& now) {
+    const StripTask strip = in_strip(now);
+    const double cap = std::min(strip.edge.f4, now.limits.f_max.value_or(HUGE_VAL));
+    return cap >= 0 && cap >= strip.f_of(corners->low);
+  };
+  const auto all = [&](const Case& now) { return any_point(in_strip(now)).has_value(); };
+  const auto nearly = [&](const Case& /*now*/) { return true; };
+  if (base.limits.acceleration_max) {
+    return mended_p(base, amplitude, low_end, all);
+  }
+  const auto p = mended_p(base, amplitude, low_end, nearly);
+  if (!p) {
+    return std::nullopt;
+  }
+  constexpr double inside = 1e-9;
+  return nearest_fit(base.problem.p, *p * (*p > base.problem.p ? 1 + inside : 1 - inside),
+                     [&](double value) {
+                       Case changed = base;
+                       changed.problem.p = value;
+                       return all(changed);
+                     });
+}
+
+/// The nearest p for any arrival.
+std::optional<double> mended_p(const Case& base) {
+  std::optional<double> nearest = mended_p(base, amplitude_fits, strip_fits, first_fits);
+  const auto change = [&](double p) { return std::max(p / base.problem.p, base.problem.p / p); };
+  for (int n = 2; n <= base.problem.arrivals; ++n) {
+    const auto p = mended_p(base, StripTask(base.problem, base.limits, n));
+    if (p && (!nearest || change(*p) < change(*nearest))) {
+      nearest = p;
+    }
+    if (base.limits.tolerance * (2 * n + 1) > 1) {
+      break;  // no later strip is that wide
+    }
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -93,8 +163,7 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
     return list;
   }
   add_mend(list, base, feasible, v0_of(problem));
-  const auto [least_p, most_p] = valid_p(problem);
-  if (const auto p = mended_p(base, least_p, most_p)) {
+  if (const auto p = mended_p(base)) {
     list.push_back({"p", *p, *p > problem.p});
   }
   add_mend(list, base, feasible, beta_of(problem));

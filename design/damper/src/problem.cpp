@@ -46,6 +46,10 @@ void require_valid(const Problem& problem, const Limits& limits) {
         "beta", problem.beta,
         fmt::format("v0^2 / beta must be at most {} (v0 = {})", largest_f2, problem.v0));
   }
+  if (problem.arrivals < 1 || problem.arrivals > most_arrivals) {
+    throw InputError("arrivals", fmt::format("{}", problem.arrivals),
+                     fmt::format("must be from 1 to {}", most_arrivals));
+  }
   if (limits.f_max) {
     require_within("f_max", *limits.f_max, smallest_limit, largest_square);
   }

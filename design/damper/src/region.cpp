@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
+#include "strip.hpp"
 #include "unit_problem.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -95,6 +96,25 @@ double lower_end_from_stop(const Problem& problem, const Edges& edges, double to
   return a * problem.v0 * problem.p / (1 - tolerance);
 }
 
+/// The region of all arrivals that are allowed from that of the first.
+void add_later_strips(Region& region, const Problem& problem, const Limits& limits) {
+  for_each_strip(problem, limits, [&](const StripTask& task) {
+    if (any_point(task)) {
+      const auto ends = feasible_f(task).value();
+      region.f_lower = std::min(ends.low, region.f_lower.value_or(HUGE_VAL));
+      region.f_upper = std::max(ends.high, region.f_upper.value_or(0));
+    }
+    return true;
+  });
+  region.feasible = region.f_lower.has_value();
+  if (region.feasible) {
+    region.conflict = Conflict::none;
+  } else if (region.conflict == Conflict::stop_against_start ||
+             region.conflict == Conflict::stop_against_delta_max) {
+    region.conflict = Conflict::no_arrival;
+  }
+}
+
 /// Two numbers with six digits, or with all if six do not distinguish them.
 std::pair<std::string, std::string> told_apart(double a, double b) {
   std::pair six{fmt::format("{:.6g}", a), fmt::format("{:.6g}", b)};
@@ -123,6 +143,9 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
                                   lower_end_from_stop(problem, edge, limits.tolerance));
     region.f_upper = upper;
     region.f_lower = std::min(lower, upper);  // both may be one point, rounded two ways
+  }
+  if (problem.arrivals > 1) {
+    add_later_strips(region, problem, limits);
   }
   return region;
 }
@@ -164,6 +187,24 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
     case Conflict::narrower_than_rounding:
       return "what the constraints leave lies between neighbouring doubles: no damper is that "
              "exact";
+    case Conflict::no_arrival: {
+      const Edges edge = edges(problem, limits);
+      const double f = highest_centre(edge.f_cap, limits.tolerance) * (1 - limits.tolerance);
+      const double delta =
+          highest_centre(edge.delta_cap, limits.tolerance) * (1 - limits.tolerance);
+      const auto last = static_cast<int>(problem.arrivals);
+      const auto [least, most] =
+          told_apart(problem.v0, passing_speeds(problem, last, f, delta).pass);
+      return problem.v0 >= passing_speeds(problem, last, f, delta).pass
+                 ? fmt::format(
+                       "even with the largest friction allowed the mass passes x = 0 {} times: "
+                       "v0 = {}, it would have to be below {}{}",
+                       last, least, most, box)
+                 : fmt::format(
+                       "no damper stops the mass at any of its first {} arrivals within the "
+                       "limits{}",
+                       last, box);
+    }
     case Conflict::stop_against_start:
     case Conflict::stop_against_delta_max:
       break;
@@ -209,6 +250,7 @@ RegionAnswer answer(const RegionRequest& request) {
   const Region region = admissible_region(problem, limits);
   RegionAnswer answer{{region, reason(region, problem, limits), mends(problem, limits),
                        joint_mend(problem, limits)}};
+  answer.strips = strips(problem, limits);
   if (f) {
     answer.delta1_published = delta1_published(problem, *f);
     answer.delta1_exact = delta1_exact(problem, *f);
@@ -217,6 +259,7 @@ RegionAnswer answer(const RegionRequest& request) {
     answer.constraints = constraints(problem, limits, *f, *delta);
     answer.tolerance = largest_tolerance(problem, limits, *f, *delta);
     answer.admissible = admissible(problem, limits, *f, *delta);
+    answer.arrival = *answer.admissible ? arrival_of(problem, *f, *delta) : std::nullopt;
     answer.works_for = works_for(problem, limits, *f, *delta);
     if (answer.works_for) {
       const Oscillator oscillator{problem.p, *f, *delta};

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "nlopt_fence.hpp"
 #include "region_edges.hpp"
+#include "search_run.hpp"
 #include "search_space.hpp"
 #include "settle.hpp"
 #include "unit_problem.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/search.hpp>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -69,44 +65,6 @@ class Best {
   DesignPoint point_;
 };
 
-NloptAlgorithm find_algorithm(const std::string& wanted) {
-  const auto& list = nlopt_algorithms();
-  if (wanted.empty()) {
-    return list.front();
-  }
-  const auto found = std::ranges::find(list, wanted, &NloptAlgorithm::name);
-  if (found == list.end()) {
-    throw InputError("algorithm", wanted,
-                     fmt::format("must be one of {}", fmt::join(algorithm_names(), ", ")));
-  }
-  return *found;
-}
-
-/// A global algorithm finds the place of the optimum, not its value: after 20,000 points DIRECT_L
-/// is 1e-5 off. A local algorithm gets the last fifth of the budget and starts at the best point.
-/// A smaller share leaves it short of evaluations; a larger one takes them from the global search.
-constexpr double polished_share = 0.2;
-
-NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
-                 const SearchOptions& options, const Task& task, const Best& best) {
-  const bool is_global = algorithm.starts_with("GN_") && options.max_evaluations > 1;
-  if (!is_global) {
-    return minimise(posed, algorithm, {options.max_evaluations, options.max_seconds});
-  }
-  const int polish = std::max(1, static_cast<int>(polished_share * options.max_evaluations));
-  NloptOutcome outcome =
-      minimise(posed, algorithm,
-               {options.max_evaluations - polish, (1 - polished_share) * options.max_seconds});
-  NloptProblem nearby = posed;
-  nearby.start =
-      Eigen::Vector2d(best.point().f / task.edge.f_cap, best.point().delta / task.edge.delta_cap);
-  const NloptOutcome polished =
-      minimise(nearby, "LN_SBPLX", {polish, polished_share * options.max_seconds});
-  outcome.x = polished.x;
-  outcome.evaluations += polished.evaluations;
-  return outcome;
-}
-
 /// The task as NLopt sees it; `best` is told of every f that it tries.
 NloptProblem posed_for(ConstraintSupport support, const Task& task, Best& best) {
   const auto& [problem, limits, objective, edge, interval] = task;
@@ -163,29 +121,11 @@ std::optional<DesignPoint> corner_point(const Task& task) {
 
 }  // namespace
 
-std::span<const std::string_view> algorithm_names() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> list;
-    for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
-      list.push_back(algorithm.name);
-    }
-    return list;
-  }();
-  return names;
-}
-
-void require_valid(const SearchOptions& options) {
-  static_cast<void>(find_algorithm(options.algorithm));
-  if (options.max_evaluations < 1) {
-    throw InputError("max_evaluations", options.max_evaluations, "must be at least 1");
-  }
-  if (!(options.max_seconds > 0)) {
-    throw InputError("max_seconds", options.max_seconds, "must be greater than 0");
-  }
-}
-
 std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                                    const SearchOptions& options) {
+  if (problem.arrivals > 1) {
+    return search_arrivals(problem, limits, options);
+  }
   const auto started = std::chrono::steady_clock::now();
   require_valid(options);
   const Region region = admissible_region(problem, limits);
@@ -197,7 +137,10 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                   design_interval(problem, region)};
   Best best(task);
   const NloptProblem posed = posed_for(algorithm.constraints, task, best);
-  const NloptOutcome outcome = run(posed, algorithm.name, options, task, best);
+  const NloptOutcome outcome = run(posed, algorithm.name, options, [&] {
+    return Eigen::Vector2d(best.point().f / task.edge.f_cap,
+                           best.point().delta / task.edge.delta_cap);
+  });
   best.consider(outcome.x[0] * task.edge.f_cap);
   consider_known_optima(best, task);
   const std::optional<DesignPoint> point =

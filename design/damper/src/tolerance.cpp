@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
+#include "strip.hpp"
 #include "unit_problem.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
@@ -35,11 +36,27 @@ double tolerance_of_stop(Criterion criterion, double a, double d) {
 
 bool admissible(const Problem& problem, const Limits& limits, double f, double delta) {
   require_valid(problem, limits);
+  if (problem.arrivals > 1) {
+    const auto arrival = arrival_of(problem, f, delta);
+    if (arrival != 1) {
+      return arrival &&
+             admissible(StripTask(problem, limits, static_cast<int>(*arrival)), f, delta);
+    }
+    return admissible(with_one_arrival(problem), limits, f, delta);
+  }
   return box_admissible(problem, problem, limits, f, delta);
 }
 
 std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits, double f,
                                         double delta) {
+  if (problem.arrivals > 1) {
+    require_valid(problem, limits);
+    const auto arrival = arrival_of(problem, f, delta);
+    return !arrival        ? std::nullopt
+           : *arrival == 1 ? largest_tolerance(with_one_arrival(problem), limits, f, delta)
+                           : largest_tolerance(
+                                 StripTask(problem, limits, static_cast<int>(*arrival)), f, delta);
+  }
   const auto fits = [&](double tolerance) {
     Limits box = limits;
     box.tolerance = tolerance;

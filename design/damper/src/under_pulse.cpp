@@ -68,7 +68,8 @@ PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding) {
   const double allowed = std::max(least_tolerance, result.shortness * result.shortness);
   // The pulse itself accelerates the mass more than the spring does later.
   const Quality quality{"forced_pulse", allowed, allowed, false};
-  judge(method, quality, prediction, reduced, f, finding.response.decision_margin.value_or(0));
+  judge(method, quality, prediction, reduced, f, delta,
+        finding.response.decision_margin.value_or(0));
 
   result.peak_error = prediction.peak_amplitude / forced.peak_amplitude - 1;
   if (method.half_cycles == prediction.half_cycles && forced.stops_at_zero) {

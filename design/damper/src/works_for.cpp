@@ -4,6 +4,7 @@
 
 #include "nearest_fit.hpp"
 #include "region_edges.hpp"
+#include "strip.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
@@ -77,6 +78,35 @@ double last_fit(double edge, double nominal, const Fits& fits) {
   return *nearest_fit(fits(outer) ? edge : outer, passed || !fits(inner) ? nominal : inner, fits);
 }
 
+/// Of a damper that stops at the n-th arrival: the intervals of the task for that arrival alone.
+/// Between the strips the mass rests off centre, so no interval goes on into another one (without
+/// constant friction they touch, and the test of the point covers all).
+WorksFor works_for(const StripTask& task, double f, double delta) {
+  const auto holds = [&](double v0, double p) {
+    Problem changed = task.problem;
+    changed.v0 = v0;
+    changed.p = p;
+    return admissible(StripTask(changed, task.limits, task.n), f, delta);
+  };
+  const double v0 = task.problem.v0;
+  const double p = task.problem.p;
+  const auto with_v0 = [&](double value) { return holds(value, p); };
+  const auto with_p = [&](double value) { return holds(v0, value); };
+  const auto end = [](double from, double nominal, const auto& fits) {
+    return *nearest_fit(from, nominal, fits);
+  };
+  const ValidInterval of_v0 = valid_v0(task.problem);
+  const ValidInterval of_p = valid_p(task.problem);
+  WorksFor served;
+  served.v0 = {end(std::min(v0, of_v0.least), v0, with_v0),
+               end(std::max(v0, of_v0.most), v0, with_v0)};
+  served.p.low = end(std::min(p, of_p.least), p, with_p);
+  if (const double most = std::max(p, of_p.most); !with_p(most)) {
+    served.p.high = end(most, p, with_p);
+  }
+  return served;
+}
+
 }  // namespace
 
 std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, double f,
@@ -93,6 +123,9 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
   };
   const auto with_v0 = [&](double value) { return holds(value, p); };
   const auto with_p = [&](double value) { return holds(v0, value); };
+  if (const auto arrival = arrival_of(problem, f, delta).value(); arrival > 1) {
+    return works_for(StripTask(problem, of_the_point, static_cast<int>(arrival)), f, delta);
+  }
   const Damper damper{f, 2 * Wide(delta), problem.beta, problem.criterion, limits.acceleration_max};
   const ValidInterval of_v0 = valid_v0(problem);
   const ValidInterval of_p = valid_p(problem);

@@ -94,6 +94,7 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
   const json expected = {{"v0", 1},
                          {"p", 1},
                          {"beta", 0.9},
+                         {"arrivals", 1},
                          {"tolerance", 0.1},
                          {"criterion", "exact"},
                          {"objective", "time"},

@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -67,7 +68,7 @@ BOOST_AUTO_TEST_CASE(the_box_of_a_design_is_safe_in_simulation) {
   for (int i = 0; i < 200; ++i) {
     DesignRequest request;
     request.problem = random_feasible_problem(random);
-    const auto& [v0, p, beta, criterion] = request.problem;
+    const auto& [v0, p, beta, criterion, arrivals] = request.problem;
     const DesignPoint point = design::design(request).finding->point;
     for (int j = -10; j <= 10; ++j) {
       for (int k = -10; k <= 10; ++k) {
@@ -127,6 +128,18 @@ BOOST_AUTO_TEST_CASE(each_name_leads_back_to_its_enumerator) {
   BOOST_TEST(!parse_criterion("Exact").has_value());
   BOOST_TEST(!parse_objective("").has_value());
   BOOST_TEST(!parse_pulse_warning("none").has_value());
+}
+
+BOOST_AUTO_TEST_CASE(wrong_numbers_of_arrivals_are_refused) {
+  for (const std::int64_t wrong :
+       {std::int64_t{0}, std::int64_t{-1}, most_arrivals + 1, std::int64_t{1'000'000'000}}) {
+    BOOST_CHECK_THROW(
+        static_cast<void>(design::design(DesignRequest{{1, 1, 0.9, Criterion::exact, wrong}})),
+        InputError);
+  }
+  DesignRequest pulsed{{1, 1, 0.9, Criterion::exact, 2}};
+  pulsed.pulse = HalfSine{2, 20};
+  BOOST_CHECK_THROW(static_cast<void>(design::design(pulsed)), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

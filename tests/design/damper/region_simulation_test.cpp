@@ -162,7 +162,7 @@ struct Seen {
 };
 
 Seen ask_simulation(const Sample& sample) {
-  const auto& [v0, p, beta, criterion] = sample.problem;
+  const auto& [v0, p, beta, criterion, arrivals] = sample.problem;
   const Response response = free_response({p, sample.f, sample.delta}, {0, v0}, {.times = false});
   const double dead_zone = sample.f / p / p;
   Seen seen{};

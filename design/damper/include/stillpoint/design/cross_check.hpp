@@ -9,7 +9,8 @@
 namespace stillpoint::design {
 
 /// The motion of an admissible (f, Delta) by the formulas of the design: it stops at x = 0 on the
-/// first return. Closed forms of docs/theory.md section 7, not taken from the kernel.
+/// first return, or at a later arrival. Closed forms of docs/theory.md sections 7 and 12, not taken
+/// from the kernel.
 struct Prediction {
   double peak_amplitude{0};     ///< (24)
   double peak_acceleration{0};  ///< S
@@ -19,8 +20,11 @@ struct Prediction {
   double stop_position{0};
 };
 
-/// Throws InputError unless 0 <= f <= f3.
+/// Of the first arrival. Throws InputError unless 0 <= f <= f3.
 [[nodiscard]] Prediction predict(const Problem& problem, double f);
+/// Of the arrival at which (f, delta) stops the mass. Throws InputError where it does at none that
+/// is allowed.
+[[nodiscard]] Prediction predict(const Problem& problem, double f, double delta);
 
 /// An independent method for the same figures, and its distance from the prediction.
 struct CheckMethod {
@@ -51,7 +55,8 @@ struct CrossCheck {
 /// Compares the prediction with the half-cycle map (tolerance 1e-12) and with Runge-Kutta
 /// (1e-9; integrated at 1e-12). Where the arrival grazes x = 0, the stop time loses up to half of
 /// its digits in any arithmetic; both tolerances are multiplied by (31) of docs/theory.md, which is
-/// 1 away from there. Throws InputError for delta = 0, which is no design.
+/// 1 away from there; of later arrivals by (53). Throws InputError for delta = 0, which is no
+/// design.
 [[nodiscard]] CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
                                      double delta);
 

@@ -24,6 +24,7 @@ struct DesignRequest {
 /// The design found for an admissible region.
 struct Finding {
   DesignPoint point;
+  std::int64_t arrival{1};  ///< the one at which it stops the mass
   std::vector<Constraint> constraints;
   Response response;  ///< by the half-cycle map
   SearchRecord search;

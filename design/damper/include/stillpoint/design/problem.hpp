@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -8,17 +9,24 @@ namespace stillpoint::design {
 
 /// Which lower bound of Delta keeps the motion at x = 0 on its first return.
 enum class Criterion {
-  published,  ///< the paper's condition 5: safe, too large by f^2/(2 p^2)
+  published,  ///< the paper's condition 5: safe, too large by f^2/(2 p^2); of a later arrival
+              ///< too, the last one alone: docs/theory.md section 12
   exact,      ///< the speed at x = 0 itself: sharp
 };
 
-/// What the damper must do, dimensionless: stop at x = 0 on the first return after the initial
-/// velocity v0, with no displacement beyond beta. All positive; p is the paper's p.
+/// Of the arrivals at x = 0. The tolerance of a damper that stops at the n-th is below 1/(2n - 1),
+/// for the last of these 0.05 %, and every arrival costs a step of the map.
+inline constexpr std::int64_t most_arrivals = 1000;
+
+/// What the damper must do, dimensionless: stop at x = 0 after the initial velocity v0, at the
+/// latest at that arrival (1 is the paper's task), with no displacement beyond beta. All positive;
+/// p is the paper's p.
 struct Problem {
   double v0{1};
   double p{1};
   double beta{1};
   Criterion criterion{Criterion::published};
+  std::int64_t arrivals{1};
 };
 
 /// What can be built. Every limit holds for the whole box f (1 +- tolerance), Delta (1 +-
@@ -34,6 +42,7 @@ struct Limits {
 /// Throws InputError, naming the field, unless
 ///   v0, p in [1e-150, 1e150]; beta in [1e-300, 1e300]; p beta in [1e-155, 1e155];
 ///   p beta / v0 in [1e-100, 1e100]; v0^2 / beta <= 1e305;
+///   1 <= arrivals <= most_arrivals;
 ///   f_max, delta_max, acceleration_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
 void require_valid(const Problem& problem, const Limits& limits = {});
 

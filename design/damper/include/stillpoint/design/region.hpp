@@ -22,6 +22,7 @@ enum class Conflict {
   acceleration_alone,              ///< S > acceleration_max without any friction
   stop_against_start,              ///< Delta1 > Delta2 over the tolerance box
   stop_against_delta_max,          ///< Delta1 > delta_max
+  no_arrival,                      ///< of several arrivals none has a box that fits
   narrower_than_rounding,          ///< the rest of the region lies between neighbouring doubles
 };
 
@@ -46,8 +47,38 @@ struct Region {
 };
 
 /// Edges are computed in long double and rounded inwards, so that what is admissible in doubles is
-/// admissible. Throws InputError (problem.hpp).
+/// admissible. With several arrivals f_lower and f_upper are the least and the largest f of all
+/// strips, the other edges those of the first arrival. Throws InputError (problem.hpp).
 [[nodiscard]] Region admissible_region(const Problem& problem, const Limits& limits = {});
+
+/// The dampers that stop at one arrival, within the limits: docs/theory.md section 12.
+struct Strip {
+  std::int64_t arrival{1};
+  double beta_min{0};             ///< below it there is none, (49)
+  std::optional<double> f_lower;  ///< as in Region; empty if no box of the tolerance asked for fits
+  std::optional<double> f_upper;
+  double tolerance{0};  ///< the largest of any of them, whatever was asked for
+};
+
+/// The strips of the arrivals that are allowed, without those that are empty for any tolerance.
+/// Throws InputError.
+[[nodiscard]] std::vector<Strip> strips(const Problem& problem, const Limits& limits = {});
+
+/// The Delta with which a damper with that f stops the mass at the n-th arrival: the lower edge is
+/// excluded, the peak and the limits are not looked at. Good to a few roundings; empty where there
+/// is none. Throws InputError.
+struct DeltaRange {
+  double low;
+  double high;
+};
+[[nodiscard]] std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arrival,
+                                                    double f);
+
+/// The arrival, of those that are allowed, at which the damper stops the mass at x = 0 by the
+/// problem's criterion; empty where it stops at none. The peak and the limits are not looked at.
+/// Throws as admissible() does.
+[[nodiscard]] std::optional<std::int64_t> arrival_of(const Problem& problem, double f,
+                                                     double delta);
 
 /// Why the region is empty, as a sentence with the numbers; empty if it is not.
 [[nodiscard]] std::string reason(const Region& region, const Problem& problem,
@@ -72,9 +103,12 @@ struct Region {
 /// | stop      | Delta > Delta1   | Delta | Delta1 | stops there                                 |
 ///
 /// slack is the distance from value to limit, positive inside; the strict ones need slack > 0.
+///
+/// Of a damper that stops at a later arrival, `return` and `stop` compare V0 with the least one
+/// that reaches that arrival and the least that passes it, (47) of docs/theory.md.
 struct Constraint {
   std::string_view name;
-  std::string_view variable;  ///< f or delta, of which `value` is
+  std::string_view variable;  ///< f or delta, of which `value` is; v0 of a later arrival
   std::string_view relation;
   double value{0};
   double limit{0};
@@ -144,10 +178,12 @@ struct RegionRequest {
 
 /// The region, and how the damper stands in it.
 struct RegionAnswer : RegionVerdict {
+  std::vector<Strip> strips{};
   std::optional<double> delta1_published{};  ///< these two with f
   std::optional<double> delta1_exact{};      ///< empty also where the motion does not return
   std::optional<bool> admissible{};          ///< this and what follows with f and delta
   std::optional<double> tolerance{};         ///< the largest that the damper has
+  std::optional<std::int64_t> arrival{};     ///< of an admissible one, at which it stops
   std::vector<Constraint> constraints{};
   std::optional<WorksFor> works_for{};  ///< these two if the point itself is admissible
   std::optional<Practice> practice{};

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "nlopt_fence.hpp"
+
+#include <stillpoint/design/search.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::design {
+
+/// The default one for an empty name. Throws InputError.
+[[nodiscard]] NloptAlgorithm find_algorithm(const std::string& wanted);
+
+/// Minimises; after a global algorithm a local one goes on from `best`, the best (x, y) so far.
+[[nodiscard]] NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
+                               const SearchOptions& options,
+                               const std::function<Eigen::Vector2d()>& best);
+
+/// The search of a task with several arrivals: the best of the strips.
+[[nodiscard]] std::optional<SearchResult> search_arrivals(const Problem& problem,
+                                                          const Limits& limits,
+                                                          const SearchOptions& options);
+
+}  // namespace stillpoint::design
