@@ -1,43 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "output.hpp"
 
-#include "settings.hpp"
-
-#include <stillpoint/sweep/output_file.hpp>
-
-#include <fmt/format.h>
-
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <system_error>
+#include <cstdlib>
+#include <string_view>
 
 namespace stillpoint::cli {
 
 namespace {
-
-using sweep::behind_links;
-using sweep::is_special_file;
-using sweep::is_standard_output;
-using sweep::refuse_writing;
-using sweep::require_file_name;
-using sweep::write_all;
-
-int write_and_close(int descriptor, std::string_view text) {
-  const int error = write_all(descriptor, text);
-  return ::close(descriptor) != 0 && error == 0 ? errno : error;
-}
-
-/// What a new file would be allowed: mkstemp makes it readable by its owner alone.
-mode_t permissions_for_new_files() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return static_cast<mode_t>(0666) & ~mask;
-}
 
 bool coloured() {
   const char* no_color = std::getenv("NO_COLOR");
@@ -54,69 +25,6 @@ std::string shown(const report::Document& document, const Settings& settings) {
                          .coloured = coloured(),
                          .verbosity = settings.flag("verbose") ? report::Verbosity::full
                                                                : report::Verbosity::normal});
-}
-
-Output::~Output() {
-  for (const Staged& file : staged_) {
-    std::error_code ignored;
-    std::filesystem::remove(file.temporary, ignored);
-  }
-}
-
-void Output::write_file(std::string_view field, const std::string& path, std::string_view text) {
-  require_file_name(field, path);
-  const bool standard = is_standard_output(path);
-  if (standard || is_special_file(path)) {
-    direct_.push_back({std::string(field), path, std::string(text), standard});
-    return;
-  }
-  // A link stays a link: what it points to is replaced.
-  stage(field, behind_links(path), text);
-}
-
-void Output::stage(std::string_view field, const std::filesystem::path& target,
-                   std::string_view text) {
-  std::string temporary = target.string() + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) {
-    refuse_writing(field, target.string(), errno);
-  }
-  staged_.push_back({std::string(field), temporary, target});
-  const bool permitted = ::fchmod(descriptor, permissions_for_new_files()) == 0;
-  const int refused = permitted ? 0 : errno;
-  const int error = write_and_close(descriptor, text);
-  if (error != 0 || refused != 0) {
-    refuse_writing(field, target.string(), error != 0 ? error : refused);
-  }
-}
-
-void Output::commit() {
-  for (const Direct& file : direct_) {
-    if (file.is_standard_output) {
-      if (const int error = write_all(STDOUT_FILENO, file.text); error != 0) {
-        refuse_writing(file.field, file.target, error);
-      }
-      continue;
-    }
-    const int descriptor = ::open(file.target.c_str(), O_WRONLY | O_CLOEXEC);
-    const int error = descriptor < 0 ? errno : write_and_close(descriptor, file.text);
-    if (error != 0) {
-      refuse_writing(file.field, file.target, error);
-    }
-  }
-  if (std::fwrite(printed_.data(), 1, printed_.size(), stdout) != printed_.size() ||
-      std::fflush(stdout) != 0) {
-    throw UsageError(fmt::format("standard output: cannot be written: {}", std::strerror(errno)));
-  }
-  while (!staged_.empty()) {
-    const Staged& file = staged_.back();
-    std::error_code error;
-    std::filesystem::rename(file.temporary, file.target, error);
-    if (error) {
-      refuse_writing(file.field, file.target.string(), error.value());
-    }
-    staged_.pop_back();
-  }
 }
 
 }  // namespace stillpoint::cli

@@ -4,57 +4,16 @@
 #include "settings.hpp"
 
 #include <stillpoint/report/document.hpp>
+#include <stillpoint/sweep/output.hpp>
 
-#include <filesystem>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace stillpoint::cli {
+
+using sweep::Output;
 
 /// The document as text, under the title of the settings; in colour only where standard output is a
 /// terminal, NO_COLOR is not set (or empty) and TERM is not "dumb".
 [[nodiscard]] std::string shown(const report::Document& document, const Settings& settings);
-
-/// What a command wants written. All of it appears, or none: files are written beside their place
-/// and moved there by `commit` after standard output has taken its part. A target that is no
-/// regular file (a device, a pipe) is written to directly, before that.
-class Output {
- public:
-  Output() = default;
-  Output(const Output&) = delete;
-  Output& operator=(const Output&) = delete;
-  Output(Output&&) = delete;
-  Output& operator=(Output&&) = delete;
-  ~Output();  ///< removes what was not committed
-
-  void print(std::string_view text) { printed_ += text; }
-
-  /// Throws UsageError, naming the field, where the file cannot be written. No two files may be
-  /// one, see require_files_apart.
-  void write_file(std::string_view field, const std::string& path, std::string_view text);
-
-  /// Throws UsageError where anything cannot be written.
-  void commit();
-
- private:
-  struct Staged {
-    std::string field;
-    std::filesystem::path temporary;
-    std::filesystem::path target;
-  };
-  struct Direct {
-    std::string field;
-    std::string target;
-    std::string text;
-    bool is_standard_output;
-  };
-
-  void stage(std::string_view field, const std::filesystem::path& target, std::string_view text);
-
-  std::string printed_;
-  std::vector<Staged> staged_;
-  std::vector<Direct> direct_;
-};
 
 }  // namespace stillpoint::cli
