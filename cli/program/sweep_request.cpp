@@ -6,6 +6,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
@@ -141,7 +142,7 @@ void require_in_units(const std::string& option, double value, double least) {
   if (value >= least && value <= largest_physical) {
     return;
   }
-  const auto units = units_of(find_option(option)->traits.dimension);
+  const auto units = records::units_of(find_option(option)->traits.dimension);
   throw InputError(
       option, fmt::format("{} {}", value, units.front().name),
       fmt::format("must be from {} to {} {}", least, largest_physical, units.front().name));
@@ -168,7 +169,7 @@ InputError of_physical_option(const InputError& error, const Settings& settings)
        {std::pair{"lambda", "excitation-frequency"}, std::pair{"lambda", "pulse-duration"},
         std::pair{"duration", "excitation-duration"}, std::pair{"t_end", "end-time"}}) {
     if (error.field() == field && settings.has(option)) {
-      const auto unit = units_of(find_option(option)->traits.dimension).front().name;
+      const auto unit = records::units_of(find_option(option)->traits.dimension).front().name;
       return {option, fmt::format("{} {}", *settings.number(option), unit),
               fmt::format("makes {}", error.what())};
     }
