@@ -2,11 +2,11 @@
 
 // Measures what a design costs in the library, in microseconds of processor time.
 //
-//   stillpoint_design_speed [ROUNDS]
+//   stillpoint_design_speed [ROUNDS [CASE]]
 //
 // Each round measures every case once, and the shortest time of each counts, since other work of
-// the machine can only add to it. A case is repeated for beta from 0.8 to 1.2, so that no single
-// task decides.
+// the machine can only add to it. With CASE only those whose names contain it. A case is repeated
+// for beta from 0.8 to 1.2, so that no single task decides.
 
 #include <stillpoint/design.hpp>
 
@@ -101,6 +101,10 @@ std::vector<Case> cases() {
 int main(int count, char** arguments) {
   const int rounds = count > 1 ? std::max(1, std::atoi(arguments[1])) : 5;
   auto all = stillpoint::bench::cases();
+  if (count > 2) {
+    std::erase_if(
+        all, [&](const auto& one) { return one.name.find(arguments[2]) == std::string::npos; });
+  }
   for (int round = 0; round < rounds; ++round) {
     std::ranges::for_each(all, stillpoint::bench::measure);
   }

@@ -129,7 +129,7 @@ ExitCode run_design(const Settings& settings, Output& output) {
   require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
   report::DesignReport report;
   report.physical = input.physical;
-  if (const auto parts = catalogue_input(settings, input.physical)) {
+  if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
     design::Choice choice = design::choose(input.request, *parts);
     report.result = std::move(choice.result);
     report.catalogue = {*settings.text("catalogue"), std::move(choice.parts)};
@@ -155,7 +155,7 @@ ExitCode run_design(const Settings& settings, Output& output) {
 ExitCode run_region(const Settings& settings, Output& output) {
   const RegionInput input = region_input(settings);
   report::RegionReport report{input.request, design::answer(input.request), input.physical, {}};
-  if (const auto parts = catalogue_input(settings, input.physical)) {
+  if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
     const auto& [problem, limits, f, delta] = input.request;
     report.catalogue = {*settings.text("catalogue"),
                         design::ranked(problem, limits, design::Objective::robust, *parts)};

@@ -52,13 +52,11 @@ Task task(const Settings& settings, Command command, bool pulse) {
       motion.physical};
 }
 
-std::vector<design::Part> read_parts(const Settings& settings, std::optional<double> length_m,
-                                     bool metres_only) {
+/// In `units`, which lack how metres are read.
+std::vector<design::Part> read_parts(const Settings& settings, sweep::CatalogueUnits units) {
   const Option& in_metres = *find_option("delta-m");
-  return sweep::read_catalogue(*settings.text("catalogue"),
-                               {length_m, metres_only, [&in_metres](std::string_view text) {
-                                  return parse_value(in_metres, text);
-                                }});
+  units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
+  return sweep::read_catalogue(*settings.text("catalogue"), units);
 }
 
 }  // namespace
@@ -114,15 +112,19 @@ RegionInput region_input(const Settings& settings) {
 }
 
 std::optional<std::vector<design::Part>> catalogue_input(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical) {
+    const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical) {
   if (!settings.has("catalogue")) {
     return std::nullopt;
   }
   if (settings.has("pulse")) {
     throw UsageError("catalogue and pulse exclude each other: parts are chosen for a velocity");
   }
-  return read_parts(settings, physical ? std::optional(physical->scales.length_m) : std::nullopt,
-                    false);
+  sweep::CatalogueUnits units;
+  units.p = p;
+  if (physical) {
+    units.length_m = physical->scales.length_m;
+  }
+  return read_parts(settings, units);
 }
 
 std::vector<design::Part> catalogue_input(const Settings& settings,
@@ -134,7 +136,12 @@ std::vector<design::Part> catalogue_input(const Settings& settings,
     throw UsageError(
         "the list and the catalogue cannot both be standard input: give a file for one");
   }
-  return read_parts(settings, physical ? std::optional(1.0) : std::nullopt, physical.has_value());
+  sweep::CatalogueUnits units;
+  if (physical) {
+    units.length_m = 1;
+    units.metres_only = true;
+  }
+  return read_parts(settings, units);
 }
 
 }  // namespace stillpoint::cli

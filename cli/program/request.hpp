@@ -43,7 +43,7 @@ struct SimulateInput {
 /// The parts of --catalogue, in the units of the task; empty without. Throws UsageError with a
 /// pulse and records::FileError for a wrong file.
 [[nodiscard]] std::optional<std::vector<design::Part>> catalogue_input(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+    const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical);
 /// The same for a sweep; the unit of length is a metre.
 [[nodiscard]] std::vector<design::Part> catalogue_input(
     const Settings& settings, const std::optional<sweep::SweepUnits>& physical);

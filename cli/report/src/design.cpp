@@ -240,7 +240,7 @@ Document document(const DesignReport& report) {
     document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
     add_parts(document, *report.catalogue, {problem, limits, physical});
   }
-  if (report.trade_off) {
+  if (report.trade_off && !report.trade_off->empty()) {
     document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
     add_trade_off(document, *report.trade_off, physical);
   }

@@ -33,6 +33,7 @@ std::string consequence(const design::Constraint& violated, const PartTask& task
          : name == "return"    ? "rests off centre"
          : name == "stop"      ? "passes x = 0"
          : name == "dead_zone" ? "dead zone too wide"
+         : name == "residual"  ? "rests too far out"
                                : "above " + std::string(name);
 }
 

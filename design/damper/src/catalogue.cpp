@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
 
 #include <fmt/format.h>
 
@@ -41,13 +42,20 @@ double miss_of(const std::vector<Constraint>& violated) {
 }
 
 RatedPart rated(const Problem& problem, const Limits& limits, const Part& part) {
+  require_within("f", part.f, 0, largest_part_value);
+  require_within("delta", part.delta, 0, largest_part_value);
+  require_valid(Oscillator{problem.p, part.f, part.delta});
   RatedPart rated{part,
                   admissible(problem, limits, part.f, part.delta),
                   largest_tolerance(problem, limits, part.f, part.delta),
                   {}};
   if (!rated.tolerance) {
-    for (const Constraint& now : constraints(problem, limits, part.f, part.delta)) {
-      if (!now.satisfied) {
+    const auto all = constraints(problem, limits, part.f, part.delta);
+    const auto back = std::ranges::find(all, "return", &Constraint::name);
+    for (const Constraint& now : all) {
+      // What does not come back is not judged by Delta1, which means nothing there.
+      const bool meaningless = now.name == "stop" && now.variable == "delta" && !back->satisfied;
+      if (!now.satisfied && !meaningless) {
         rated.violated.push_back(now);
       }
     }
@@ -118,7 +126,8 @@ std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
   if (limits.acceleration_max) {
     const double least = 2 * (f + problem.v0 * problem.p);
     inputs.push_back({"acceleration_max", *limits.acceleration_max,
-                      std::max(*limits.acceleration_max, least), *allowed.acceleration_max});
+                      std::clamp(least, *limits.acceleration_max, largest_square),
+                      *allowed.acceleration_max});
   }
   std::vector<Mend> mends;
   for (const auto& [field, now, loosest_value, input] : inputs) {

@@ -86,15 +86,16 @@ struct AtF {
 
 /// The best damper with that f; empty if none is admissible with the tolerance asked for.
 std::optional<DesignPoint> best_with(const AtF& task) {
-  const auto& [problem, limits, f] = task;
+  const Problem& problem = task.problem;
   std::optional<DesignPoint> best;
   const auto consider = [&](double low, double high) {
-    high = std::min(high, limits.delta_max.value_or(high));
+    high = std::min(high, task.limits.delta_max.value_or(high));
     const double delta = low < high ? task.best_in({low, high}) : high;
-    if (admissible(problem, limits, f, delta)) {
-      const double tolerance = largest_tolerance(problem, limits, f, delta).value_or(0);
+    if (admissible(task.problem, task.limits, task.f, delta)) {
+      const double tolerance =
+          largest_tolerance(task.problem, task.limits, task.f, delta).value_or(0);
       if (!best || tolerance > best->tolerance) {
-        best = {f, delta, tolerance};
+        best = {task.f, delta, tolerance};
       }
     }
   };
@@ -104,7 +105,7 @@ std::optional<DesignPoint> best_with(const AtF& task) {
     if (best && n > 1 && best->tolerance * static_cast<double>(2 * n - 1) >= 1) {
       break;
     }
-    if (const auto range = delta_range(problem, n, f)) {
+    if (const auto range = delta_range(problem, n, task.f)) {
       consider(range->low, range->high);
     }
   }

@@ -125,6 +125,13 @@ class CatalogueReader {
     design::Part part{name, number("f", fields_[*f_], 1), 0};
     part.delta = delta_ ? number("delta", fields_[*delta_], 1)
                         : number("delta_m", fields_[*delta_m_], *units_.length_m);
+    try {
+      if (units_.p) {
+        require_valid(Oscillator{*units_.p, part.f, part.delta});
+      }
+    } catch (const InputError& error) {
+      refuse(error.what());
+    }
     return part;
   }
 
@@ -136,9 +143,10 @@ class CatalogueReader {
     } catch (const InputError& error) {
       refuse(printable(error.what(), 4 * longest_word));
     }
-    if (!(value >= 0 && value / unit <= largest_square)) {
+    if (!(value >= 0 && value / unit <= design::largest_part_value)) {
       refuse(fmt::format("{} = {}: must be a number from 0 to {:.3g}", field,
-                         printable(text, longest_word), largest_square * std::min(unit, 1.0)));
+                         printable(text, longest_word),
+                         design::largest_part_value * std::min(unit, 1.0)));
     }
     return value / unit;
   }

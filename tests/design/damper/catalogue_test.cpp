@@ -239,6 +239,28 @@ BOOST_AUTO_TEST_CASE(a_mend_is_the_least_change_that_lets_a_part_in) {
   BOOST_TEST(mended > 50);
 }
 
+BOOST_AUTO_TEST_CASE(the_largest_values_are_judged_and_mended_in_doubles) {
+  const std::vector<Part> parts{{"strong", 1e150, 0.45}, {"held", 0.2, 1e299}};
+  const Limits limits{.f_max = 0.3, .delta_max = 0.4, .tolerance = 0.1, .acceleration_max = 1.05};
+  const Choice none = choose({{1, 1, 0.9}, limits}, parts);
+  for (const RatedPart& rated : none.parts) {
+    BOOST_TEST(!rated.violated.empty());
+    for (const Constraint& now : rated.violated) {
+      BOOST_TEST(std::isfinite(now.limit));
+      BOOST_TEST(std::isfinite(now.slack));
+    }
+  }
+  BOOST_TEST(none.result.mends.empty());
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_come_back_is_not_judged_by_delta1) {
+  // At f > f3 the published Delta1 is (S - 2f)^2/2 > 0, and means nothing.
+  const std::vector<Part> strong{{"strong", 0.36, 1e-9}};
+  const auto rated = ranked({1, 1, 0.9}, {}, Objective::robust, strong);
+  BOOST_TEST_REQUIRE(rated[0].violated.size() == 1U);
+  BOOST_TEST(rated[0].violated[0].name == "return");
+}
+
 BOOST_AUTO_TEST_CASE(without_a_part_that_fits_the_reason_says_so) {
   const std::vector<Part> weak{{"weak", 0.1, 0.45}};
   const Choice none = choose({{1, 1, 0.9}}, weak);
@@ -258,6 +280,8 @@ BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_judge) {
   BOOST_CHECK_THROW(choose(pulse, one), InputError);
   const std::vector<Part> negative{{"negative", -0.2, 0.45}};
   BOOST_CHECK_THROW(choose({{1, 1, 0.9}}, negative), InputError);
+  const std::vector<Part> strong{{"strong", 1e200, 0.45}};
+  BOOST_CHECK_THROW(choose({{1, 1, 0.9}}, strong), InputError);
   const std::vector<Part> huge{{"huge", 0.2, HUGE_VAL}};
   BOOST_CHECK_THROW(choose({{1, 1, 0.9}}, huge), InputError);
 }

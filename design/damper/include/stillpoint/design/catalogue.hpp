@@ -17,6 +17,9 @@ struct Part {
   double delta{0};
 };
 
+/// A box around it stays within what f and Delta may be.
+inline constexpr double largest_part_value = 1e299;
+
 /// How a part stands against a task.
 struct RatedPart {
   Part part;
@@ -29,7 +32,8 @@ struct RatedPart {
 /// All parts, best first. Those that are admissible by the objective, then by their tolerance;
 /// behind them those that lack tolerance, the most tolerant first; then the others, the one that
 /// misses its worst constraint by the least factor first. Equals keep their order. Throws
-/// InputError for a wrong problem and for f or delta not in [0, 1e300].
+/// InputError for a wrong problem and for f or delta not in [0, largest_part_value] or not a valid
+/// oscillator.
 [[nodiscard]] std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits,
                                             Objective objective, std::span<const Part> parts);
 

@@ -17,7 +17,9 @@ inline constexpr std::size_t most_parts = 100'000;
 /// Of a name, in bytes.
 inline constexpr std::size_t longest_part_name = 100;
 
+/// What the values of a file mean.
 struct CatalogueUnits {
+  std::optional<double> p{};  ///< of the task, where there is one for all parts
   /// Metres of the dimensionless 1; empty where the task is dimensionless.
   std::optional<double> length_m{};
   bool metres_only{false};  ///< a column delta is refused: it has no length of its own
@@ -28,7 +30,7 @@ struct CatalogueUnits {
 /// The parts of a CSV file with a header. Its columns are name, f, and delta or delta_m, in any
 /// order; others are passed over. `path` "-" is standard input. Throws records::FileError, with the
 /// line, for what is wrong with the file: a missing column, a value that is no number from 0 to
-/// 1e300, a name that is empty, not printable or there twice, no part at all or more than
+/// 1e299 or makes no valid oscillator, a name that is empty, not printable or there twice, no part at all or more than
 /// most_parts.
 [[nodiscard]] std::vector<design::Part> read_catalogue(const std::string& path,
                                                        const CatalogueUnits& units);
