@@ -57,6 +57,7 @@ enum class Rivals {
   start,
   point_friction,
   point_friction_limit,
+  residual,
   frequency,
   duration,
   end,
@@ -79,6 +80,9 @@ enum class Dimension {
   gravities,  ///< an acceleration as a multiple of g
 };
 
+/// Which end of a range stands for it, for example as the motion that is shown.
+enum class RangeEnd { none, low, high };
+
 enum class FileUse { none, read, written, directory };
 
 /// What most options leave as it is.
@@ -91,6 +95,7 @@ struct OptionTraits {
   FileUse file{FileUse::none};
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
+  RangeEnd range{RangeEnd::none};          ///< LOW:HIGH is a value as well, of design and region
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -107,6 +112,10 @@ struct Option {
   [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
   [[nodiscard]] OptionKind kind_in(Command command) const {
     return traits.sweeps && command == Command::sweep ? OptionKind::axis : kind;
+  }
+  [[nodiscard]] bool takes_range_in(Command command) const {
+    return traits.range != RangeEnd::none &&
+           (command == Command::design || command == Command::region);
   }
   /// Whether a report repeats it in its scene.
   [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }

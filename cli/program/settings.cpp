@@ -19,7 +19,16 @@ std::optional<T> Settings::get(std::string_view name) const {
 }
 
 std::optional<double> Settings::number(std::string_view name) const {
+  if (const auto both = range(name)) {
+    return find_option(name)->traits.range == RangeEnd::low ? both->low : both->high;
+  }
   return get<double>(name);
+}
+
+std::optional<Range> Settings::range(std::string_view name) const {
+  const auto found = values_.find(name);
+  const Range* const both = found == values_.end() ? nullptr : std::get_if<Range>(&found->second);
+  return both == nullptr ? std::nullopt : std::optional(*both);
 }
 
 std::optional<std::int64_t> Settings::integer(std::string_view name) const {
@@ -50,6 +59,17 @@ std::optional<Axis> Settings::axis(std::string_view name) const {
 void Settings::set_number(const Option& option, std::string_view text) {
   values_[option.name] = parse_value(option, text);
   if (has_unit(text)) {
+    with_units_[option.name] = text;
+  }
+}
+
+void Settings::set_number_or_range(const Option& option, std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) {
+    return set_number(option, text);
+  }
+  values_[option.name] = range_value(option, text.substr(0, colon), text.substr(colon + 1));
+  if (has_unit(text.substr(0, colon)) || has_unit(text.substr(colon + 1))) {
     with_units_[option.name] = text;
   }
 }
@@ -102,6 +122,8 @@ nlohmann::ordered_json as_json(const Settings::Value& value) {
       [](const auto& plain) -> nlohmann::ordered_json {
         if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
           return plain.text();
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Range>) {
+          return {plain.low, plain.high};
         } else {
           return plain;
         }

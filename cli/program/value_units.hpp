@@ -32,6 +32,9 @@ struct Unit {
 /// The same for each number of an axis: "100mm:200mm:5".
 [[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
 
+/// Two numbers as a range. Throws InputError.
+[[nodiscard]] Range range_value(const Option& option, std::string_view low, std::string_view high);
+
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
 
