@@ -152,7 +152,8 @@ void set_typed(Settings& settings, const Option& option, const std::string& text
     case OptionKind::axis:
       return settings.set(option, axis_value(option, text));
     case OptionKind::number:
-      return settings.set_number(option, text);
+      return option.takes_range_in(command) ? settings.set_number_or_range(option, text)
+                                            : settings.set_number(option, text);
     case OptionKind::integer:
       return settings.set(option, parse_integer(option.name, text));
     case OptionKind::text:

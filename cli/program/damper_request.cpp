@@ -11,6 +11,10 @@
 
 #include <fmt/format.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace stillpoint::cli {
 
 namespace {
@@ -36,6 +40,46 @@ double stroke(const Settings& settings, MotionInput& motion) {
   return displacement / motion.physical->scales.length_m;
 }
 
+/// How far a friction may fall and rise, as parts of it: R, or LOW:HIGH as factors.
+struct Spread {
+  double below;
+  double above;
+};
+
+std::optional<Spread> spread(const Settings& settings, std::string_view name) {
+  if (const auto range = settings.range(name)) {
+    if (!(range->low > 0 && range->low <= 1 && range->high >= 1 && range->high < 2)) {
+      throw InputError(std::string(name), fmt::format("{}:{}", range->low, range->high),
+                       "must be factors LOW:HIGH with 0 < LOW <= 1 <= HIGH < 2");
+    }
+    return Spread{1 - range->low, range->high - 1};
+  }
+  const auto value = settings.number(name);
+  if (value && !(*value >= 0 && *value < 1)) {
+    throw InputError(std::string(name), *value, "must be at least 0 and less than 1");
+  }
+  return value ? std::optional(Spread{*value, *value}) : std::nullopt;
+}
+
+/// A box whose sides differ; what is not given is as --tolerance.
+void shape_box(design::Limits& limits, const Settings& settings) {
+  const auto of_f = spread(settings, "tolerance-f");
+  const auto of_delta = spread(settings, "tolerance-delta");
+  if (!of_f && !of_delta) {
+    return;
+  }
+  const Spread both{limits.tolerance, limits.tolerance};
+  const Spread f = of_f.value_or(both);
+  const Spread delta = of_delta.value_or(both);
+  const double most = std::max({f.below, f.above, delta.below, delta.above});
+  if (!(most > 0)) {
+    throw InputError(of_f ? "tolerance-f" : "tolerance-delta", 0.0,
+                     "must be above 0 where no other tolerance is");
+  }
+  limits.tolerance = most;
+  limits.shape = {f.below / most, f.above / most, delta.below / most, delta.above / most};
+}
+
 /// With a pulse, without a velocity.
 Task task(const Settings& settings, Command command, bool pulse) {
   MotionInput motion = motion_input(settings, command, pulse);
@@ -44,12 +88,17 @@ Task task(const Settings& settings, Command command, bool pulse) {
     require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
                    largest_physical);
   }
-  return {
+  Task task{
       {motion.v0, motion.p, beta, criterion(settings), settings.integer("arrivals").value_or(1)},
       {settings.number("f-max"),
        point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
        settings.number("tolerance").value_or(0), settings.number("acceleration-max")},
       motion.physical};
+  task.problem.v0_low = motion.v0_low;
+  task.problem.p_high = motion.p_high;
+  task.problem.residual = point_friction(settings, "residual", "residual-m", motion.physical);
+  shape_box(task.limits, settings);
+  return task;
 }
 
 /// In `units`, which lack how metres are read.

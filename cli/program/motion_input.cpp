@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -76,7 +77,22 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
                                            "give the initial velocity in m/s");
   const design::PhysicalInput physical = design::physical_input(isolator, velocity, x0_m);
   const design::Scales& scales = physical.scales;
-  return {velocity / scales.velocity_m_per_s, scales.p, x0_m / scales.length_m, physical};
+  MotionInput motion;
+  motion.v0 = velocity / scales.velocity_m_per_s;
+  motion.p = scales.p;
+  motion.x0 = x0_m / scales.length_m;
+  motion.physical = physical;
+  if (const auto range = settings.range("velocity")) {
+    motion.v0_low = range->low == range->high ? motion.v0 : range->low / scales.velocity_m_per_s;
+  }
+  for (const char* const name : {"period", "natural-frequency", "stiffness"}) {
+    if (const auto range = settings.range(name)) {
+      require_within(name, range->low, smallest_physical, largest_physical);
+      const double ratio = range->high / range->low;
+      motion.p_high = scales.p * (name == std::string_view("stiffness") ? std::sqrt(ratio) : ratio);
+    }
+  }
+  return motion;
 }
 
 }  // namespace
@@ -90,6 +106,12 @@ MotionInput motion_input(const Settings& settings, Command command, bool from_re
   motion.v0 = initial_velocity(settings, "v0", motion.x0 != 0 || from_rest,
                                "give --v0, or --velocity in m/s");
   motion.p = settings.required("p", "give --p, or --period in s");
+  if (const auto range = settings.range("v0")) {
+    motion.v0_low = range->low;
+  }
+  if (const auto range = settings.range("p")) {
+    motion.p_high = range->high;
+  }
   return motion;
 }
 

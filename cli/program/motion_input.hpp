@@ -20,7 +20,9 @@ struct MotionInput {
   double v0{0};
   double p{1};
   double x0{0};
-  std::optional<design::PhysicalInput> physical;
+  std::optional<double> v0_low{};  ///< these two of a range
+  std::optional<double> p_high{};
+  std::optional<design::PhysicalInput> physical{};
 };
 
 /// Whether the task is given in metres and seconds. Throws UsageError for options that exclude each

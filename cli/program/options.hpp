@@ -73,6 +73,9 @@ using records::listed;
 /// A task is given either dimensionless or in metres and seconds, not in both.
 enum class Units { any, dimensionless, physical };
 
+/// Which end of a range stands for it, for example as the motion that is shown.
+enum class RangeEnd { none, low, high };
+
 enum class FileUse { none, read, written, directory };
 
 /// What most options leave as it is.
@@ -86,6 +89,7 @@ struct OptionTraits {
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
   bool repeats{false};                     ///< may be given several times to design
+  RangeEnd range{RangeEnd::none};          ///< LOW:HIGH is a value as well, of design and region
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -105,6 +109,10 @@ struct Option {
   }
   [[nodiscard]] bool repeats_in(Command command) const {
     return traits.repeats && command == Command::design;
+  }
+  [[nodiscard]] bool takes_range_in(Command command) const {
+    return traits.range != RangeEnd::none &&
+           (command == Command::design || command == Command::region);
   }
   /// Whether a report repeats it in its scene.
   [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }

@@ -217,6 +217,23 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
   return value.get<bool>();
 }
 
+/// "LOW:HIGH" of [LOW, HIGH], as the command line has it.
+std::string range_text(const Option& option, const json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  const auto end = [&](const json& number) {
+    if (!number.is_number() && !number.is_string()) {
+      throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+    }
+    return number.is_string() ? number.get<std::string>() : fmt::format("{}", number.get<double>());
+  };
+  if (value.size() != 2) {
+    throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+  }
+  return fmt::format("{}:{}", end(value[0]), end(value[1]));
+}
+
 void add_key(Settings& settings, const std::string& key, const json& value, const Option* option,
              Command command) {
   if (option == nullptr) {
@@ -226,6 +243,12 @@ void add_key(Settings& settings, const std::string& key, const json& value, cons
   if (settings.has(option->name)) {
     throw UsageError(
         fmt::format("{} is set twice in the scene: a key can stand only once", shown(key)));
+  }
+  const bool is_range =
+      value.is_array() ||
+      (value.is_string() && value.get<std::string>().find(':') != std::string::npos);
+  if (option->takes_range_in(command) && is_range) {
+    return settings.set_number_or_range(*option, range_text(*option, value));
   }
   const bool may_have_unit =
       option->traits.dimension != Dimension::none && option->kind_in(command) == OptionKind::number;

@@ -32,6 +32,19 @@ double parse_value(const Option& option, std::string_view text) {
                               dimension == Dimension::none ? physical_rivals(option) : "");
 }
 
+Range range_value(const Option& option, std::string_view low, std::string_view high) {
+  if (high.find(':') != std::string_view::npos) {
+    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
+                     "must be a number, or a range LOW:HIGH");
+  }
+  const Range range{parse_value(option, low), parse_value(option, high)};
+  if (!(range.low <= range.high && range.low >= 0)) {
+    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
+                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH");
+  }
+  return range;
+}
+
 Axis axis_value(const Option& option, std::string_view text) {
   return sweep::parse_axis(option.name, text, [&option](std::string_view number) {
     return parse_value(option, number);
@@ -45,7 +58,16 @@ std::optional<T> Settings::get(std::string_view name) const {
 }
 
 std::optional<double> Settings::number(std::string_view name) const {
+  if (const auto both = range(name)) {
+    return find_option(name)->traits.range == RangeEnd::low ? both->low : both->high;
+  }
   return get<double>(name);
+}
+
+std::optional<Range> Settings::range(std::string_view name) const {
+  const auto found = values_.find(name);
+  const Range* const both = found == values_.end() ? nullptr : std::get_if<Range>(&found->second);
+  return both == nullptr ? std::nullopt : std::optional(*both);
 }
 
 std::optional<std::int64_t> Settings::integer(std::string_view name) const {
@@ -92,6 +114,17 @@ void Settings::set_number(const Option& option, std::string_view text) {
   }
 }
 
+void Settings::set_number_or_range(const Option& option, std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) {
+    return set_number(option, text);
+  }
+  values_[option.name] = range_value(option, text.substr(0, colon), text.substr(colon + 1));
+  if (has_unit(text.substr(0, colon)) || has_unit(text.substr(colon + 1))) {
+    with_units_[option.name] = text;
+  }
+}
+
 std::optional<std::string> Settings::with_unit(std::string_view name) const {
   const auto found = with_units_.find(name);
   return found == with_units_.end() ? std::nullopt : std::optional(found->second);
@@ -133,6 +166,8 @@ nlohmann::ordered_json as_json(const Settings::Value& value) {
       [](const auto& plain) -> nlohmann::ordered_json {
         if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
           return plain.text();
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Range>) {
+          return {plain.low, plain.high};
         } else {
           return plain;
         }

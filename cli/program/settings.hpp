@@ -36,17 +36,31 @@ using sweep::Axis;
 [[nodiscard]] double parse_value(const Option& option, std::string_view text);
 [[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
 
+/// LOW:HIGH, with LOW <= HIGH.
+struct Range {
+  double low{0};
+  double high{0};
+};
+/// Of the texts of its ends. Throws InputError.
+[[nodiscard]] Range range_value(const Option& option, std::string_view low, std::string_view high);
+
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {
  public:
-  using Value = std::variant<double, std::int64_t, bool, std::string, Axis>;
+  using Value = std::variant<double, std::int64_t, bool, std::string, Axis, Range>;
 
   void set(const Option& option, Value value) { values_[option.name] = std::move(value); }
   /// A number from its text, which may carry a unit. Throws InputError.
   void set_number(const Option& option, std::string_view text);
+  /// The same for an option that takes a range as well.
+  void set_number_or_range(const Option& option, std::string_view text);
   [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
 
-  /// The value of a number, integer, text, flag or axis option; empty (false) where not set.
+  /// A range; empty where not set or a number.
+  [[nodiscard]] std::optional<Range> range(std::string_view name) const;
+
+  /// The value of a number (of a range the end that stands for it), integer, text, flag or axis
+  /// option; empty (false) where not set.
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
   [[nodiscard]] std::optional<std::int64_t> integer(std::string_view name) const;
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const;

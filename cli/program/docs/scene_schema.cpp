@@ -28,6 +28,10 @@ ordered_json number_type(Dimension dimension) {
 }
 
 ordered_json type_of(const Option& option) {
+  if (option.traits.range != RangeEnd::none && !option.traits.sweeps) {
+    return {
+        {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 2}};
+  }
   if (option.traits.sweeps) {
     return {{"type", {"number", "string", "array"}},
             {"items", number_type(option.traits.dimension)},
@@ -70,9 +74,12 @@ std::string units_text(const Option& option) {
 
 ordered_json described(const Option& option) {
   ordered_json entry = type_of(option);
-  entry["description"] = std::string(option.help) + " (" + command_names(&option, ", ") + ")" +
-                         (option.traits.sweeps ? "; only a sweep takes an axis" : "") +
-                         units_text(option);
+  entry["description"] =
+      std::string(option.help) + " (" + command_names(&option, ", ") + ")" +
+      (option.traits.sweeps ? "; only a sweep takes an axis" : "") +
+      (option.traits.range != RangeEnd::none ? "; design and region also take a range [LOW, HIGH]"
+                                             : "") +
+      units_text(option);
   return entry;
 }
 

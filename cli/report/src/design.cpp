@@ -23,13 +23,13 @@ void add_pulse(Section& task, const design::Pulse& pulse, const Physical& physic
   task.row("duration", time_text(physical, lasts));
 }
 
-void add_damper(Document& document, const design::Problem& problem, const design::Finding& finding,
-                const Physical& physical) {
+void add_damper(Document& document, const design::Problem& problem, const design::Limits& limits,
+                const design::Finding& finding, const Physical& physical) {
   const design::DesignPoint& point = finding.point;
   Section& section = document.detail("Design");
   section.row("f", digits(point.f), Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
-  section.row("tolerance", format("+-{:.4g} % of f and delta at once", 100 * point.tolerance));
+  section.row("tolerance", box_text(limits, point.tolerance));
   section.row("Delta1(f)",
               format("{:.6g} published, {} exact", design::delta1_published(problem, point.f),
                      digits(design::delta1_exact(problem, point.f))));
@@ -179,7 +179,7 @@ std::string felt(const design::Finding& finding, const Response& response,
 
 /// What it does, and how far it can be trusted.
 void add_answer(Section& answer, const design::Finding& finding, const design::Problem& problem,
-                const Physical& physical) {
+                const design::Limits& limits, const Physical& physical) {
   const auto& [f, delta, tolerance] = finding.point;
   const bool pulsed = finding.pulse.has_value();
   const Response& response = pulsed ? finding.pulse->response : finding.response;
@@ -191,13 +191,17 @@ void add_answer(Section& answer, const design::Finding& finding, const design::P
              100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
              pulsed ? ", under the pulse" : ""));
   if (response.stop_time) {
-    answer.row("rest",
-               format("at x = {} after {}{}", length_shown(physical, *response.stop_position),
-                      time_shown(physical, *response.stop_time),
-                      problem.arrivals > 1 ? format(", at arrival {}", finding.arrival) : ""));
+    answer.row(
+        "rest",
+        format("at x = {} after {}{}", length_shown(physical, *response.stop_position),
+               time_shown(physical, *response.stop_time),
+               problem.arrivals > 1 && finding.arrival ? format(", at arrival {}", *finding.arrival)
+                                                       : ""));
   }
   answer.row("acceleration", felt(finding, response, physical));
-  answer.row("tolerance", format("f and delta may both be off by +-{:.4g} %", 100 * tolerance));
+  answer.row("tolerance", limits.shape == design::BoxShape{}
+                              ? format("f and delta may both be off by +-{:.4g} %", 100 * tolerance)
+                              : box_text(limits, tolerance));
   add_works_for(answer, finding.works_for, physical);
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);
@@ -235,7 +239,7 @@ Document document(const DesignReport& report) {
   const design::Finding& finding = *report.result.finding;
   document.verdict = verdict(report, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
-  add_answer(document.answer, finding, problem, physical);
+  add_answer(document.answer, finding, problem, limits, physical);
   if (report.catalogue) {
     document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
     add_parts(document, *report.catalogue, {problem, limits, physical});
@@ -244,7 +248,7 @@ Document document(const DesignReport& report) {
     document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
     add_trade_off(document, *report.trade_off, physical);
   }
-  add_damper(document, problem, finding, physical);
+  add_damper(document, problem, limits, finding, physical);
   add_constraints(document, finding.constraints, physical);
   Section& motion = document.detail("Motion");
   add_response(motion, finding.response, physical);

@@ -57,13 +57,15 @@ std::vector<FigureArea> area_of(std::string name, std::vector<FigurePoint> outli
   return {{std::move(name), std::move(outline), Ink::sky}};
 }
 
-std::vector<FigurePoint> box(const DrawnDamper& damper, double unit) {
+std::vector<FigurePoint> box(const DrawnDamper& damper, const design::BoxShape& shape,
+                             double unit) {
   const double r = damper.tolerance;
   const double delta = damper.delta * unit;
-  return {{damper.f * (1 - r), delta * (1 - r)},
-          {damper.f * (1 + r), delta * (1 - r)},
-          {damper.f * (1 + r), delta * (1 + r)},
-          {damper.f * (1 - r), delta * (1 + r)}};
+  const double left = damper.f * (1 - r * shape.f_low);
+  const double right = damper.f * (1 + r * shape.f_high);
+  const double bottom = delta * (1 - r * shape.delta_low);
+  const double top = delta * (1 + r * shape.delta_high);
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
 /// Delta1 by either formula, up to the last f that returns.
@@ -150,6 +152,14 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
                            .labelled = true});
 }
 
+std::string strips_caption(const Problem& problem) {
+  const bool ranges = problem.v0_low || problem.p_high;
+  return format("A damper in a strip {} at that arrival{}; between the strips {} off centre.",
+                problem.residual ? "rests within the residual" : "stops at x = 0",
+                ranges ? ", for every hit and spring of the ranges" : "",
+                problem.residual ? "a rest is too far" : "the mass comes to rest");
+}
+
 }  // namespace
 
 RegionSpan::RegionSpan(const DrawnRegion& drawn)
@@ -191,10 +201,11 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const Region& region = drawn.region;
   const auto& damper = drawn.damper;
   const RegionSpan span(drawn);
-  const bool several = drawn.problem.arrivals > 1;
+  const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
   auto admissible = several ? strip_areas(drawn, units)
                             : area_of("admissible", admissible_outline(drawn, span, unit));
-  const auto tolerance_box = damper ? box(*damper, unit) : std::vector<FigurePoint>{};
+  const auto tolerance_box =
+      damper ? box(*damper, drawn.limits.shape, unit) : std::vector<FigurePoint>{};
   Extent seen;
   for (const FigureArea& area : admissible) {
     seen.add(area.outline);
@@ -213,7 +224,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.x = axis_of("constant friction f", seen.least.x, seen.most.x, all.most.x);
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
   figure.description =
-      several ? "The plane of f and Δ with the strip of each arrival at which the mass may stop. "
+      several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
               : format(
                     "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) "
                     "to {:.4g} "
@@ -225,8 +236,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   if (admissible.empty()) {
     figure.caption = "No damper is admissible: the forbidden sides meet.";
   } else {
-    figure.caption = several ? "A damper in a strip stops at x = 0 at that arrival; between the "
-                               "strips the mass comes to rest off centre."
+    figure.caption = several ? strips_caption(drawn.problem)
                              : "A damper in the clear area is admissible; each hatched side says "
                                "what goes wrong there.";
   }

@@ -15,13 +15,22 @@ void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
   task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
 }
 
-ordered_json design_point_json(const design::Problem& problem, const design::Finding& finding) {
+ordered_json design_point_json(const design::Problem& problem, const design::Limits& limits,
+                               const design::Finding& finding) {
   const design::DesignPoint& point = finding.point;
+  const bool shaped = limits.shape != design::BoxShape{};
+  const auto within = [&](double below, double above) {
+    return shaped ? ordered_json{number(1 - point.tolerance * below),
+                                 number(1 + point.tolerance * above)}
+                  : ordered_json(nullptr);
+  };
   return {{"name", nullptr},
           {"f", number(point.f)},
           {"delta", number(point.delta)},
-          {"tolerance", number(point.tolerance)},
-          {"arrival", finding.arrival},
+          {"tolerance", number(design::even_tolerance(problem, limits, point))},
+          {"tolerance_f", within(limits.shape.f_low, limits.shape.f_high)},
+          {"tolerance_delta", within(limits.shape.delta_low, limits.shape.delta_high)},
+          {"arrival", finding.arrival ? ordered_json(*finding.arrival) : ordered_json(nullptr)},
           {"delta1_published", number(design::delta1_published(problem, point.f))},
           {"delta1_exact", number(design::delta1_exact(problem, point.f))}};
 }
@@ -144,7 +153,7 @@ ordered_json json(const DesignReport& report) {
                     {"physical", physical_json(report)}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
-    json["design"] = design_point_json(problem, finding);
+    json["design"] = design_point_json(problem, limits, finding);
     json["design"]["name"] =
         report.catalogue ? ordered_json(report.catalogue->parts.front().part.name) : nullptr;
     json["constraints"] = constraints_json(finding.constraints);

@@ -136,12 +136,24 @@ ordered_json forced_json(const ForcedResponse& forced) {
 }
 
 ordered_json task_json(const design::Problem& problem, const design::Limits& limits) {
+  const auto range = [](double low, double high, bool given) {
+    return given ? ordered_json{number(low), number(high)} : ordered_json(nullptr);
+  };
+  const double t = limits.tolerance;
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  const bool shaped = limits.shape != design::BoxShape{};
   return {{"v0", number(problem.v0)},
+          {"v0_range",
+           range(problem.v0_low.value_or(problem.v0), problem.v0, problem.v0_low.has_value())},
           {"p", number(problem.p)},
+          {"p_range", range(problem.p, problem.stiffest_p(), problem.p_high.has_value())},
           {"beta", number(problem.beta)},
           {"criterion", name(problem.criterion)},
           {"arrivals", problem.arrivals},
+          {"residual", number(problem.residual)},
           {"tolerance", number(limits.tolerance)},
+          {"tolerance_f", range(1 - t * f_low, 1 + t * f_high, shaped)},
+          {"tolerance_delta", range(1 - t * delta_low, 1 + t * delta_high, shaped)},
           {"f_max", number(limits.f_max)},
           {"delta_max", number(limits.delta_max)},
           {"acceleration_max", number(limits.acceleration_max)}};

@@ -26,7 +26,7 @@ void add_point(Section& section, const RegionReport& report) {
   if (answer.tolerance) {
     section.row("tolerance",
                 format("+-{:.4g} % of f and delta at once{}", 100 * *answer.tolerance,
-                       limits.tolerance > *answer.tolerance
+                       limits.tolerance > *answer.tolerance && limits.shape == design::BoxShape{}
                            ? format(", less than the {:.4g} % asked for", 100 * limits.tolerance)
                            : ""));
   }
@@ -52,13 +52,13 @@ std::string judgement(const design::RegionAnswer& answer) {
 void add_strips(Document& document, const design::Problem& problem,
                 const std::vector<design::Strip>& strips) {
   constexpr std::size_t most_listed = 10;
-  if (problem.arrivals == 1 || strips.empty()) {
+  if ((problem.arrivals == 1 && !problem.residual) || strips.empty()) {
     return;
   }
   Table table{{"arrival", "feasible f", "largest tolerance"}, {}};
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
     table.rows.push_back(
-        {{format("{}", strip.arrival),
+        {{strip.arrival > 0 ? format("{}", strip.arrival) : "any rest within the residual",
           strip.f_lower ? format("{:.6g} to {:.6g}", *strip.f_lower, *strip.f_upper)
                         : "none with the tolerance asked for",
           format("+-{:.4g} %", 100 * strip.tolerance)}});

@@ -24,11 +24,37 @@ namespace {
 constexpr int strip_steps = 200;          // of an edge over f
 constexpr std::int64_t most_strips = 12;  // that can be told apart
 
+/// Of ranges or with a residual: between the ends that the region has for this arrival.
+std::vector<FigurePoint> way_outline(const DrawnRegion& drawn, std::int64_t arrival, double unit) {
+  design::Limits no_box = drawn.limits;
+  no_box.tolerance = 0;
+  std::vector<FigurePoint> outline;
+  std::vector<FigurePoint> upper;
+  for (const design::Strip& strip : design::strips(drawn.problem, no_box)) {
+    if (strip.arrival != arrival || !strip.f_lower) {
+      continue;
+    }
+    for (int i = 0; i <= strip_steps; ++i) {
+      const double f = *strip.f_lower + (*strip.f_upper - *strip.f_lower) * i / strip_steps;
+      const auto range = design::delta_range(drawn.problem, arrival, f);
+      const double most = drawn.limits.delta_max.value_or(HUGE_VAL);
+      if (range && range->low <= most) {
+        outline.push_back({f, range->low * unit});
+        upper.push_back({f, std::min(range->high, most) * unit});
+      }
+    }
+  }
+  outline.insert(outline.end(), upper.rbegin(), upper.rend());
+  return outline;
+}
+
 std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t arrival,
                                        double unit) {
-  const auto& [v0, p, beta, criterion, arrivals] = drawn.problem;
   const double n = static_cast<double>(arrival);
-  const double tip = v0 * p / (2 * std::sqrt(n * (n + 1)));
+  if (!is_plain(drawn.problem, {})) {
+    return way_outline(drawn, arrival, unit);
+  }
+  const double tip = drawn.problem.v0 * drawn.problem.p / (2 * std::sqrt(n * (n + 1)));
   const double first = std::max(drawn.region.f2, 0.0);
   const double last =
       std::min({tip, drawn.limits.f_max.value_or(HUGE_VAL), drawn.region.f4.value_or(HUGE_VAL)});
@@ -59,10 +85,13 @@ std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits&
   std::vector<FigureArea> areas;
   const auto add = [&](std::int64_t n) {
     if (auto outline = strip_outline(drawn, n, units.length); !outline.empty()) {
-      areas.push_back(
-          {format("arrival {}", n), std::move(outline), n == own ? Ink::sky : Ink::green});
+      areas.push_back({n > 0 ? format("arrival {}", n) : "any rest within the residual",
+                       std::move(outline), n == own ? Ink::sky : Ink::green});
     }
   };
+  if (drawn.problem.residual) {
+    add(0);
+  }
   for (std::int64_t n = 1; n <= std::min(drawn.problem.arrivals, most_strips); ++n) {
     if (n != own) {
       add(n);

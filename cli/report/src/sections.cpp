@@ -93,6 +93,15 @@ void add_excitation(Section& section, const Excitation& excitation,
   }
 }
 
+std::string box_text(const design::Limits& limits, double tolerance) {
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  return limits.shape == design::BoxShape{}
+             ? format("+-{:.4g} % of f and delta at once", 100 * tolerance)
+             : format("{:.4g} to {:.4g} times f and {:.4g} to {:.4g} times delta at once",
+                      1 - tolerance * f_low, 1 + tolerance * f_high, 1 - tolerance * delta_low,
+                      1 + tolerance * delta_high);
+}
+
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical) {
   Section& section = document.detail("Task");
@@ -101,6 +110,24 @@ Section& add_problem(Document& document, const design::Problem& problem,
   }
   section.row("dimensionless", format("v0 = {:.6g}   p = {:.6g}   beta = {:.6g}", problem.v0,
                                       problem.p, problem.beta));
+  const double velocity = physical ? physical->scales.velocity_m_per_s : 1;
+  if (problem.v0_low) {
+    const std::string low =
+        *problem.v0_low > 0 ? format(" from {:.6g}", *problem.v0_low * velocity) : "";
+    section.row("hits", format("every one{} up to {:.6g}{}; the motion shown is the strongest's",
+                               low, problem.v0 * velocity, physical ? " m/s" : ""));
+  }
+  if (problem.p_high) {
+    const double period = physical ? 2 * std::numbers::pi * physical->scales.time_s : 0;
+    section.row("springs", format("{} {:.6g} to {:.6g}; the motion shown is the softest's",
+                                  physical ? "periods in s" : "p",
+                                  physical ? period / *problem.p_high : problem.p,
+                                  physical ? period / problem.p : *problem.p_high));
+  }
+  if (problem.residual) {
+    section.row("residual",
+                format("a rest within {} is admissible", length_text(physical, *problem.residual)));
+  }
   section.row("criterion", format("{} Delta1", name(problem.criterion)));
   if (problem.arrivals > 1) {
     section.row("arrivals", format("stop at x = 0 at arrival {} at the latest", problem.arrivals));
@@ -116,7 +143,9 @@ Section& add_problem(Document& document, const design::Problem& problem,
   if (limits.acceleration_max) {
     add(format("transmitted acceleration <= {:.6g} g", *limits.acceleration_max));
   }
-  if (limits.tolerance > 0) {
+  if (limits.shape != design::BoxShape{}) {
+    add(box_text(limits, limits.tolerance));
+  } else if (limits.tolerance > 0) {
     add(format("tolerance +-{:.4g} %", 100 * limits.tolerance));
   }
   if (!limit.empty()) {

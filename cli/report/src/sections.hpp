@@ -34,6 +34,9 @@ void add_surface(Section& section, const SimulationRequest& request, const Physi
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
 
+/// "+-5 % of f and delta at once", or each side of a box of another shape.
+[[nodiscard]] std::string box_text(const design::Limits& limits, double tolerance);
+
 /// The section of the task.
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
 #include "strip.hpp"
+#include "way.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -59,6 +60,21 @@ void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, doubl
   }
 }
 
+/// The rows of the way that the damper takes, or of the one that its strongest hit would need.
+void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
+  const int n =
+      way_of(problem, {}, f, delta).value_or(deciding_arrival(strongest_hit(problem), f, delta).n);
+  const Way way(problem, {}, n);
+  if (n == 1 && !problem.residual && way.v_low > 0) {
+    return;  // the paper's own, each at its corner
+  }
+  const auto [reach, pass] = way_speeds(way, f, delta);
+  list[3] = n == 0          ? compared("residual", "f", "<=", f, way.f_cap)
+            : way.v_low > 0 ? compared("return", "v0", ">=", way.v_low * problem.v0, reach)
+                            : compared("return", "delta", ">=", delta, reach);
+  list[4] = compared("stop", "v0", "<", problem.v0, pass);
+}
+
 /// Whether the conditions that are tightest at this corner of the box hold there.
 bool hold_at(Corner corner, const Problem& problem, double f, double delta) {
   const auto list = constraints(problem, f, delta);
@@ -73,7 +89,8 @@ bool hold_at(Corner corner, const Problem& problem, double f, double delta) {
 }  // namespace
 
 std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
-  const Region region = admissible_region(with_one_arrival(problem));
+  require_valid(problem);
+  const Region region = region_edges(problem, {});
   require_within("f", f, 0, largest_square);
   require_within("delta", delta, 0, largest_square);
   const Asked asked{problem, region, f};
@@ -82,7 +99,9 @@ std::array<Constraint, 5> constraints(const Problem& problem, double f, double d
     return compared(condition.name, condition.variable, condition.relation,
                     condition.variable == "f" ? f : delta, condition.limit(asked));
   });
-  if (problem.arrivals > 1) {
+  if (!is_plain(problem, {})) {
+    compare_way(list, problem, f, delta);
+  } else if (problem.arrivals > 1) {
     compare_hits(list, problem, f, delta);
   }
   return list;

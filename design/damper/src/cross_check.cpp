@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "judge.hpp"
+#include "rest.hpp"
 #include "runge_kutta.hpp"
 #include "strip.hpp"
 #include "unit_problem.hpp"
@@ -24,8 +25,13 @@ namespace {
 /// by sqrt(e) where w vanishes. Of a later arrival (53).
 double grazing_factor(const Prediction& prediction, const Problem& problem, double f, double delta,
                       double tolerance) {
+  const double d = delta / problem.v0 / problem.v0;
+  if (prediction.stop_position != 0) {
+    return std::max(1.0, unit::rest(f / problem.p / problem.v0, d,
+                                    static_cast<int>(prediction.half_cycles), tolerance)
+                             .grazing);
+  }
   if (prediction.half_cycles > 1) {
-    const double d = delta / problem.v0 / problem.v0;
     return std::max(1.0, unit::course(static_cast<int>(prediction.half_cycles),
                                       f / problem.p / problem.v0, d, tolerance)
                              .grazing);
@@ -58,7 +64,29 @@ Prediction predict(const Problem& problem, double f) {
   return prediction;
 }
 
+namespace {
+
+/// Wherever the strongest hit comes to rest.
+Prediction predict_rest(const Problem& problem, double f, double delta) {
+  const double a = f / problem.p / problem.v0;
+  const auto rest =
+      unit::rest(a, delta / problem.v0 / problem.v0, static_cast<int>(problem.arrivals));
+  Prediction prediction;
+  prediction.peak_amplitude = unit::peak(a) * problem.v0 / problem.p;
+  prediction.peak_acceleration = unit::radius(a) * problem.v0 * problem.p;
+  prediction.stop_time = rest.phase / problem.p;
+  prediction.arrival_speed = rest.arrival_speed * problem.v0;
+  prediction.half_cycles = rest.half_cycles;
+  prediction.stop_position = rest.position * problem.v0 / problem.p;
+  return prediction;
+}
+
+}  // namespace
+
 Prediction predict(const Problem& problem, double f, double delta) {
+  if (!is_plain(problem, {})) {
+    return predict_rest(problem, f, delta);
+  }
   const auto arrival = arrival_of(problem, f, delta);
   if (!arrival) {
     throw InputError("f, delta", fmt::format("{}, {}", f, delta),
@@ -81,7 +109,7 @@ Prediction predict(const Problem& problem, double f, double delta) {
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
            const Problem& problem, double f, double delta, double margin) {
   const bool same_end = method.half_cycles == prediction.half_cycles &&
-                        method.stop_position == prediction.stop_position;
+                        (method.stop_position == 0) == (prediction.stop_position == 0);
   method.name = quality.name;
   method.tolerance =
       quality.tolerance * grazing_factor(prediction, problem, f, delta, quality.tolerance);

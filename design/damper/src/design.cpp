@@ -14,7 +14,7 @@ Finding finding_of(const Problem& problem, const Limits& limits, const SearchRes
   Finding finding;
   finding.point = point;
   finding.search = record;
-  finding.arrival = arrival_of(problem, point.f, point.delta).value();
+  finding.arrival = arrival_of(problem, point.f, point.delta);
   finding.constraints = constraints(problem, limits, point.f, point.delta);
   const Oscillator oscillator{problem.p, point.f, point.delta};
   finding.response = free_response(oscillator, {0, problem.v0});
@@ -30,6 +30,10 @@ DesignResult design(const DesignRequest& request) {
     if (problem.arrivals > 1) {
       throw InputError("arrivals", fmt::format("{}", problem.arrivals),
                        "must be 1 with a pulse: a design for a pulse stops at the first arrival");
+    }
+    if (!is_plain(problem, limits)) {
+      throw InputError("pulse", std::string(name(*pulse)),
+                       "takes neither ranges nor a residual nor a tolerance of f or delta alone");
     }
     return design(
         PulseRequest{{*pulse, problem.p, problem.beta, problem.criterion}, limits, options});
@@ -51,6 +55,15 @@ DesignResult design(const DesignRequest& request) {
   result.finding = finding_of(problem, limits, *found);
   result.finding->works_for = works_for(problem, limits, found->point.f, found->point.delta);
   return result;
+}
+
+double even_tolerance(const Problem& problem, const Limits& limits, const DesignPoint& point) {
+  if (limits.shape == BoxShape{}) {
+    return point.tolerance;
+  }
+  Limits even = limits;
+  even.shape = {};
+  return largest_tolerance(problem, even, point.f, point.delta).value_or(0);
 }
 
 std::string summary(const DesignResult& result) {

@@ -3,6 +3,7 @@
 #include "nearest_fit.hpp"
 #include "region_edges.hpp"
 #include "strip.hpp"
+#include "way.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
@@ -39,6 +40,14 @@ bool first_fits(const Case& now) {
 }
 
 bool feasible(const Case& now) {
+  if (!is_plain(now.problem, now.limits)) {
+    bool fits = false;
+    for_each_way(now.problem, now.limits, [&](const Way& way) {
+      fits = any_point(way).has_value();
+      return !fits;
+    });
+    return fits;
+  }
   bool found = first_fits(now);
   if (!found && now.problem.arrivals > 1) {
     for_each_strip(now.problem, now.limits, [&](const StripTask& task) {
@@ -62,9 +71,9 @@ Input<Case> beta_of(const Problem& problem) {
 
 /// The p at which a box has the most room between f2 and f4, the root of (34).
 double roomiest_p(const Case& now) {
-  const auto& [v0, p, beta, criterion, arrivals] = now.problem;
+  const double v0 = now.problem.v0;
   const double wider = (1 + now.limits.tolerance) / (1 - now.limits.tolerance);
-  const double f4 = v0 / beta / wider * v0;
+  const double f4 = v0 / now.problem.beta / wider * v0;
   const double most = now.limits.acceleration_max.value();
   return f4 < most ? std::sqrt((most - f4) / v0) * std::sqrt((most + f4) / v0) : 0;
 }
@@ -137,6 +146,58 @@ std::optional<double> mended_p(const Case& base, const StripTask& task) {
                      });
 }
 
+/// The p that is nearest in either direction. More p helps the peak and the return and harms the
+/// stop, so it is looked for in steps.
+std::optional<double> stepped_p(const Case& base) {
+  constexpr double step = 1.02;
+  constexpr int most_steps = 700;  // a factor of a million
+  const auto fits = [&](double p) {
+    Case changed = base;
+    changed.problem.p = p;
+    return feasible(changed);
+  };
+  for (double factor = step; factor < std::pow(step, most_steps); factor *= step) {
+    for (const double p : {base.problem.p * factor, base.problem.p / factor}) {
+      const auto [least, most] = valid_p(base.problem);
+      if (p >= least && p <= most && fits(p)) {
+        return nearest_fit(p > base.problem.p ? p / step : p * step, p, fits);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Of ranges each end by itself, as far as the other end.
+std::vector<Mend> mends_of_ranges(const Case& base) {
+  const Problem& problem = base.problem;
+  std::vector<Mend> list;
+  const auto add = [&](const Input<Case>& input) { add_mend(list, base, feasible, input); };
+  if (problem.v0_low) {
+    if (*problem.v0_low > 0) {
+      add({"v0_low", *problem.v0_low, problem.v0,
+           [](Case& now, double value) { now.problem.v0_low = value; }});
+    }
+    add({"v0_high", problem.v0, std::max(*problem.v0_low, valid_v0(problem).least),
+         [](Case& now, double value) { now.problem.v0 = value; }});
+  } else {
+    add(v0_of(problem));
+  }
+  if (problem.p_high) {
+    add({"p_low", problem.p, *problem.p_high,
+         [](Case& now, double value) { now.problem.p = value; }});
+    add({"p_high", *problem.p_high, problem.p,
+         [](Case& now, double value) { now.problem.p_high = value; }});
+  } else if (const auto p = stepped_p(base)) {
+    list.push_back({"p", *p, *p > problem.p});
+  }
+  add(beta_of(problem));
+  if (problem.residual) {
+    add({"residual", *problem.residual, problem.beta,
+         [](Case& now, double value) { now.problem.residual = value; }});
+  }
+  return list;
+}
+
 /// The nearest p for any arrival.
 std::optional<double> mended_p(const Case& base) {
   std::optional<double> nearest = mended_p(base, amplitude_fits, strip_fits, first_fits);
@@ -162,11 +223,15 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   if (feasible(base)) {
     return list;
   }
-  add_mend(list, base, feasible, v0_of(problem));
-  if (const auto p = mended_p(base)) {
-    list.push_back({"p", *p, *p > problem.p});
+  if (!is_plain(problem, limits)) {
+    list = mends_of_ranges(base);
+  } else {
+    add_mend(list, base, feasible, v0_of(problem));
+    if (const auto p = mended_p(base)) {
+      list.push_back({"p", *p, *p > problem.p});
+    }
+    add_mend(list, base, feasible, beta_of(problem));
   }
-  add_mend(list, base, feasible, beta_of(problem));
   for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
     add_mend(list, base, feasible, limit);
   }

@@ -24,11 +24,16 @@ struct Row {
   ClosedForm form;
 };
 
+/// f3 divided by p and V0 may be an ulp above a3.
+double within(double given) {
+  return std::min(given, unit::a3);
+}
+
 constexpr ClosedForm none{nullptr, nullptr};
 constexpr ClosedForm peak{&unit::peak, &unit::peak_slope};
 constexpr ClosedForm stop_time{
-    [](double a) { return unit::stop_phase(a) / std::numbers::pi; },
-    [](double a) { return unit::stop_phase_slope(a) / std::numbers::pi; }};
+    [](double a) { return unit::stop_phase(within(a)) / std::numbers::pi; },
+    [](double a) { return unit::stop_phase_slope(within(a)) / std::numbers::pi; }};
 constexpr ClosedForm peak_acceleration{&unit::radius, [](double a) { return a / unit::radius(a); }};
 
 constexpr std::array rows{
@@ -50,11 +55,6 @@ const Row& row_of(Objective objective) {
   return *row;
 }
 
-/// f3 divided by p and V0 may be an ulp above a3.
-double within(double given) {
-  return std::min(given, unit::a3);
-}
-
 }  // namespace
 
 std::string_view name(Objective objective) noexcept {
@@ -71,11 +71,11 @@ std::span<const std::string_view> objective_names() {
 }
 
 double objective_value(Objective objective, double given) {
-  return row_of(objective).form.value(within(given));
+  return row_of(objective).form.value(given);
 }
 
 double objective_slope(Objective objective, double given) {
-  return row_of(objective).form.slope(within(given));
+  return row_of(objective).form.slope(given);
 }
 
 }  // namespace stillpoint::design

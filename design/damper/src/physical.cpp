@@ -115,18 +115,21 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
     return value * (upwards ? 1 + conversion_safety : 1 - conversion_safety);
   };
   const bool up = mend.upwards;
-  if (mend.field == "v0") {
+  // The ends of a range are those of the input itself; the softest spring has the longest period.
+  const auto ends_of = [&](std::string_view whole) { return mend.field.starts_with(whole); };
+  if (ends_of("v0")) {
     return PhysicalMend{"velocity", "m/s", outward(mend.value * scales.velocity_m_per_s, up), up};
   }
-  if (mend.field == "p" && physical.by_stiffness && scales.mass_kg) {
+  const bool spring = mend.field == "p" || ends_of("p_");
+  if (spring && physical.by_stiffness && scales.mass_kg) {
     const double omega = mend.value / scales.time_s;
     return PhysicalMend{"stiffness", "N/m", outward(*scales.mass_kg * omega * omega, up), up};
   }
-  if (mend.field == "p" && physical.by_frequency) {
+  if (spring && physical.by_frequency) {
     const double frequency = mend.value / (2 * std::numbers::pi * scales.time_s);
     return PhysicalMend{"natural_frequency", "Hz", outward(frequency, up), up};
   }
-  if (mend.field == "p") {
+  if (spring) {
     const double period = 2 * std::numbers::pi * scales.time_s / mend.value;
     return PhysicalMend{"period", "s", outward(period, !up), !up};
   }
@@ -135,6 +138,9 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
   }
   if (mend.field == "delta_max") {
     return PhysicalMend{"delta_max", "m", outward(scales.delta_m(mend.value), up), up};
+  }
+  if (mend.field == "residual") {
+    return PhysicalMend{"residual", "m", outward(mend.value * scales.length_m, up), up};
   }
   return std::nullopt;
 }

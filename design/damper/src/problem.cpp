@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace stillpoint::design {
 
 namespace {
@@ -50,6 +52,22 @@ void require_valid(const Problem& problem, const Limits& limits) {
     throw InputError("arrivals", fmt::format("{}", problem.arrivals),
                      fmt::format("must be from 1 to {}", most_arrivals));
   }
+  if (problem.v0_low && *problem.v0_low != 0) {
+    require_within("v0_low", *problem.v0_low, smallest_speed, problem.v0);
+  }
+  if (problem.p_high) {
+    require_within("p_high", *problem.p_high, problem.p, largest_speed);
+  }
+  if (problem.residual) {
+    require_within("residual", *problem.residual, 0, largest_square);
+  }
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  for (const double side : {f_low, f_high, delta_low, delta_high}) {
+    require_within("shape", side, 0, 1);
+  }
+  if (!(std::max({f_low, f_high, delta_low, delta_high}) > 0)) {
+    throw InputError("tolerance", 0.0, "must be above 0 on one side of f or delta at least");
+  }
   if (limits.f_max) {
     require_within("f_max", *limits.f_max, smallest_limit, largest_square);
   }
@@ -62,6 +80,11 @@ void require_valid(const Problem& problem, const Limits& limits) {
   if (!(limits.tolerance >= 0 && limits.tolerance < 1)) {
     throw InputError("tolerance", limits.tolerance, "must be at least 0 and less than 1");
   }
+}
+
+bool is_plain(const Problem& problem, const Limits& limits) {
+  return problem.v0_low.value_or(problem.v0) == problem.v0 && problem.stiffest_p() == problem.p &&
+         !problem.residual && limits.shape == BoxShape{};
 }
 
 std::string_view name(Criterion criterion) noexcept {

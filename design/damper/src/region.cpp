@@ -2,6 +2,7 @@
 #include "region_edges.hpp"
 #include "strip.hpp"
 #include "unit_problem.hpp"
+#include "way.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -24,7 +25,7 @@ class WideArc {
  public:
   WideArc(const Problem& problem, double f)
       : v0_(problem.v0),
-        phi_(f / static_cast<long double>(problem.p)),
+        phi_(f / static_cast<long double>(problem.stiffest_p())),
         radius_(std::sqrt(v0_ * v0_ + phi_ * phi_)) {}
 
   [[nodiscard]] double published() const {
@@ -115,16 +116,62 @@ void add_later_strips(Region& region, const Problem& problem, const Limits& limi
   }
 }
 
+/// What no damper does.
+std::string no_way(const Problem& problem, const std::string& box) {
+  const bool ranges = problem.v0_low || problem.p_high;
+  return fmt::format(
+      "no damper {} within {} half-cycle{}{}{}",
+      problem.residual ? "brings the mass to rest within the residual" : "stops the mass at x = 0",
+      problem.arrivals, problem.arrivals > 1 ? "s" : "",
+      ranges ? ", for every hit and spring of the ranges" : "", box);
+}
+
 /// Two numbers with six digits, or with all if six do not distinguish them.
 std::pair<std::string, std::string> told_apart(double a, double b) {
   std::pair six{fmt::format("{:.6g}", a), fmt::format("{:.6g}", b)};
   return six.first != six.second ? six : std::pair{fmt::format("{}", a), fmt::format("{}", b)};
 }
 
+/// Why no way has a point.
+Conflict conflict_of_ways(const Problem& problem, const Limits& limits, const Edges& edge) {
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  const auto fits = [&, f_low = f_low, f_high = f_high](double cap) {
+    return lowest_centre(edge.f2, limits.tolerance * f_low) <=
+           highest_centre(cap, limits.tolerance * f_high);
+  };
+  if (!fits(largest_f(problem))) {
+    return Conflict::amplitude_against_return;
+  }
+  if (limits.f_max && !fits(*limits.f_max)) {
+    return Conflict::amplitude_against_f_max;
+  }
+  if (edge.f4 < 0) {
+    return Conflict::acceleration_alone;
+  }
+  return !std::isinf(edge.f4) && !fits(edge.f4) ? Conflict::amplitude_against_acceleration
+                                                : Conflict::no_arrival;
+}
+
+Region region_of_ways(const Problem& problem, const Limits& limits) {
+  const Edges edge = edges(problem, limits);
+  Region region = region_edges(problem, limits);
+  region.beta_min =
+      unit::peak(largest_f(problem) / problem.p / problem.v0) * problem.v0 / problem.p;
+  for_each_way(problem, limits, [&](const Way& way) {
+    if (const auto ends = feasible_f(way)) {
+      region.f_lower = std::min(ends->low, region.f_lower.value_or(HUGE_VAL));
+      region.f_upper = std::max(ends->high, region.f_upper.value_or(0));
+    }
+    return true;
+  });
+  region.feasible = region.f_lower.has_value();
+  region.conflict = region.feasible ? Conflict::none : conflict_of_ways(problem, limits, edge);
+  return region;
+}
+
 }  // namespace
 
-Region admissible_region(const Problem& problem, const Limits& limits) {
-  require_valid(problem, limits);
+Region region_edges(const Problem& problem, const Limits& limits) {
   const Edges edge = edges(problem, limits);
   Region region;
   region.f1 = problem.beta * problem.p * problem.p;
@@ -133,7 +180,18 @@ Region admissible_region(const Problem& problem, const Limits& limits) {
   if (limits.acceleration_max) {
     region.f4 = edge.f4;
   }
-  region.delta2 = problem.v0 * problem.v0 / 2;
+  const double v0 = problem.starting_v0();
+  region.delta2 = v0 * v0 / 2;
+  return region;
+}
+
+Region admissible_region(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  if (!is_plain(problem, limits)) {
+    return region_of_ways(problem, limits);
+  }
+  const Edges edge = edges(problem, limits);
+  Region region = region_edges(problem, limits);
   region.beta_min = least_beta(problem);
   region.conflict = conflict_of(problem, edge, limits);
   region.feasible = region.conflict == Conflict::none;
@@ -157,11 +215,13 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
     case Conflict::none:
       return {};
     case Conflict::amplitude_against_return: {
-      const auto [least, most] = told_apart(region.f2, region.f3);
+      const bool residual = problem.residual.has_value();
+      const auto [least, most] = told_apart(region.f2, residual ? largest_f(problem) : region.f3);
       return fmt::format(
           "amplitude and return exclude each other: a peak within beta needs f >= f2 = {}, coming "
-          "back to x = 0 needs f <= f3 = {}{}",
-          least, most, box);
+          "{} needs f <= {}{}{}",
+          least, residual ? "to rest within the residual" : "back to x = 0",
+          residual ? "" : "f3 = ", most, box);
     }
     case Conflict::amplitude_against_f_max: {
       const auto [least, most] = told_apart(region.f2, *limits.f_max);
@@ -188,6 +248,9 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
       return "what the constraints leave lies between neighbouring doubles: no damper is that "
              "exact";
     case Conflict::no_arrival: {
+      if (!is_plain(problem, limits)) {
+        return no_way(problem, box);
+      }
       const Edges edge = edges(problem, limits);
       const double f = highest_centre(edge.f_cap, limits.tolerance) * (1 - limits.tolerance);
       const double delta =
@@ -257,7 +320,9 @@ RegionAnswer answer(const RegionRequest& request) {
   }
   if (f && delta) {
     answer.constraints = constraints(problem, limits, *f, *delta);
-    answer.tolerance = largest_tolerance(problem, limits, *f, *delta);
+    Limits even = limits;
+    even.shape = {};
+    answer.tolerance = largest_tolerance(problem, even, *f, *delta);
     answer.admissible = admissible(problem, limits, *f, *delta);
     answer.arrival = *answer.admissible ? arrival_of(problem, *f, *delta) : std::nullopt;
     answer.works_for = works_for(problem, limits, *f, *delta);

@@ -54,14 +54,15 @@ Edges edges(const Problem& problem, const Limits& limits) {
   const long double speed = beta * p;
   Edges result{};
   result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
-  result.f3 = rounded_down(v0 * p / (2 * std::numbers::sqrt2_v<long double>));
-  result.f4 =
-      limits.acceleration_max ? acceleration_edge(*limits.acceleration_max, v0 * p) : HUGE_VAL;
+  result.f3 = rounded_down(problem.starting_v0() * p / (2 * std::numbers::sqrt2_v<long double>));
+  result.f4 = limits.acceleration_max
+                  ? acceleration_edge(*limits.acceleration_max, v0 * problem.stiffest_p())
+                  : HUGE_VAL;
   result.f_cap = std::min(result.f3, result.f4);
   if (limits.f_max) {
     result.f_cap = std::min(result.f_cap, *limits.f_max);
   }
-  result.delta_cap = problem.v0 * problem.v0 / 2;
+  result.delta_cap = problem.starting_v0() * problem.starting_v0() / 2;
   if (limits.delta_max) {
     result.delta_cap = std::min(result.delta_cap, *limits.delta_max);
   }

@@ -4,6 +4,7 @@
 // The edges of the admissible region and the questions that decide whether it is empty.
 
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/region.hpp>
 
 namespace stillpoint::design {
 
@@ -19,6 +20,9 @@ struct Edges {
 };
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
+
+/// The edges as a Region has them, without what depends on the limits but f4, and without beta_min.
+[[nodiscard]] Region region_edges(const Problem& problem, const Limits& limits);
 
 /// There is an f whose box lies between f2 and f3, or f2 and f_max. A larger beta or p, or a
 /// smaller v0, only helps.

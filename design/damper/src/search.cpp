@@ -123,6 +123,9 @@ std::optional<DesignPoint> corner_point(const Task& task) {
 
 std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                                    const SearchOptions& options) {
+  if (!is_plain(problem, limits)) {
+    return search_ways(problem, limits, options);
+  }
   if (problem.arrivals > 1) {
     return search_arrivals(problem, limits, options);
   }

@@ -25,4 +25,8 @@ namespace stillpoint::design {
                                                           const Limits& limits,
                                                           const SearchOptions& options);
 
+/// The search of a task that is not plain (problem.hpp): the best of the ways.
+[[nodiscard]] std::optional<SearchResult> search_ways(const Problem& problem, const Limits& limits,
+                                                      const SearchOptions& options);
+
 }  // namespace stillpoint::design

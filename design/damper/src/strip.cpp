@@ -2,6 +2,7 @@
 #include "strip.hpp"
 
 #include "nearest_fit.hpp"
+#include "way.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -68,6 +69,12 @@ StripTask with_box(StripTask task, double tolerance) {
 }
 
 }  // namespace
+
+Problem strongest_hit(Problem problem) {
+  problem.v0_low = problem.p_high = problem.residual = std::nullopt;
+  problem.criterion = Criterion::exact;
+  return problem;
+}
 
 Problem with_one_arrival(Problem problem) {
   problem.arrivals = 1;
@@ -276,7 +283,9 @@ std::optional<std::int64_t> arrival_of(const Problem& problem, double f, double 
   require_valid(problem);
   require_within("f", f, 0, largest_square);
   require_within("delta", delta, 0, largest_square);
-  const auto [n, stops] = deciding_arrival(problem, f, delta);
+  // Of ranges, that of the motion shown; in a way that is admissible the model itself decides.
+  Problem shown = is_plain(problem, {}) ? problem : strongest_hit(problem);
+  const auto [n, stops] = deciding_arrival(shown, f, delta);
   return stops ? std::optional<std::int64_t>(n) : std::nullopt;
 }
 
@@ -284,6 +293,11 @@ std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arriv
   require_valid(problem);
   require_within("f", f, 0, largest_square);
   const double square = problem.v0 * problem.v0;
+  if (!is_plain(problem, {})) {
+    const auto range = centre_range(Way(problem, {}, static_cast<int>(arrival)), f);
+    return range ? std::optional(DeltaRange{range->low * square, range->high * square})
+                 : std::nullopt;
+  }
   if (arrival == 1) {
     const double low = std::max(0.0, delta1(problem, f));
     return f <= edges(problem, {}).f3 ? std::optional(DeltaRange{low, square / 2}) : std::nullopt;
@@ -297,6 +311,17 @@ std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arriv
 std::vector<Strip> strips(const Problem& problem, const Limits& limits) {
   require_valid(problem, limits);
   std::vector<Strip> list;
+  if (!is_plain(problem, limits)) {
+    for_each_way(problem, limits, [&](const Way& way) {
+      if (const double largest = largest_tolerance(way); largest > 0) {
+        const auto ends = feasible_f(way);
+        list.push_back({way.n, least_beta(way), ends ? std::optional(ends->low) : std::nullopt,
+                        ends ? std::optional(ends->high) : std::nullopt, largest});
+      }
+      return true;
+    });
+    return list;
+  }
   const auto beta_min = [&](int n) { return problem.v0 / problem.p * std::sqrt(n / (n + 1.0)); };
   const Problem paper = with_one_arrival(problem);
   Limits any = limits;

@@ -13,6 +13,9 @@
 
 namespace stillpoint::design {
 
+/// The task of the motion shown alone, by the model itself.
+[[nodiscard]] Problem strongest_hit(Problem problem);
+
 /// The paper's task: to stop at the first arrival.
 [[nodiscard]] Problem with_one_arrival(Problem problem);
 

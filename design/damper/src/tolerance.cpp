@@ -2,7 +2,9 @@
 #include "region_edges.hpp"
 #include "strip.hpp"
 #include "unit_problem.hpp"
+#include "way.hpp"
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
@@ -36,6 +38,11 @@ double tolerance_of_stop(Criterion criterion, double a, double d) {
 
 bool admissible(const Problem& problem, const Limits& limits, double f, double delta) {
   require_valid(problem, limits);
+  if (!is_plain(problem, limits)) {
+    require_within("f", f, 0, largest_square);
+    require_within("delta", delta, 0, largest_square);
+    return way_of(problem, limits, f, delta).has_value();
+  }
   if (problem.arrivals > 1) {
     const auto arrival = arrival_of(problem, f, delta);
     if (arrival != 1) {
@@ -49,6 +56,20 @@ bool admissible(const Problem& problem, const Limits& limits, double f, double d
 
 std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits, double f,
                                         double delta) {
+  if (!is_plain(problem, limits)) {
+    require_valid(problem, limits);
+    std::optional<double> largest;
+    const auto visit = [&](const Way& way) {
+      const auto its = largest_tolerance(way, f, delta);
+      largest = std::max(largest, its);  // empty is the least
+      return true;
+    };
+    for_each_way(problem, limits, visit);
+    if (f == 0) {
+      visit(Way(problem, limits, 0));
+    }
+    return largest;
+  }
   if (problem.arrivals > 1) {
     require_valid(problem, limits);
     const auto arrival = arrival_of(problem, f, delta);

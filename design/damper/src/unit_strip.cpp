@@ -12,21 +12,6 @@ namespace stillpoint::design::unit {
 
 namespace {
 
-/// (39): `steps` half-cycles back from the radius `start` a, then to V0.
-EdgeSpeed followed_back(double start, int steps, double a, double d) {
-  double r = start * a;
-  double by_a = start;
-  double by_d = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double arrival = std::sqrt(r * r + 2 * d);
-    const double kept = arrival > 0 ? r / arrival : 1;
-    by_a = 2 + kept * by_a;
-    by_d = kept * by_d + (arrival > 0 ? 1 / arrival : 0);
-    r = 2 * a + arrival;
-  }
-  return {(r - a) * (r + a), 2 * (r * by_a - a), 2 * r * by_d};
-}
-
 /// Where an increasing function is 0; the end that is nearest where it is not.
 template <class Function>
 double rising_root(const Function& function, double low, double high) {
@@ -70,12 +55,28 @@ std::optional<double> least_ratio(Criterion criterion, int n, double tolerance) 
 
 }  // namespace
 
+EdgeSpeed followed_back(const EdgeStart& start, int steps, double d) {
+  const auto [radius, radius_by_a, phi, phi_by_a] = start;
+  double r = radius;
+  double by_a = radius_by_a;
+  double by_d = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double arrival = std::sqrt(r * r + 2 * d);
+    const double kept = arrival > 0 ? r / arrival : 1;
+    by_a = 2 * phi_by_a + kept * by_a;
+    by_d = kept * by_d + (arrival > 0 ? 1 / arrival : 0);
+    r = 2 * phi + arrival;
+  }
+  return {(r - phi) * (r + phi), 2 * (r * by_a - phi * phi_by_a), 2 * r * by_d};
+}
+
 EdgeSpeed reach_edge(int n, double a, double d) {
-  return followed_back(3, n - 1, a, d);
+  return followed_back({3 * a, 3, a}, n - 1, d);
 }
 
 EdgeSpeed stop_edge(Criterion criterion, int n, double a, double d) {
-  return followed_back(criterion == Criterion::published ? 0 : 1, n, a, d);
+  const double start = criterion == Criterion::published ? 0 : 1;
+  return followed_back({start * a, start, a}, n, d);
 }
 
 double strip_tip(int n) {

@@ -18,6 +18,17 @@ struct EdgeSpeed {
   double by_d{0};
 };
 
+/// A half-cycle back: its radius and phi = f/p, with their slopes.
+struct EdgeStart {
+  double radius{0};
+  double radius_by_a{0};
+  double phi{0};
+  double phi_by_a{1};
+};
+
+/// (39): `steps` half-cycles back from the start, then to V0.
+[[nodiscard]] EdgeSpeed followed_back(const EdgeStart& start, int steps, double d);
+
 [[nodiscard]] EdgeSpeed reach_edge(int n, double a, double d);                      ///< (46)
 [[nodiscard]] EdgeSpeed stop_edge(Criterion criterion, int n, double a, double d);  ///< (46)
 

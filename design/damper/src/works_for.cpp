@@ -107,6 +107,39 @@ WorksFor works_for(const StripTask& task, double f, double delta) {
   return served;
 }
 
+/// The ranges grown as far as the damper serves them, one end after the other.
+WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, double delta) {
+  const auto grown = [&](double from, double to, const auto& set) {
+    return *nearest_fit(from, to, [&](double value) {
+      Problem changed = problem;
+      set(changed, value);
+      return admissible(changed, limits, f, delta);
+    });
+  };
+  const double low = problem.v0_low.value_or(problem.v0);
+  const double stiffest = problem.stiffest_p();
+  const ValidInterval of_v0 = valid_v0(problem);
+  const ValidInterval of_p = valid_p(problem);
+  WorksFor served;
+  served.v0 = {low == 0 ? 0
+                        : grown(std::min(low, of_v0.least), low,
+                                [](Problem& now, double value) { now.v0_low = value; }),
+               grown(std::max(problem.v0, of_v0.most), problem.v0, [&](Problem& now, double value) {
+                 now.v0 = value;
+                 now.v0_low = low;
+               })};
+  served.p.low = grown(std::min(problem.p, of_p.least), problem.p, [&](Problem& now, double value) {
+    now.p = value;
+    now.p_high = stiffest;
+  });
+  const auto raise = [](Problem& now, double value) { now.p_high = value; };
+  const double most = std::max(stiffest, of_p.most);
+  if (const double high = grown(most, stiffest, raise); high < most) {
+    served.p.high = high;
+  }
+  return served;
+}
+
 }  // namespace
 
 std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, double f,
@@ -115,6 +148,9 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
   of_the_point.tolerance = 0;
   if (!admissible(problem, of_the_point, f, delta)) {
     return std::nullopt;
+  }
+  if (!is_plain(problem, limits)) {
+    return served_ranges(problem, of_the_point, f, delta);
   }
   const double v0 = problem.v0;
   const double p = problem.p;

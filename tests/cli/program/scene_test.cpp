@@ -5,6 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -202,8 +203,12 @@ BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
       BOOST_TEST(text.contains("title"));
       const ProgramRun motion =
           run({"simulate", entry.path().string(), "--f", "0.01", "--delta", "0.001", "--json"});
-      BOOST_TEST(motion.exit_code == 0, motion.err);
-      BOOST_TEST(motion.json()["input"]["excitation"].is_object() == text.contains("pulse"));
+      const bool ranges =
+          std::ranges::any_of(text, [](const json& value) { return value.is_array(); });
+      BOOST_TEST(motion.exit_code == (ranges ? 2 : 0), motion.err);  // one motion has one hit
+      if (!ranges) {
+        BOOST_TEST(motion.json()["input"]["excitation"].is_object() == text.contains("pulse"));
+      }
       if (text.contains("pulse")) {
         continue;  // region needs a velocity
       }

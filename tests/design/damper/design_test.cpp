@@ -68,7 +68,9 @@ BOOST_AUTO_TEST_CASE(the_box_of_a_design_is_safe_in_simulation) {
   for (int i = 0; i < 200; ++i) {
     DesignRequest request;
     request.problem = random_feasible_problem(random);
-    const auto& [v0, p, beta, criterion, arrivals] = request.problem;
+    const double v0 = request.problem.v0;
+    const double p = request.problem.p;
+    const double beta = request.problem.beta;
     const DesignPoint point = design::design(request).finding->point;
     for (int j = -10; j <= 10; ++j) {
       for (int k = -10; k <= 10; ++k) {

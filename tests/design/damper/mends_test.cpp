@@ -121,7 +121,9 @@ BOOST_AUTO_TEST_CASE(condition_10_is_mended_in_closed_form) {
   RandomSource random(1101);
   for (int i = 0; i < 500; ++i) {
     const Case now{random_problem(random, 0.01, 0.7), {}};
-    const auto& [v0, p, beta, criterion, arrivals] = now.problem;
+    const double v0 = now.problem.v0;
+    const double p = now.problem.p;
+    const double beta = now.problem.beta;
     check_value(now, "v0", std::numbers::sqrt2 * p * beta, value_tolerance);
     check_value(now, "p", v0 / (std::numbers::sqrt2 * beta), value_tolerance);
     check_value(now, "beta", v0 / (std::numbers::sqrt2 * p), value_tolerance);

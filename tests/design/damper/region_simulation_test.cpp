@@ -162,7 +162,9 @@ struct Seen {
 };
 
 Seen ask_simulation(const Sample& sample) {
-  const auto& [v0, p, beta, criterion, arrivals] = sample.problem;
+  const double v0 = sample.problem.v0;
+  const double p = sample.problem.p;
+  const double beta = sample.problem.beta;
   const Response response = free_response({p, sample.f, sample.delta}, {0, v0}, {.times = false});
   const double dead_zone = sample.f / p / p;
   Seen seen{};

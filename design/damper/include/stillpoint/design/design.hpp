@@ -24,7 +24,9 @@ struct DesignRequest {
 /// The design found for an admissible region.
 struct Finding {
   DesignPoint point;
-  std::int64_t arrival{1};  ///< the one at which it stops the mass
+  /// The one at which it stops the mass (of ranges: after the strongest hit); empty for a rest off
+  /// centre, within the residual.
+  std::optional<std::int64_t> arrival{};
   std::vector<Constraint> constraints;
   Response response;  ///< by the half-cycle map
   SearchRecord search;
@@ -41,6 +43,10 @@ struct DesignResult : RegionVerdict {
   DesignRequest request;
   std::optional<Finding> finding{};
 };
+
+/// The largest R of f and delta at once, whatever the shape of the box.
+[[nodiscard]] double even_tolerance(const Problem& problem, const Limits& limits,
+                                    const DesignPoint& point);
 
 /// The result in one line for people: the damper and its motion, or why there is none.
 [[nodiscard]] std::string summary(const DesignResult& result);

@@ -27,22 +27,50 @@ struct Problem {
   double beta{1};
   Criterion criterion{Criterion::published};
   std::int64_t arrivals{1};
+  /// With these, every requirement holds for each hit from v0_low to v0 and each spring from p to
+  /// p_high: v0 and p are those of the largest peak. v0_low = 0: every hit up to v0, of which those
+  /// that the notch holds need not move.
+  std::optional<double> v0_low{};
+  std::optional<double> p_high{};
+  /// A rest with |x| <= residual is admissible as well, after `arrivals` half-cycles at the latest.
+  std::optional<double> residual{};
+
+  /// The weakest hit that has to move the mass.
+  [[nodiscard]] double starting_v0() const { return v0_low.value_or(0) > 0 ? *v0_low : v0; }
+  [[nodiscard]] double stiffest_p() const { return p_high.value_or(p); }
+};
+
+/// The sides of the tolerance box as parts of the tolerance, each in [0, 1]: f may be anything from
+/// f (1 - f_low R) to f (1 + f_high R), and Delta likewise.
+struct BoxShape {
+  double f_low{1};
+  double f_high{1};
+  double delta_low{1};
+  double delta_high{1};
+
+  friend bool operator==(const BoxShape&, const BoxShape&) = default;
 };
 
 /// What can be built. Every limit holds for the whole box f (1 +- tolerance), Delta (1 +-
-/// tolerance).
+/// tolerance), or what `shape` makes of it.
 struct Limits {
   std::optional<double> f_max{};
   std::optional<double> delta_max{};
   double tolerance{0};  ///< in [0, 1)
   /// In g, of what the mass feels outside the notch: S = sqrt(f^2 + p^2 V0^2) at most.
   std::optional<double> acceleration_max{};
+  BoxShape shape{};
 };
+
+/// One hit, one spring, no residual and the same tolerance on every side: the paper's task, or that
+/// of a later arrival.
+[[nodiscard]] bool is_plain(const Problem& problem, const Limits& limits);
 
 /// Throws InputError, naming the field, unless
 ///   v0, p in [1e-150, 1e150]; beta in [1e-300, 1e300]; p beta in [1e-155, 1e155];
 ///   p beta / v0 in [1e-100, 1e100]; v0^2 / beta <= 1e305;
-///   1 <= arrivals <= most_arrivals;
+///   1 <= arrivals <= most_arrivals; 0 <= v0_low <= v0, 0 or in the range of v0;
+///   p <= p_high <= 1e150; 0 <= residual <= 1e300; the sides of the shape in [0, 1], not all 0;
 ///   f_max, delta_max, acceleration_max, where given, in [1e-300, 1e300]; 0 <= tolerance < 1.
 void require_valid(const Problem& problem, const Limits& limits = {});
 
