@@ -28,12 +28,13 @@ constexpr std::size_t largest_list = std::size_t{1} << 20U;
 
 /// What a design for a hit does not take.
 constexpr std::array only_of_records{
-    "combine",  "records-list", "search-f",     "search-delta-m", "search-period", "hold",
-    "residual", "residual-m",   "record-units", "record-step",    "record-scale",  "threads"};
+    "combine", "records-list", "search-f",    "search-delta-m", "search-period",
+    "hold",    "record-units", "record-step", "record-scale",   "threads"};
 
 /// What a design under records does not take.
-constexpr std::array only_of_hits{"criterion", "arrivals",       "algorithm",           "k",
-                                  "lambda",    "pulse-duration", "excitation-frequency"};
+constexpr std::array only_of_hits{"criterion",       "arrivals",       "tolerance-f",
+                                  "tolerance-delta", "algorithm",      "k",
+                                  "lambda",          "pulse-duration", "excitation-frequency"};
 
 void require_no_others(const Settings& settings) {
   for (const std::string_view option : only_of_hits) {
