@@ -81,13 +81,17 @@ constexpr std::array starters{
   "natural_frequency": "2.5Hz",
   "mass": "350kg",
 
-  // The shock: a half-sine pulse of this peak and duration. A rectangle is possible as well.
+  // The shock: a half-sine pulse of this peak and duration. A full sine or a rectangle is possible
+  // as well, of any duration.
   "pulse": "half-sine",
   "k": "4g",
   "pulse_duration": "11ms",
 
   // How far the cabinet may slide.
   "max_displacement": "15mm",
+
+  // The largest notch: the energy that it takes over the weight of the cabinet.
+  "delta_max_m": "5mm",
 
   // How far friction and notch may be off when they are built: 0.05 is 5 %.
   "tolerance": 0.05

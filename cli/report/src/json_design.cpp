@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/report.hpp>
 #include "json_parts.hpp"
+#include "sections.hpp"
 
 namespace stillpoint::report {
 
@@ -14,14 +15,16 @@ void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
   task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
 }
 
-ordered_json design_point_json(const design::Problem& problem, const design::Finding& finding) {
+ordered_json design_point_json(const design::DesignResult& result) {
+  const design::Finding& finding = *result.finding;
   const design::DesignPoint& point = finding.point;
+  const auto needs = delta_needs(result);
   return {{"f", number(point.f)},
           {"delta", number(point.delta)},
           {"tolerance", number(point.tolerance)},
           {"arrival", finding.arrival},
-          {"delta1_published", number(design::delta1_published(problem, point.f))},
-          {"delta1_exact", number(design::delta1_exact(problem, point.f))}};
+          {"delta1_published", number(needs.published)},
+          {"delta1_exact", number(needs.exact)}};
 }
 
 ordered_json strips_json(const std::vector<design::Strip>& strips) {
@@ -64,20 +67,31 @@ ordered_json cross_check_json(const design::CrossCheck& check) {
   return {{"passed", check.passed}, {"methods", methods}};
 }
 
+void add_pulse_region(ordered_json& region, const design::DesignResult& result) {
+  region["by"] = "forced_motion";
+  region["intervals"] = ordered_json::array();
+  for (const auto& [low, high] : result.intervals) {
+    region["intervals"].push_back({number(low), number(high)});
+  }
+}
+
 /// How the design stands under its pulse.
 ordered_json pulse_check_json(const design::PulseCheck& check) {
   ordered_json warnings = ordered_json::array();
   for (const design::PulseWarning warning : check.warnings) {
     warnings.push_back(name(warning));
   }
-  return {{"shortness", number(check.shortness)},
-          {"friction_ratio", number(check.friction_ratio)},
-          {"equivalent_v0", number(check.start.speed)},
-          {"equivalent_start", number(check.start.tau)},
-          {"peak_error", number(check.peak_error)},
-          {"stop_time_error", number(check.stop_time_error)},
-          {"warnings", warnings},
-          {"response", forced_json(check.response)}};
+  return {
+      {"shortness", number(check.shortness)},
+      {"friction_ratio", number(check.friction_ratio)},
+      {"equivalent_v0", number(check.start ? std::optional(check.start->speed) : std::nullopt)},
+      {"equivalent_start", number(check.start ? std::optional(check.start->tau) : std::nullopt)},
+      {"peak_error", number(check.peak_error)},
+      {"stop_time_error", number(check.stop_time_error)},
+      {"warnings", warnings},
+      {"searched", number(check.searched)},
+      {"bracketed", number(check.bracketed)},
+      {"response", forced_json(check.response)}};
 }
 
 }  // namespace
@@ -114,6 +128,9 @@ ordered_json json(const DesignReport& report) {
   const auto& [problem, limits, search, pulse] = result.request;
   ordered_json task = task_json(problem, limits);
   add_pulse(task, pulse);
+  if (pulse && problem.v0 == 0) {
+    task["v0"] = nullptr;  // a full sine leaves none
+  }
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);
   ordered_json json{{"schema", "stillpoint/design-report/1"},
@@ -131,16 +148,20 @@ ordered_json json(const DesignReport& report) {
                     {"pulse", nullptr},
                     {"built_notch", built_notch_json(report)},
                     {"physical", physical_json(report)}};
+  if (pulse) {
+    add_pulse_region(json["region"], result);
+  }
   if (result.finding) {
     const design::Finding& finding = *result.finding;
-    json["design"] = design_point_json(problem, finding);
+    json["design"] = design_point_json(result);
     json["constraints"] = constraints_json(finding.constraints);
     json["works_for"] = works_for_json(finding.works_for);
     if (!pulse) {
       json["hits"] = hits_json(shown_hits(problem, finding.point.f, finding.point.delta));
     }
     json["practice"] = practice_json(finding.practice);
-    json["response"] = response_json(finding.response);
+    json["response"] =
+        finding.pulse ? forced_json(finding.pulse->response) : response_json(finding.response);
     json["search"] = search_json(finding.search);
     json["cross_check"] = cross_check_json(finding.cross_check);
     if (finding.pulse) {
