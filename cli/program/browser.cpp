@@ -48,22 +48,13 @@ bool can_be_run(const std::string& program) {
          });
 }
 
-std::vector<std::string> words(std::string_view command) {
-  std::vector<std::string> words;
-  for (const std::string_view word : records::split(command, ' ')) {
-    if (!word.empty()) {
-      words.emplace_back(word);
-    }
-  }
-  return words;
-}
-
 }  // namespace
 
 std::vector<std::string> browser() {
   const std::string chosen = variable("BROWSER");
   for (const std::string_view command : records::split(chosen, ':')) {
-    std::vector<std::string> asked = words(command);
+    const auto words = records::words_of(command, " ");
+    std::vector<std::string> asked(words.begin(), words.end());
     if (!asked.empty() && can_be_run(asked.front())) {
       return asked;
     }

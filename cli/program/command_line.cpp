@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.hpp"
 
-#include "starter_scenes.hpp"
-#include "terminal_text.hpp"
-#include "value_units.hpp"
-
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/version.hpp>
+#include "starter_scenes.hpp"
+#include "terminal_text.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

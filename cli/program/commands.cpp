@@ -102,7 +102,23 @@ ExitCode run_design(const Settings& settings, Output& output) {
   DesignInput input = design_input(settings);
   const std::optional<double> width = notch_width(settings, input.physical);
   require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
-  report::DesignReport report{design::design(input.request), input.physical, {}};
+  report::DesignReport report;
+  report.physical = input.physical;
+  if (const auto parts = catalogue_input(settings, input.physical)) {
+    design::Choice choice = design::choose(input.request, *parts);
+    report.result = std::move(choice.result);
+    report.catalogue = {*settings.text("catalogue"), std::move(choice.parts)};
+  } else {
+    report.result = design::design(input.request);
+  }
+  report.trade_offs = settings.integer("trade-off");
+  if (report.trade_offs) {
+    const auto& [problem, limits, search, pulse] = input.request;
+    if (pulse) {
+      throw UsageError("trade-off and pulse exclude each other: the front is that of a velocity");
+    }
+    report.trade_off = design::trade_off(problem, limits, *report.trade_offs);
+  }
   if (width && report.result.finding) {
     report.built_notch = built_notch(report.result.request, report.result.finding->point, *width);
   }
@@ -113,7 +129,12 @@ ExitCode run_design(const Settings& settings, Output& output) {
 
 ExitCode run_region(const Settings& settings, Output& output) {
   const RegionInput input = region_input(settings);
-  const report::RegionReport report{input.request, design::answer(input.request), input.physical};
+  report::RegionReport report{input.request, design::answer(input.request), input.physical, {}};
+  if (const auto parts = catalogue_input(settings, input.physical)) {
+    const auto& [problem, limits, f, delta] = input.request;
+    report.catalogue = {*settings.text("catalogue"),
+                        design::ranked(problem, limits, design::Objective::robust, *parts)};
+  }
   write_page_of(report, Command::region, settings, output);
   print_report(report, settings, output);
   return report.answer.region.feasible ? exit_done : exit_infeasible;
@@ -141,7 +162,6 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
 }
 
 ExitCode run_accuracy(const Settings& settings, Output& output) {
-  require_paper_notch(settings, Command::accuracy);
   const SimulateInput input = simulate_input(settings);
   const peers::Scene scene = peers::comparison_scene(input.request);
   print_report(

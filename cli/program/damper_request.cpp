@@ -6,6 +6,7 @@
 #include "request.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/sweep/catalogue_file.hpp>
 
 namespace stillpoint::cli {
 
@@ -89,6 +90,24 @@ RegionInput region_input(const Settings& settings) {
     throw InputError::missing("f", "delta alone is not a point of the region, give --f as well");
   }
   return input;
+}
+
+std::optional<std::vector<design::Part>> catalogue_input(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical) {
+  const auto path = settings.text("catalogue");
+  if (!path) {
+    return std::nullopt;
+  }
+  if (settings.has("pulse")) {
+    throw UsageError("catalogue and pulse exclude each other: parts are chosen for a velocity");
+  }
+  sweep::CatalogueUnits units;
+  if (physical) {
+    units.length_m = physical->scales.length_m;
+  }
+  const Option& in_metres = *find_option("delta-m");
+  units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
+  return sweep::read_catalogue(*path, units);
 }
 
 }  // namespace stillpoint::cli

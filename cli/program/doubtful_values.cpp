@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "doubtful_values.hpp"
 
-#include "value_units.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -97,7 +95,8 @@ std::string likely_unit(const Settings& settings, const Values& values, double f
     if (!value || *value == 0 || settings.with_unit(source.option)) {
       continue;
     }
-    for (const Unit& unit : units_of(find_option(source.option)->traits.dimension)) {
+    for (const records::Unit& unit :
+         records::units_of(find_option(source.option)->traits.dimension)) {
       Values now = values;
       now.*source.value = *value * std::pow(10, unit.power_of_ten);
       const double then = std::abs(std::log(ratio(now)));

@@ -63,8 +63,11 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   }
   Settings settings = invocation.flags;
   Settings scene;
-  if (invocation.scene == "-" && settings.text("list") == "-") {
-    throw UsageError("the scene and the list cannot both be standard input: give a file for one");
+  for (const char* file : {"list", "catalogue"}) {
+    if (invocation.scene == "-" && settings.text(file) == "-") {
+      throw UsageError(fmt::format(
+          "the scene and the {} cannot both be standard input: give a file for one", file));
+    }
   }
   if (invocation.scene) {
     scene = read_scene(*invocation.scene, invocation.command);

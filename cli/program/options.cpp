@@ -8,7 +8,6 @@
 #include <stillpoint/records/record_file.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -116,17 +115,19 @@ std::vector<Option> rows() {
            .units = si,
            .dimension = Dimension::length}),
       row("hold", number, "H", damper,
-          "what the notch holds at x = 0 besides f, in g; default: any load", simulate,
-          {.rivals = Rivals::notch}),
+          "what the notch holds at x = 0 besides f, in g; default: any load", of_excitations,
+          {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
-          design | simulate, {.rivals = Rivals::notch, .units = dimensionless}),
+          design | of_excitations,
+          {.sweeps = true, .rivals = Rivals::notch, .units = dimensionless}),
       row("notch-width-m", number, "M", damper, "the same in m, with physical input",
-          design | simulate,
-          {.rivals = Rivals::notch, .units = si, .dimension = Dimension::length}),
+          design | of_excitations,
+          {.sweeps = true, .rivals = Rivals::notch, .units = si, .dimension = Dimension::length}),
       row("friction-zones", text, "X:F,...", damper,
-          "friction that steps with |x|: F up to X (in m with physical input), f beyond the last",
-          simulate),
+          "friction that steps with |x|: F up to X, f beyond the last; with physical input X is in "
+          "m or has a unit",
+          of_excitations),
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
           {.values = criterion_names(), .first_is_default = true}),
       row("arrivals", integer, "N", damper,
@@ -143,6 +144,13 @@ std::vector<Option> rows() {
           "largest acceleration in g that the mass may feel outside the notch", of_designs,
           {.dimension = Dimension::gravities}),
 
+      row("catalogue", text, "FILE", searching,
+          "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
+          "standard input",
+          design | region, {.file = FileUse::read}),
+      row("trade-off", integer, "N", searching,
+          "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
+          design),
       row("objective", text, "NAME", searching, "{}", design | sweep,
           {.values = {objectives.begin(), objectives.end()}, .first_is_default = true}),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
@@ -296,10 +304,6 @@ std::span<const Option> options() {
 const Option* find_option(std::string_view name) {
   const auto found = std::ranges::find(table(), name, &Option::name);
   return found == table().end() ? nullptr : &*found;
-}
-
-std::string listed(std::span<const std::string_view> values) {
-  return fmt::format("{} or {}", fmt::join(values.first(values.size() - 1), ", "), values.back());
 }
 
 std::string suggestion(std::string_view wrong, std::span<const std::string_view> names) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/records/units.hpp>
+
 #include <optional>
 #include <span>
 #include <string>
@@ -63,21 +66,11 @@ enum class Rivals {
   notch,
 };
 
+using records::Dimension;
+using records::listed;
+
 /// A task is given either dimensionless or in metres and seconds, not in both.
 enum class Units { any, dimensionless, physical };
-
-/// What a value measures, which decides the units that it may carry.
-enum class Dimension {
-  none,
-  length,
-  velocity,
-  time,
-  frequency,
-  mass,
-  stiffness,
-  acceleration,
-  gravities,  ///< an acceleration as a multiple of g
-};
 
 enum class FileUse { none, read, written, directory };
 
@@ -120,9 +113,6 @@ struct Option {
 
 /// The option of that name, whatever its command; null where there is none.
 [[nodiscard]] const Option* find_option(std::string_view name);
-
-/// "robust, amplitude, time or acceleration"
-[[nodiscard]] std::string listed(std::span<const std::string_view> values);
 
 /// "; did you mean NAME?" for an option that is one or two slips away, else "". Options of
 /// `command` come first.

@@ -4,6 +4,7 @@
 #include "settings.hpp"
 
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
@@ -12,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -38,6 +40,10 @@ struct SimulateInput {
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
 [[nodiscard]] DesignInput design_input(const Settings& settings);
 [[nodiscard]] RegionInput region_input(const Settings& settings);
+/// The parts of --catalogue, in the units of the task; empty without. Throws UsageError with a
+/// pulse and records::FileError for a wrong file.
+[[nodiscard]] std::optional<std::vector<design::Part>> catalogue_input(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
 [[nodiscard]] SimulateInput simulate_input(const Settings& settings);
 
 /// Opens the list and reads its header.

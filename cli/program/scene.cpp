@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene.hpp"
 
-#include "surface_input.hpp"
-#include "value_units.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include "surface_input.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

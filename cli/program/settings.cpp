@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "settings.hpp"
 
-#include "value_units.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
@@ -11,6 +9,34 @@
 #include <algorithm>
 
 namespace stillpoint::cli {
+
+namespace {
+
+/// "; with a unit give --period or --stiffness", for an option that has such rivals.
+std::string physical_rivals(const Option& option) {
+  std::string found;
+  for (const Option& other : options()) {
+    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
+        other.traits.dimension != Dimension::none) {
+      found += fmt::format("{}--{}", found.empty() ? "" : " or ", other.name);
+    }
+  }
+  return found.empty() ? "" : fmt::format("; with a unit give {}", found);
+}
+
+}  // namespace
+
+double parse_value(const Option& option, std::string_view text) {
+  const Dimension dimension = option.traits.dimension;
+  return records::parse_value(option.name, dimension, text,
+                              dimension == Dimension::none ? physical_rivals(option) : "");
+}
+
+Axis axis_value(const Option& option, std::string_view text) {
+  return sweep::parse_axis(option.name, text, [&option](std::string_view number) {
+    return parse_value(option, number);
+  });
+}
 
 template <class T>
 std::optional<T> Settings::get(std::string_view name) const {

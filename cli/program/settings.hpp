@@ -25,9 +25,15 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+using records::has_unit;
 using records::parse_integer;
 using records::parse_number;
 using sweep::Axis;
+
+/// The value of an option, in its SI unit, and each number of an axis, "100mm:200mm:5"; see
+/// records/units.hpp. Throws InputError.
+[[nodiscard]] double parse_value(const Option& option, std::string_view text);
+[[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {

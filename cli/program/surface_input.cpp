@@ -2,6 +2,7 @@
 #include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,8 +17,8 @@ namespace {
 
 constexpr std::string_view zones_name = "friction-zones";
 
-/// Of "x:f,x:f,...".
-std::vector<FrictionZone> parse_zones(std::string_view text) {
+/// Of "x:f,x:f,...", where x may have a unit if it has a dimension.
+std::vector<FrictionZone> parse_zones(std::string_view text, Dimension edge) {
   std::vector<FrictionZone> zones;
   for (bool more = true; more;) {
     const std::size_t comma = text.find(',');
@@ -27,7 +28,7 @@ std::vector<FrictionZone> parse_zones(std::string_view text) {
     if (colon == std::string_view::npos) {
       throw InputError(field, std::string(zone), "must be X:F, an edge and the friction up to it");
     }
-    zones.push_back({parse_number(field + ": to", zone.substr(0, colon)),
+    zones.push_back({records::parse_value(field + ": to", edge, zone.substr(0, colon)),
                      parse_number(field + ": f", zone.substr(colon + 1))});
     more = comma != std::string_view::npos;
     text.remove_prefix(more ? comma + 1 : text.size());
@@ -44,15 +45,21 @@ double in_units(double value, const std::optional<design::PhysicalInput>& physic
 std::string zones_text(const nlohmann::json& list) {
   std::string text;
   for (const nlohmann::json& zone : list) {
-    const auto has = [&zone](const char* key) {
-      return zone.contains(key) && zone[key].is_number();
+    const auto value = [&zone](const char* key) {
+      return zone.is_object() && zone.contains(key) ? zone[key] : nlohmann::json();
     };
-    if (!zone.is_object() || zone.size() != 2 || !has("to") || !has("f")) {
+    const nlohmann::json to = value("to");
+    const nlohmann::json f = value("f");
+    const std::string with_unit = to.is_string() ? to.get<std::string>() : "";
+    const bool is_edge =
+        to.is_number() || (has_unit(with_unit) && with_unit.find_first_of(":,") == with_unit.npos);
+    if (zone.size() != 2 || !is_edge || !f.is_number()) {
       throw InputError(std::string(zones_name), zone.dump(),
                        R"(each zone must be {"to": X, "f": F})");
     }
-    text += fmt::format("{}{}:{}", text.empty() ? "" : ",", zone["to"].get<double>(),
-                        zone["f"].get<double>());
+    text += fmt::format("{}{}:{}", text.empty() ? "" : ",",
+                        to.is_number() ? fmt::format("{}", to.get<double>()) : with_unit,
+                        f.get<double>());
   }
   return text;
 }
@@ -68,27 +75,21 @@ std::optional<double> notch_width(const Settings& settings,
   return settings.number("notch-width");
 }
 
-Surface surface_input(const Settings& settings,
-                      const std::optional<design::PhysicalInput>& physical) {
-  Surface surface;
-  surface.notch_width = notch_width(settings, physical);
+std::vector<FrictionZone> friction_zones(const Settings& settings,
+                                         const std::optional<design::PhysicalInput>& physical) {
+  std::vector<FrictionZone> zones;
   if (const auto text = settings.text(zones_name)) {
-    surface.zones = parse_zones(*text);
-    for (FrictionZone& zone : surface.zones) {
+    zones = parse_zones(*text, physical ? Dimension::length : Dimension::none);
+    for (FrictionZone& zone : zones) {
       zone.to = in_units(zone.to, physical);
     }
   }
-  return surface;
+  return zones;
 }
 
-void require_paper_notch(const Settings& settings, Command command) {
-  for (const std::string_view option : {"hold", "notch-width", "notch-width-m", "friction-zones"}) {
-    if (settings.has(option)) {
-      throw UsageError(
-          fmt::format("{} is not for {}, which computes the paper's notch and a constant f", option,
-                      name(command)));
-    }
-  }
+Surface surface_input(const Settings& settings,
+                      const std::optional<design::PhysicalInput>& physical) {
+  return {notch_width(settings, physical), friction_zones(settings, physical)};
 }
 
 }  // namespace stillpoint::cli

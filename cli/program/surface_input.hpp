@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -18,12 +19,12 @@ namespace stillpoint::cli {
 [[nodiscard]] std::optional<double> notch_width(
     const Settings& settings, const std::optional<design::PhysicalInput>& physical);
 
-/// What the mass slides on. Edges are in metres with physical input. Throws InputError for a text
-/// that is no list of zones.
+/// Edges are in metres with physical input. Throws InputError for a text that is no list of zones.
+[[nodiscard]] std::vector<FrictionZone> friction_zones(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// What the mass slides on.
 [[nodiscard]] Surface surface_input(const Settings& settings,
                                     const std::optional<design::PhysicalInput>& physical);
-
-/// UsageError where the notch is not the paper's, for a command that knows no other.
-void require_paper_notch(const Settings& settings, Command command);
 
 }  // namespace stillpoint::cli

@@ -109,7 +109,8 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
     return excitation_type(settings) ? SweepKind::forced : SweepKind::free;
   }
   const std::string beta = option_of(Quantity::beta, spec.units);
-  for (const Quantity other : {Quantity::f, Quantity::delta, Quantity::x0}) {
+  for (const Quantity other :
+       {Quantity::f, Quantity::delta, Quantity::x0, Quantity::hold, Quantity::notch_width}) {
     if (given(settings, spec, other)) {
       throw UsageError(fmt::format("{0} and {1} exclude each other: {0} asks for a design", beta,
                                    option_of(other, spec.units)));
@@ -123,7 +124,7 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   const std::string beta = option_of(Quantity::beta, spec.units);
   if (spec.kind == SweepKind::design) {
     for (const char* const other :
-         {"excitation", "record", "t-end", "end-time", "half-cycle-limit"}) {
+         {"excitation", "record", "friction-zones", "t-end", "end-time", "half-cycle-limit"}) {
       if (settings.has(other)) {
         throw UsageError(fmt::format("{} and {} exclude each other", beta, other));
       }
@@ -173,6 +174,7 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
 
 void add_motion(const Settings& settings, SweepSpec& spec) {
   spec.half_cycle_limit = half_cycle_limit(settings);
+  spec.zones = friction_zones(settings, physical_scales(spec.units));
   const auto input = excitation_input(settings, physical_scales(spec.units), 1);
   if (!input) {
     return;
@@ -241,7 +243,6 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
 }  // namespace
 
 SweepSpec sweep_request(const Settings& settings) {
-  require_paper_notch(settings, Command::sweep);
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);

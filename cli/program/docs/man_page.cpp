@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/report/version.hpp>
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
-#include "value_units.hpp"
-
-#include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
 
@@ -105,7 +103,7 @@ std::string units() {
         std::pair{"mass", Dimension::mass}, std::pair{"stiffness", Dimension::stiffness},
         std::pair{"acceleration", Dimension::acceleration},
         std::pair{"peak of a load", Dimension::gravities}}) {
-    page += fmt::format(".TP\n{}\n{}\n", what, unit_names(dimension));
+    page += fmt::format(".TP\n{}\n{}\n", what, records::unit_names(dimension));
   }
   return page;
 }

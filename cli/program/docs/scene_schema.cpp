@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "generated_docs.hpp"
-#include "option_facts.hpp"
-#include "value_units.hpp"
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include "generated_docs.hpp"
+#include "option_facts.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -16,12 +14,12 @@ namespace {
 using nlohmann::ordered_json;
 
 /// A number, and in a text a number with its unit.
-ordered_json number_type(const Option& option) {
-  if (option.traits.dimension == Dimension::none) {
+ordered_json number_type(Dimension dimension) {
+  if (dimension == Dimension::none) {
     return {{"type", "number"}};
   }
   std::string names;
-  for (const Unit& unit : units_of(option.traits.dimension)) {
+  for (const records::Unit& unit : records::units_of(dimension)) {
     names += fmt::format("{}{}", names.empty() ? "" : "|", unit.name);
   }
   return {{"type", {"number", "string"}},
@@ -31,12 +29,13 @@ ordered_json number_type(const Option& option) {
 
 ordered_json type_of(const Option& option) {
   if (option.traits.sweeps) {
-    return {
-        {"type", {"number", "string", "array"}}, {"items", number_type(option)}, {"minItems", 1}};
+    return {{"type", {"number", "string", "array"}},
+            {"items", number_type(option.traits.dimension)},
+            {"minItems", 1}};
   }
   switch (option.kind) {
     case OptionKind::number:
-      return number_type(option);
+      return number_type(option.traits.dimension);
     case OptionKind::integer:
       return {{"type", "integer"}};
     case OptionKind::text:
@@ -44,7 +43,7 @@ ordered_json type_of(const Option& option) {
         const ordered_json zone{
             {"type", "object"},
             {"required", {"to", "f"}},
-            {"properties", {{"to", {{"type", "number"}}}, {"f", {{"type", "number"}}}}},
+            {"properties", {{"to", number_type(Dimension::length)}, {"f", {{"type", "number"}}}}},
             {"additionalProperties", false}};
         return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", zone}};
       }
@@ -62,7 +61,7 @@ ordered_json type_of(const Option& option) {
 
 /// "; may carry a unit: m, cm or mm"
 std::string units_text(const Option& option) {
-  const std::string names = unit_names(option.traits.dimension);
+  const std::string names = records::unit_names(option.traits.dimension);
   return names.empty() ? "" : "; in a text it may carry its unit: " + names;
 }
 

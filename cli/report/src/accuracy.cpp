@@ -60,6 +60,11 @@ ordered_json method_json(const peers::MethodRow& now, bool used) {
 /// Why simulate uses the first method.
 std::string_view reason(const SimulationRequest& request) {
   const auto& [p, f, delta, hold] = request.oscillator;
+  if (!is_forced(request) && !request.surface.plain()) {
+    return "from edge to edge and turn to turn the motion is a closed form, and so are the "
+           "instants "
+           "between";
+  }
   if (!is_forced(request)) {
     return f > 0 && delta > 0
                ? "the half-cycle map is exact from peak to peak, one square root each, and has no "
@@ -138,6 +143,7 @@ Document document(const AccuracyReport& report) {
   scene.row("dimensionless",
             format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}   f = {:.6g}   delta = {:.6g}", start.v0,
                    p, start.x0, f, delta));
+  add_surface(scene, report.request, report.physical);
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "choices.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
@@ -143,7 +144,8 @@ void add_checks(Document& document, const design::CrossCheck& check, const Physi
 }
 
 /// What to build.
-std::string verdict(const design::Finding& finding, const Physical& physical) {
+std::string verdict(const DesignReport& report, const Physical& physical) {
+  const design::Finding& finding = *report.result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
   const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
@@ -153,6 +155,10 @@ std::string verdict(const design::Finding& finding, const Physical& physical) {
           ? format("Build a friction force of {} and a notch that takes {} at a passage.",
                    with_unit(*force, "N"), with_unit(*energy, "J"))
           : format("Build f = {} and delta = {}.", digits(f), length_shown(physical, delta));
+  if (report.catalogue) {
+    text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
+                  digits(f), length_shown(physical, delta));
+  }
   if (!finding.cross_check.passed) {
     text += " But the cross-check DISAGREES: do not rely on this design.";
   }
@@ -245,12 +251,23 @@ Document document(const DesignReport& report) {
   }
   if (!report.result.finding) {
     add_emptiness(document, report.result, physical);
+    if (report.catalogue) {
+      add_parts(document, *report.catalogue, {problem, limits, physical});
+    }
     return document;
   }
   const design::Finding& finding = *report.result.finding;
-  document.verdict = verdict(finding, physical);
+  document.verdict = verdict(report, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
   add_answer(document.answer, report.result, physical);
+  if (report.catalogue) {
+    document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
+    add_parts(document, *report.catalogue, {problem, limits, physical});
+  }
+  if (report.trade_off) {
+    document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
+    add_trade_off(document, *report.trade_off, physical);
+  }
   add_damper(document, report.result, physical);
   add_constraints(document, finding.constraints, physical);
   if (finding.pulse) {
@@ -267,6 +284,9 @@ Document document(const DesignReport& report) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_checks(document, finding.cross_check, physical);
+  if (report.catalogue) {
+    return document;  // without a search
+  }
   Section& sought = document.detail("Search");
   sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
                      finding.search.algorithm, finding.search.status, finding.search.evaluations,

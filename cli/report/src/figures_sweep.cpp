@@ -118,7 +118,8 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.y = figure_axis(spec.units ? "point friction Δ in m" : units.delta_label, map.delta());
   figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, key_of(counts)};
   figure.description =
-      "The plane of f and Δ. Centred is a rest at x = 0, off centre one in the dead zone.";
+      format("The plane of f and Δ. Centred is a rest {}, off centre one in the dead zone.",
+             given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0");
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     figure.map.palette.emplace_back(palette.at(i));
     figure.map.names.push_back(counts.at(i) > 0 ? class_name(i) : "");
@@ -133,7 +134,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
       "Blue stops centred, orange (hatched) off centre; the number counts half-cycles.";
   const double v0 = std::abs(only_value(spec, Quantity::v0));
   const double p = only_value(spec, Quantity::p);
-  if (spec.kind == SweepKind::free && from_zero(spec) && v0 > 0 && p > 0) {
+  if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
   }
   return figure;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/report.hpp>
+#include "choices.hpp"
 #include "json_parts.hpp"
 #include "sections.hpp"
 
@@ -19,7 +20,8 @@ ordered_json design_point_json(const design::DesignResult& result) {
   const design::Finding& finding = *result.finding;
   const design::DesignPoint& point = finding.point;
   const auto needs = delta_needs(result);
-  return {{"f", number(point.f)},
+  return {{"name", nullptr},
+          {"f", number(point.f)},
           {"delta", number(point.delta)},
           {"tolerance", number(point.tolerance)},
           {"arrival", finding.arrival},
@@ -98,6 +100,10 @@ ordered_json pulse_check_json(const design::PulseCheck& check) {
 
 namespace {
 
+ordered_json file_of(const std::optional<Catalogue>& catalogue) {
+  return catalogue ? ordered_json(spelled_out(catalogue->file)) : ordered_json(nullptr);
+}
+
 /// In metres where the input was.
 ordered_json built_notch_json(const DesignReport& report) {
   if (!report.built_notch) {
@@ -133,6 +139,9 @@ ordered_json json(const DesignReport& report) {
   }
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);
+  task["catalogue"] = file_of(report.catalogue);
+  task["trade_off"] = report.trade_offs ? ordered_json(*report.trade_offs) : ordered_json(nullptr);
+  const PartTask parts{problem, limits, report.physical};
   ordered_json json{{"schema", "stillpoint/design-report/1"},
                     {"program", program_json()},
                     {"input", task},
@@ -147,6 +156,8 @@ ordered_json json(const DesignReport& report) {
                     {"cross_check", nullptr},
                     {"pulse", nullptr},
                     {"built_notch", built_notch_json(report)},
+                    {"catalogue", catalogue_json(report.catalogue, parts)},
+                    {"trade_off", trade_off_json(report.trade_off, report.physical)},
                     {"physical", physical_json(report)}};
   if (pulse) {
     add_pulse_region(json["region"], result);
@@ -154,6 +165,8 @@ ordered_json json(const DesignReport& report) {
   if (result.finding) {
     const design::Finding& finding = *result.finding;
     json["design"] = design_point_json(result);
+    json["design"]["name"] =
+        report.catalogue ? ordered_json(report.catalogue->parts.front().part.name) : nullptr;
     json["constraints"] = constraints_json(finding.constraints);
     json["works_for"] = works_for_json(finding.works_for);
     if (!pulse) {
@@ -162,7 +175,9 @@ ordered_json json(const DesignReport& report) {
     json["practice"] = practice_json(finding.practice);
     json["response"] =
         finding.pulse ? forced_json(finding.pulse->response) : response_json(finding.response);
-    json["search"] = search_json(finding.search);
+    if (!report.catalogue) {
+      json["search"] = search_json(finding.search);
+    }
     json["cross_check"] = cross_check_json(finding.cross_check);
     if (finding.pulse) {
       json["pulse"] = pulse_check_json(*finding.pulse);
@@ -177,6 +192,7 @@ ordered_json json(const RegionReport& report) {
   ordered_json task = task_json(problem, limits);
   task["f"] = number(f);
   task["delta"] = number(delta);
+  task["catalogue"] = file_of(report.catalogue);
   const bool point = f && delta;
   return {
       {"schema", "stillpoint/region-report/1"},
@@ -193,6 +209,7 @@ ordered_json json(const RegionReport& report) {
       {"works_for", works_for_json(answer.works_for)},
       {"hits", point ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
       {"practice", practice_json(answer.practice)},
+      {"catalogue", catalogue_json(report.catalogue, {problem, limits, report.physical})},
       {"physical", physical_json(report)}};
 }
 

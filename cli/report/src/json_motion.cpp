@@ -68,28 +68,21 @@ ordered_json zones_json(const std::vector<FrictionZone>& zones) {
   return list.empty() ? ordered_json() : list;
 }
 
-/// With what differs from the paper's notch and friction.
-ordered_json simulated_input_json(const MotionReport& report) {
-  const SimulationRequest& request = report.request;
-  ordered_json json = motion_input_json(request, report.record);
-  const double hold = request.oscillator.hold;
-  json["hold"] = std::isinf(hold) ? ordered_json() : number(hold);
-  json["notch_width"] = number(request.surface.notch_width);
-  json["friction_zones"] = zones_json(request.surface.zones);
-  return json;
-}
-
 }  // namespace
 
 ordered_json motion_input_json(const SimulationRequest& request,
                                const std::optional<RecordOrigin>& record) {
+  const double hold = request.oscillator.hold;
   return {{"v0", number(request.start.v0)},
           {"p", number(request.oscillator.p)},
           {"f", number(request.oscillator.f)},
           {"delta", number(request.oscillator.delta)},
           {"x0", number(request.start.x0)},
           {"t_end", number(request.t_end)},
-          {"excitation", excitation_json(request.excitation, record)}};
+          {"excitation", excitation_json(request.excitation, record)},
+          {"hold", std::isinf(hold) ? ordered_json() : number(hold)},
+          {"notch_width", number(request.surface.notch_width)},
+          {"friction_zones", zones_json(request.surface.zones)}};
 }
 
 ordered_json json(const MotionReport& report) {
@@ -97,7 +90,7 @@ ordered_json json(const MotionReport& report) {
   return {
       {"schema", "stillpoint/simulation-report/1"},
       {"program", program_json()},
-      {"input", simulated_input_json(report)},
+      {"input", motion_input_json(report.request, report.record)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
       {"half_cycles", half_cycles_json(answer.half_cycles)},
       {"half_cycles_listed", answer.half_cycles.size()},

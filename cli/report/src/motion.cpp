@@ -15,24 +15,6 @@ using fmt::format;
 
 namespace {
 
-/// What differs from the paper's notch and friction.
-void add_notch(Section& scene, const MotionReport& report) {
-  const auto& [p, f, delta, hold] = report.request.oscillator;
-  const Surface& surface = report.request.surface;
-  if (!std::isinf(hold)) {
-    scene.row("notch", format("holds a load of up to f + {:.6g} g", hold));
-  }
-  if (surface.notch_width) {
-    const double half = *surface.notch_width / 2;
-    scene.row("notch", format("friction {:.6g} for |x| < {}", f + delta / *surface.notch_width,
-                              length_text(report.physical, half)));
-  }
-  for (const FrictionZone& zone : surface.zones) {
-    scene.row("friction",
-              format("{:.6g} for |x| < {}", zone.f, length_text(report.physical, zone.to)));
-  }
-}
-
 std::string arrival(const HalfCycle& half_cycle, Outcome outcome, const FigureUnits& units) {
   if (half_cycle.arrival_speed) {
     return digits(*half_cycle.arrival_speed * units.velocity);
@@ -157,7 +139,7 @@ Document document(const MotionReport& report) {
   scene.row("dimensionless",
             format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", start.v0, p, start.x0));
   scene.row("damper", format("f = {:.6g}   delta = {}", f, length_text(report.physical, delta)));
-  add_notch(scene, report);
+  add_surface(scene, report.request, report.physical);
   add_damper_physics(scene, report.physical, f, delta);
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);

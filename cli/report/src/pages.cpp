@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "choices.hpp"
 #include "report_figures.hpp"
 
 #include <stillpoint/report/report.hpp>
@@ -123,6 +124,9 @@ HtmlPage page(const DesignReport& report) {
   if (!report.result.finding) {
     add_empty_region(page, {problem, limits, report.result.region, {}, {}}, report.result,
                      report.physical);
+    if (report.catalogue) {
+      add_parts(page.figures.front(), *report.catalogue, units);
+    }
     return page;
   }
   const design::Finding& found = *report.result.finding;
@@ -134,8 +138,15 @@ HtmlPage page(const DesignReport& report) {
           {problem, limits, report.result.region, DrawnDamper{"design", f, delta, tolerance}, {}},
           units),
       motion_figure(motion, units), phase_figure(motion, units), energy_figure(motion, units)};
+  if (report.catalogue) {
+    add_parts(page.figures.front(), *report.catalogue, units);
+  }
   page.figures.insert(page.figures.begin() + 1,
                       hits_figure(problem, f, delta, found.works_for, units));
+  if (report.trade_off && report.trade_off->size() > 1) {
+    auto front = trade_off_figures(*report.trade_off, found, units);
+    page.figures.insert(page.figures.begin() + 1, front.begin(), front.end());
+  }
   return page;
 }
 
@@ -153,6 +164,9 @@ HtmlPage page(const RegionReport& report) {
     page.figures = {region_figure(drawn, FigureUnits(report.physical))};
   } else {
     add_empty_region(page, drawn, answer, report.physical);
+  }
+  if (report.catalogue) {
+    add_parts(page.figures.front(), *report.catalogue, FigureUnits(report.physical));
   }
   if (f && delta) {
     page.figures.push_back(

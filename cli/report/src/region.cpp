@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "choices.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
@@ -86,6 +87,10 @@ Document document(const RegionReport& report) {
     document.tone = Tone::good;
   } else {
     add_emptiness(document, answer, report.physical);
+  }
+  if (report.catalogue) {
+    document.verdict += format(" {}.", how_many_fit(report.catalogue->parts));
+    add_parts(document, *report.catalogue, {problem, limits, report.physical});
   }
   if (f) {
     Section& section = document.section(format("At f = {:.6g}", *f));

@@ -49,6 +49,22 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
   }
 }
 
+void add_surface(Section& section, const SimulationRequest& request, const Physical& physical) {
+  const auto& [p, f, delta, hold] = request.oscillator;
+  const Surface& surface = request.surface;
+  if (!std::isinf(hold)) {
+    section.row("notch", format("holds a load of up to f + {:.6g} g", hold));
+  }
+  if (surface.notch_width) {
+    const double half = *surface.notch_width / 2;
+    section.row("notch", format("friction {:.6g} for |x| < {}", f + delta / *surface.notch_width,
+                                length_text(physical, half)));
+  }
+  for (const FrictionZone& zone : surface.zones) {
+    section.row("friction", format("{:.6g} for |x| < {}", zone.f, length_text(physical, zone.to)));
+  }
+}
+
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical) {
   std::string what(name(excitation));

@@ -30,6 +30,8 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
                const Physical& physical);
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
                   const Physical& physical);
+/// What differs from the paper's notch and friction.
+void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
 

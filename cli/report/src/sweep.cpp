@@ -32,8 +32,8 @@ double rate(const SweepSummary& summary) {
 }
 
 constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
-    "stop at x = 0",   "stop in dead zone", "never stop",
-    "caught at start", "running",           "over the limit"};
+    "stop at x = 0", "stop in dead zone", "never stop",   "caught at start",
+    "running",       "over the limit",    "stop in notch"};
 
 ordered_json outcomes_json(const SweepState& state) {
   ordered_json counts;
@@ -96,9 +96,9 @@ figures::HtmlPage page(const SweepSpec& spec, const SweepSummary& summary, const
   figures::HtmlPage page;
   page.title = "Sweep";
   page.verdict = fmt::format(
-      "{} motions. Blue stops centred (at x = 0), orange off centre (in the dead zone); the number "
+      "{} motions. Blue stops centred ({}), orange off centre (in the dead zone); the number "
       "counts half-cycles.",
-      summary.state.rows);
+      summary.state.rows, given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0");
   if (spec.output) {
     const Document made = document(spec, summary);
     page.answer = html(made.answer);

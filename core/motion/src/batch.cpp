@@ -4,6 +4,7 @@
 #include "kernel/first_leg.hpp"
 
 #include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
@@ -31,11 +32,15 @@ class FreeBatchSource final : public FreeLanesSource {
  public:
   FreeBatchSource(const BatchEntries& entries, const BatchOptions& options, BatchResult& result,
                   EntryThreads& work)
-      : entries_(entries), options_(options), result_(result), work_(work) {}
+      : entries_(entries),
+        options_(options),
+        result_(result),
+        work_(work),
+        from_first_leg_(options.acceleration && options.surface.plain()) {}
 
   EntryRange next() override {
     const EntryRange range = work_.next();
-    for (Index i = range.begin; options_.acceleration && i < range.end; ++i) {
+    for (Index i = range.begin; from_first_leg_ && i < range.end; ++i) {
       result_.peak_absolute_acceleration[i] = acceleration(i);
     }
     return range;
@@ -47,9 +52,15 @@ class FreeBatchSource final : public FreeLanesSource {
 
  private:
   [[nodiscard]] Response response(Index i) const {
+    const Oscillator oscillator{.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]};
+    const Start start{.x0 = 0, .v0 = entries_.v0[i]};
+    if (!options_.surface.plain()) {
+      ForcedOptions forced;
+      forced.half_cycle_limit = options_.half_cycle_limit;
+      return forced_response(oscillator, start, NoExcitation{}, forced, options_.surface);
+    }
     return free_response(
-        {.p = entries_.p[i], .f = entries_.f[i], .delta = entries_.delta[i]},
-        {.x0 = 0, .v0 = entries_.v0[i]},
+        oscillator, start,
         {.times = options_.times, .margin = false, .half_cycle_limit = options_.half_cycle_limit});
   }
 
@@ -66,6 +77,9 @@ class FreeBatchSource final : public FreeLanesSource {
     result_.half_cycles[i] = response.half_cycles.value_or(infinite);
     result_.outcome[i] = response.outcome;
     result_.stop_position[i] = response.stop_position.value_or(0);
+    if (options_.acceleration) {
+      result_.peak_absolute_acceleration[i] = response.peak_absolute_acceleration;
+    }
     if (options_.times) {
       result_.stop_time[i] = response.stop_time.value_or(infinite);
     }
@@ -75,7 +89,16 @@ class FreeBatchSource final : public FreeLanesSource {
   const BatchOptions& options_;
   BatchResult& result_;
   EntryThreads& work_;
+  bool from_first_leg_;  ///< the acceleration
 };
+
+void run_one_by_one(FreeBatchSource& source) {
+  for (EntryRange range = source.next(); range.begin < range.end; range = source.next()) {
+    for (Index i = range.begin; i < range.end; ++i) {
+      source.run_alone(i);
+    }
+  }
+}
 
 void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& result) {
   require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
@@ -85,7 +108,11 @@ void run(const BatchEntries& entries, const BatchOptions& options, BatchResult& 
                                options.times ? result.stop_time.data() : nullptr};
   run_batch(entries, block, options.threads, [&](EntryThreads& work) {
     FreeBatchSource source(entries, options, result, work);
-    run_free_lanes(entries, options.half_cycle_limit, output, source);
+    if (options.surface.plain()) {
+      run_free_lanes(entries, options.half_cycle_limit, output, source);
+    } else {
+      run_one_by_one(source);
+    }
   });
 }
 

@@ -3,6 +3,7 @@
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -121,6 +122,10 @@ std::string printable(std::string_view text, std::size_t longest) {
     }
   }
   return result;
+}
+
+std::string listed(std::span<const std::string_view> words) {
+  return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
 }
 
 std::string quoted(std::string_view text) {

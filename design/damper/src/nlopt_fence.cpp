@@ -98,6 +98,9 @@ NloptOutcome minimise(const NloptProblem& problem, std::string_view algorithm,
   solver.set_xtol_abs(xtol_abs);
   solver.set_maxeval(budget.max_evaluations);
   solver.set_maxtime(budget.max_seconds);
+  if (problem.first_step > 0) {
+    solver.set_initial_step(problem.first_step);
+  }
 
   std::exception_ptr failure;
   NloptOutcome outcome;

@@ -21,6 +21,7 @@ struct NloptProblem {
   Eigen::VectorXd start;              ///< moved into the bounds where it is outside
   Function objective;                 ///< to be minimised
   std::vector<Function> constraints;  ///< each to be <= 0; only for algorithms that take them
+  double first_step{0};               ///< of a local algorithm, in each x; 0: NLopt's own
 };
 
 /// The stopping rules, as inequalities: |dx_i| <= 1e-10 |x_i| or |dx_i| <= 1e-11 for every i (x is

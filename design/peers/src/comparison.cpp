@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -79,7 +80,11 @@ std::vector<Contestant> contestants(const Scene& scene, const Size& size) {
     add("RK4", "step", step,
         [=](const Scene& now) { return runge_kutta4(now, step, most_effort); });
   }
+  const bool has_hold = scene.oscillator.delta > 0 && std::isfinite(scene.oscillator.hold);
   for (const double width : {1e-2, 1e-3}) {
+    if (has_hold) {
+      break;  // which the model does not know
+    }
     add("regularised", "width", width,
         [=](const Scene& now) { return regularised(now, width, size, most_effort); });
   }
@@ -102,12 +107,16 @@ void judge(MethodRow& row, const Scene& scene, const ExactResult& exact, const S
 }
 
 /// The end of the run where none was asked for.
-double far_enough(const Oscillator& oscillator, const Start& start, const Excitation& excitation) {
+double far_enough(const SimulationRequest& request) {
+  const Oscillator& oscillator = request.oscillator;
+  const Start& start = request.start;
+  const Excitation& excitation = request.excitation;
+  const Surface& surface = request.surface;
   constexpr double past_the_rest = 4;
   constexpr double past_the_load = 1.25;
   constexpr double most_counted = 0x1p53;  // closed forms end however long a motion is
   std::optional<double> stop_time;
-  if (std::holds_alternative<NoExcitation>(excitation)) {
+  if (!is_forced(request) && surface.plain()) {
     FreeOptions options;
     options.half_cycle_limit = most_half_cycles;
     const Response response = free_response(oscillator, start, options);
@@ -118,7 +127,7 @@ double far_enough(const Oscillator& oscillator, const Start& start, const Excita
   } else {
     ForcedOptions options;
     options.half_cycle_limit = most_half_cycles;
-    stop_time = forced_response(oscillator, start, excitation, options).stop_time;
+    stop_time = forced_response(oscillator, start, excitation, options, surface).stop_time;
   }
   if (!stop_time) {
     throw InputError("f", oscillator.f,
@@ -138,9 +147,8 @@ double longest(const Scene& scene) {
 }  // namespace
 
 Scene comparison_scene(const SimulationRequest& request) {
-  Scene scene{request.oscillator, request.start, request.excitation};
-  scene.t_end = request.t_end ? *request.t_end
-                              : far_enough(request.oscillator, request.start, request.excitation);
+  const double t_end = request.t_end ? *request.t_end : far_enough(request);
+  const Scene scene{request.oscillator, request.start, request.excitation, t_end, request.surface};
   if (!is_free(scene) && scene.t_end > longest(scene)) {
     throw InputError(
         "t-end", scene.t_end,

@@ -2,6 +2,7 @@
 #include "kernel/excitation_run.hpp"
 #include "kernel/forced_run.hpp"
 #include "kernel/free_run.hpp"
+#include "kernel/on_surface.hpp"
 #include "kernel/phase_clock.hpp"
 
 #include <stillpoint/peers/exact.hpp>
@@ -9,6 +10,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cassert>
+#include <type_traits>
 #include <variant>
 
 namespace stillpoint::peers {
@@ -24,22 +26,34 @@ Wide wide(const Real& value) {
 }
 
 BasicOscillator<Real> widened(const Oscillator& oscillator) {
-  return {Real(oscillator.p), Real(oscillator.f), Real(oscillator.delta)};
+  return {Real(oscillator.p), Real(oscillator.f), Real(oscillator.delta), Real(oscillator.hold)};
+}
+
+BasicSurface<Real> widened(const Surface& surface) {
+  BasicSurface<Real> wide;
+  if (surface.notch_width) {
+    wide.notch_width = Real(*surface.notch_width);
+  }
+  for (const FrictionZone& zone : surface.zones) {
+    wide.zones.push_back({Real(zone.to), Real(zone.f)});
+  }
+  return wide;
 }
 
 BasicStart<Real> widened(const Start& start) {
   return {Real(start.x0), Real(start.v0)};
 }
 
+template <class Run>
 struct Widen {
   const Scene& scene;
-  ForcedRun<Real, NoWatcher>& run;
+  Run& run;
 
   template <class Kind>
   void through(const Kind& kind) const {
     run_until(run, kind, Real(scene.t_end));
   }
-  void operator()(const NoExcitation& /*none*/) const {}
+  void operator()(const NoExcitation& none) const { through(none); }
   void operator()(const Harmonic& e) const {
     through(BasicHarmonic<Real>{Real(e.k), Real(e.lambda), Real(e.phase),
                                 std::optional<Real>(e.duration)});
@@ -75,11 +89,20 @@ ExactResult free_result(const Scene& scene, double most_half_cycles) {
   return result;
 }
 
-ExactResult forced_result(const Scene& scene) {
+ForcedState<Real> end_of_run(const Scene& scene, double most_half_cycles) {
   NoWatcher nobody;
-  ForcedRun<Real, NoWatcher> run(widened(scene.oscillator), widened(scene.start), nobody);
-  std::visit(Widen{scene, run}, scene.excitation);
-  const ForcedState<Real>& state = run.state();
+  return on_surface(widened(scene.oscillator), widened(scene.surface), widened(scene.start), nobody,
+                    {}, [&](auto& run) {
+                      if (std::holds_alternative<NoExcitation>(scene.excitation)) {
+                        run.allow_half_cycles(most_half_cycles);
+                      }
+                      std::visit(Widen<std::decay_t<decltype(run)>>{scene, run}, scene.excitation);
+                      return run.state();
+                    });
+}
+
+ExactResult forced_result(const Scene& scene, double most_half_cycles) {
+  const ForcedState<Real> state = end_of_run(scene, most_half_cycles);
   const Real p(scene.oscillator.p);
   using std::max;
   ExactResult result;
@@ -99,9 +122,10 @@ ExactResult forced_result(const Scene& scene) {
 }  // namespace
 
 ExactResult exact(const Scene& scene, double most_half_cycles) {
-  ExactResult result = std::holds_alternative<NoExcitation>(scene.excitation)
-                           ? free_result(scene, most_half_cycles)
-                           : forced_result(scene);
+  const bool by_map =
+      std::holds_alternative<NoExcitation>(scene.excitation) && scene.surface.plain();
+  ExactResult result =
+      by_map ? free_result(scene, most_half_cycles) : forced_result(scene, most_half_cycles);
   result.rounded.peak = result.peak.near;
   result.rounded.end_time = result.end_time.near;
   result.rounded.x = result.x.near;

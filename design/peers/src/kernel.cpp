@@ -23,7 +23,8 @@ Result common(const Response& response) {
 }  // namespace
 
 Result kernel(const Scene& scene) {
-  if (std::holds_alternative<NoExcitation>(scene.excitation)) {
+  const bool free = std::holds_alternative<NoExcitation>(scene.excitation);
+  if (free && scene.surface.plain()) {
     const Response response = free_response(scene.oscillator, scene.start);
     Result result = common(response);
     result.end_time = response.stop_time.value();
@@ -31,9 +32,11 @@ Result kernel(const Scene& scene) {
     return result;
   }
   ForcedOptions options;
-  options.t_end = scene.t_end;
+  if (!free) {
+    options.t_end = scene.t_end;
+  }
   const ForcedResponse response =
-      forced_response(scene.oscillator, scene.start, scene.excitation, options);
+      forced_response(scene.oscillator, scene.start, scene.excitation, options, scene.surface);
   Result result = common(response);
   result.end_time = response.end_time.value();
   result.x = response.final_position.value();

@@ -3,6 +3,8 @@
 // The usual model without events, e the width as a speed, d as a length:
 //   x' = v,   v' = -W - p^2 x - (f + Delta bump(x)) tanh(v / e),
 //   bump(x) = 1 / (2 d cosh^2(x / d)), whose integral is 1.
+// A notch with a width is no bump but a step of f, like a zone. What a notch holds is that of its
+// bump, so the model has no hold.
 // It creeps where the mass should be held, so rests are read off a band |v| < 3 e: tanh 3 = 0.995
 // counts as held. A turn is an entry into the band or a change of sign of v
 // across it, a stick an entry under a load that friction can hold. A passage leads from beyond
@@ -11,6 +13,7 @@
 
 #include "dopri5.hpp"
 
+#include <stillpoint/peers/ground.hpp>
 #include <stillpoint/peers/methods.hpp>
 
 #include <algorithm>
@@ -27,6 +30,7 @@ class SmoothRun {
       : scene_(scene),
         load_(load),
         stiffness_(scene.oscillator.p * scene.oscillator.p),
+        ground_(scene),
         method_(width * 1e-3, size),
         e_(width * size.speed),
         d_(width * size.length),
@@ -78,25 +82,23 @@ class SmoothRun {
 
   /// On which side of x = 0 the mass is; 0 within the bump.
   [[nodiscard]] int side(const State& state) const {
-    const double beyond = scene_.oscillator.delta > 0 ? edge() : 0;
+    const double beyond = ground_.notch() > 0 ? edge() : 0;
     return state[0] > beyond ? 1 : state[0] < -beyond ? -1 : 0;
   }
 
   [[nodiscard]] double friction(double x) const {
-    if (side_ == 0) {
-      return scene_.oscillator.f;
+    const double f = ground_.friction(std::abs(x));
+    if (side_ == 0 || ground_.notch() == 0) {
+      return f;
     }
     const double c = std::cosh(std::min(std::abs(x) / d_, 300.0));
-    return scene_.oscillator.f + scene_.oscillator.delta / (2 * d_ * c * c);
+    return f + scene_.oscillator.delta / (2 * d_ * c * c);
   }
 
-  /// The longest step that cannot jump over the bump.
+  /// The longest step that cannot jump over the bump or a step of f.
   [[nodiscard]] double reach(const State& state) const {
-    if (scene_.oscillator.delta == 0) {
-      return for_ever;
-    }
     const double speed = std::hypot(state[1], scene_.oscillator.p * state[0]);
-    return std::max(d_, std::abs(state[0]) / 2) / std::max(speed, slowest());
+    return std::max(d_, ground_.from_change(std::abs(state[0])) / 2) / std::max(speed, slowest());
   }
 
   [[nodiscard]] bool held(const State& state, double t) const {
@@ -112,8 +114,8 @@ class SmoothRun {
     if (!at_rest_ || !settled(state)) {
       return Outcome::running;
     }
-    const bool in_notch = scene_.oscillator.delta > 0 && std::abs(state[0]) < edge();
-    return in_notch ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone;
+    const bool in_bump = ground_.notch() > 0 && std::abs(state[0]) < edge();
+    return ground_.rest_at(in_bump ? 0 : state[0]);
   }
 
   void observe(const State& before, const State& now, double t) {
@@ -125,18 +127,23 @@ class SmoothRun {
       result_.sticks += !settled(now) && held(now, t) ? 1 : 0;
     }
     const bool flies_over = !slow(now) && !at_rest_ && before[1] * now[1] < 0;
-    const bool in_bump = scene_.oscillator.delta > 0 && side(now) == 0;
+    const bool in_bump = ground_.notch() > 0 && side(now) == 0;
     result_.turns += (enters || flies_over) && !in_bump ? 1 : 0;
     if (const int where = side(now); where != 0) {
       result_.passages += where == -side_ ? 1 : 0;
       side_ = where;
     }
     at_rest_ = slow(now);
+    ground_.reach(std::abs(now[0]));
+    if (at_rest_) {
+      ground_.rest();
+    }
   }
 
   const Scene& scene_;
   Load load_;
   double stiffness_;
+  Ground ground_;
   Dopri5 method_;
   double e_;
   double d_;

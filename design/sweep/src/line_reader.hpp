@@ -14,8 +14,8 @@ namespace stillpoint::sweep {
 /// records::FileError.
 class LineReader {
  public:
-  /// `path` "-" is standard input.
-  explicit LineReader(const std::string& path);
+  /// `path` "-" is standard input; `kind` says what the file is to the program, file_error.hpp.
+  explicit LineReader(const std::string& path, std::string kind = "list");
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
   LineReader(LineReader&&) = delete;
@@ -36,6 +36,7 @@ class LineReader {
   [[nodiscard]] bool read_more(const std::stop_token& stop);
   [[noreturn]] void refuse_unreadable(int error) const;
 
+  std::string kind_;
   std::string source_;
   int descriptor_;
   std::vector<char> buffer_;

@@ -23,12 +23,14 @@ using records::trimmed;
 bool is_input(Quantity quantity) {
   using enum Quantity;
   return quantity == v0 || quantity == p || quantity == x0 || quantity == beta || quantity == f ||
-         quantity == delta;
+         quantity == delta || quantity == hold || quantity == notch_width;
 }
 
 std::string not_a(std::string_view what, std::string_view found) {
-  return fmt::format("\"{}\" is not a {} of a list, which may have v0, p, x0, beta, f and delta",
-                     printable(found, longest_word), what);
+  return fmt::format(
+      "\"{}\" is not a {} of a list, which may have v0, p, x0, beta, f, delta, hold and "
+      "notch_width",
+      printable(found, longest_word), what);
 }
 
 /// "1 value", "2 values"

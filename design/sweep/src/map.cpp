@@ -44,10 +44,8 @@ std::size_t range_of(double half_cycles) {
 }
 
 std::uint8_t class_of(const SweepBlock& block, Index i) {
-  const auto outcome = static_cast<std::size_t>(block[Quantity::outcome][i]);
-  return outcome == too_many_half_cycles
-             ? SweepClass::too_many
-             : SweepClass::of(static_cast<Outcome>(outcome), block[Quantity::half_cycles][i]);
+  const auto outcome = motion_outcome(static_cast<std::size_t>(block[Quantity::outcome][i]));
+  return outcome ? SweepClass::of(*outcome, block[Quantity::half_cycles][i]) : SweepClass::too_many;
 }
 
 }  // namespace
@@ -59,9 +57,9 @@ std::uint8_t SweepClass::of(Outcome outcome, double half_cycles) {
   }
   switch (outcome) {
     case Outcome::stopped_at_zero:
+    case Outcome::stopped_in_notch:
       return static_cast<std::uint8_t>(range_of(half_cycles));
     case Outcome::stopped_in_dead_zone:
-    case Outcome::stopped_in_notch:
       return static_cast<std::uint8_t>(ranges + range_of(half_cycles));
     case Outcome::caught_at_start:
       return does_not_move;

@@ -17,7 +17,7 @@ namespace {
 
 using enum Quantity;
 
-constexpr std::array motion_inputs{v0, p, x0, f, delta};
+constexpr std::array motion_inputs{v0, p, x0, f, delta, hold, notch_width};
 constexpr std::array design_inputs{v0, p, beta};
 
 constexpr std::array free_results{peak_amplitude, half_cycles, outcome,
@@ -98,6 +98,11 @@ std::optional<std::int64_t> entries(const SweepSpec& spec) {
   return count;
 }
 
+bool given(const SweepSpec& spec, Quantity input) {
+  return (spec.list && spec.list->has(input)) ||
+         std::ranges::find(spec.axes, input, &SweepAxis::quantity) != spec.axes.end();
+}
+
 bool varies(const SweepSpec& spec, Quantity input) {
   return (spec.list && spec.list->has(input)) ||
          std::ranges::any_of(spec.axes, [input](const SweepAxis& swept) {
@@ -108,6 +113,10 @@ bool varies(const SweepSpec& spec, Quantity input) {
 bool from_zero(const SweepSpec& spec) {
   const auto x0 = std::ranges::find(spec.axes, Quantity::x0, &SweepAxis::quantity);
   return x0 != spec.axes.end() && x0->axis.size() == 1 && x0->axis[0] == 0;
+}
+
+bool plain_surface(const SweepSpec& spec) {
+  return spec.zones.empty() && !given(spec, notch_width);
 }
 
 std::span<const Quantity> inputs(SweepKind kind) {
@@ -132,8 +141,8 @@ std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
   const std::size_t inputs_end = inputs(spec.kind).size();
   std::size_t i = 0;
   const auto costs_more = [&](Quantity result) {
-    return (result == stop_time && !times) ||
-           (result == peak_absolute_acceleration && spec.kind == SweepKind::free);
+    return (result == stop_time && !times) || (result == peak_absolute_acceleration &&
+                                               spec.kind == SweepKind::free && plain_surface(spec));
   };
   std::erase_if(columns, [&](Quantity column) {
     return i++ < inputs_end ? !varies(spec, column) : costs_more(column);

@@ -3,7 +3,6 @@
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_batch.hpp>
-#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/problem.hpp>
@@ -27,7 +26,11 @@ constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr double never = std::numeric_limits<double>::infinity();
 
 Oscillator oscillator(const SweepBlock& block, Index i) {
-  return {.p = block[p][i], .f = block[f][i], .delta = block[delta][i]};
+  Oscillator oscillator{.p = block[p][i], .f = block[f][i], .delta = block[delta][i]};
+  if (block[hold].size() > 0) {
+    oscillator.hold = block[hold][i];
+  }
+  return oscillator;
 }
 
 Start start(const SweepBlock& block, Index i) {
@@ -51,7 +54,7 @@ double missing_time(Outcome how) {
 void set_response(SweepBlock& block, Index i, const Response& response) {
   block[peak_amplitude][i] = response.peak_amplitude;
   block[half_cycles][i] = response.half_cycles.value_or(never);
-  block[outcome][i] = static_cast<double>(response.outcome);
+  block[outcome][i] = static_cast<double>(sweep_outcome(response.outcome));
   block[stop_position][i] = response.stop_position.value_or(absent);
   block[stop_time][i] = response.stop_time.value_or(missing_time(response.outcome));
   block[peak_absolute_acceleration][i] = response.peak_absolute_acceleration;
@@ -85,7 +88,7 @@ SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
       stop_(std::move(stop)),
       times_(writes(spec, Quantity::stop_time)),
       acceleration_(writes(spec, Quantity::peak_absolute_acceleration)),
-      from_zero_(from_zero(spec)),
+      in_batches_(from_zero(spec) && plain_surface(spec) && !given(spec, Quantity::hold)),
       one_v0_and_p_(!varies(spec, Quantity::v0) && !varies(spec, Quantity::p)) {}
 
 void SweepStep::operator()(SweepBlock& block) {
@@ -128,8 +131,24 @@ void SweepStep::for_each(const SweepBlock& block, const std::function<void(Index
       block.size, spec_.threads, [this] { return !stop_.stop_requested(); }, body);
 }
 
+Surface SweepStep::surface(const SweepBlock& block, Index i) const {
+  Surface surface{{}, spec_.zones};
+  if (block[notch_width].size() > 0) {
+    surface.notch_width = block[notch_width][i];
+  }
+  return surface;
+}
+
+ForcedOptions SweepStep::forced_options() const {
+  ForcedOptions options;
+  options.t_end = spec_.t_end;
+  options.half_cycle_limit = spec_.half_cycle_limit;
+  options.go_on = [this](double /*tau*/) { return !stop_.stop_requested(); };
+  return options;
+}
+
 void SweepStep::run_free(SweepBlock& block) {
-  if (!from_zero_) {
+  if (!in_batches_) {
     return run_free_one_by_one(block);
   }
   const BatchOptions options{
@@ -168,9 +187,14 @@ void SweepStep::run_free_one_by_one(SweepBlock& block) const {
       .times = times_,
       .margin = false,
       .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit)};
+  const ForcedOptions on_surface = forced_options();
   for_each(block, [&](Index i) {
+    const Surface below = surface(block, i);
     try {
-      set_response(block, i, free_response(oscillator(block, i), start(block, i), options));
+      set_response(block, i,
+                   below.plain() ? free_response(oscillator(block, i), start(block, i), options)
+                                 : forced_response(oscillator(block, i), start(block, i),
+                                                   NoExcitation{}, on_surface, below));
     } catch (const TooManyHalfCycles&) {
       set_too_many(block, i, results(spec_.kind));
     }
@@ -179,11 +203,8 @@ void SweepStep::run_free_one_by_one(SweepBlock& block) const {
 
 void SweepStep::run_forced(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
-  ForcedOptions options;
-  options.t_end = spec_.t_end;
-  options.half_cycle_limit = spec_.half_cycle_limit;
-  options.go_on = [this](double /*tau*/) { return !stop_.stop_requested(); };
-  if (from_zero_) {
+  const ForcedOptions options = forced_options();
+  if (in_batches_) {
     try {
       const auto responses = forced_batch(block[v0], block[p], block[f], block[delta],
                                           spec_.excitation, {options, spec_.threads});
@@ -198,7 +219,8 @@ void SweepStep::run_forced(SweepBlock& block) const {
   for_each(block, [&](Index i) {
     try {
       set_forced(block, i,
-                 forced_response(oscillator(block, i), start(block, i), spec_.excitation, options));
+                 forced_response(oscillator(block, i), start(block, i), spec_.excitation, options,
+                                 surface(block, i)));
     } catch (const TooManyHalfCycles&) {
       set_too_many(block, i, results(spec_.kind));
     }

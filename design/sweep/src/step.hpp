@@ -6,6 +6,7 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/forced_motion.hpp>
 
 #include <functional>
 #include <stop_token>
@@ -29,13 +30,15 @@ class SweepStep {
   void run_free_one_by_one(SweepBlock& block) const;
   void run_forced(SweepBlock& block) const;
   void run_design(SweepBlock& block) const;
+  [[nodiscard]] Surface surface(const SweepBlock& block, Eigen::Index i) const;
+  [[nodiscard]] ForcedOptions forced_options() const;
   void for_each(const SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;
 
   const SweepSpec& spec_;
   std::stop_token stop_;
   bool times_;
   bool acceleration_;
-  bool from_zero_;
+  bool in_batches_;  ///< from x = 0, with the paper's friction and notch
   bool one_v0_and_p_;
   BatchResult batch_;
   SweepBlock plain_;  ///< the block without its units

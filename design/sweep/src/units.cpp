@@ -82,6 +82,8 @@ std::string_view name(Quantity quantity, const std::optional<SweepUnits>& units)
         return "max_displacement";
       case Quantity::delta:
         return "delta_m";
+      case Quantity::notch_width:
+        return "notch_width_m";
       case Quantity::peak_amplitude:
         return "peak_m";
       case Quantity::stop_position:

@@ -4,6 +4,7 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <fmt/format.h>
 
@@ -41,8 +42,8 @@ void require_inputs(const SweepSpec& spec) {
     }
   }
   for (const Quantity input : inputs(spec.kind)) {
-    const bool listed = spec.list && spec.list->has(input);
-    if (!listed && std::ranges::find(spec.axes, input, &SweepAxis::quantity) == spec.axes.end()) {
+    const bool may_be_left_out = input == Quantity::hold || input == Quantity::notch_width;
+    if (!may_be_left_out && !given(spec, input)) {
       throw InputError::missing(
           std::string(name(input, spec.units)),
           fmt::format("give a number, a range first:last:count, or numbers a,b,c{}",
@@ -60,6 +61,10 @@ void require_columns(const SweepSpec& spec) {
       throw InputError("columns", std::string(name(column)),
                        fmt::format("is not a column of a {} sweep", name(spec.kind)));
     }
+    if (contains(inputs(spec.kind), column) && !given(spec, column)) {
+      throw InputError("columns", std::string(name(column, spec.units)),
+                       "is an input that is not given");
+    }
   }
 }
 
@@ -75,14 +80,21 @@ void check(const Corner& corner, const SweepSpec& spec) {
                   spec.limits);
     return;
   }
-  const Oscillator oscillator{
-      .p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)};
+  Oscillator oscillator{.p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)};
+  if (given(spec, Quantity::hold)) {
+    oscillator.hold = at(Quantity::hold);
+  }
+  Surface surface{{}, spec.zones};
+  if (given(spec, Quantity::notch_width)) {
+    surface.notch_width = at(Quantity::notch_width);
+  }
   const Start start{.x0 = at(Quantity::x0), .v0 = at(Quantity::v0)};
   if (spec.kind == SweepKind::forced) {
     require_valid(oscillator, start, spec.excitation, spec.t_end);
   } else {
     require_valid(oscillator, start);
   }
+  require_valid(oscillator, surface);
 }
 
 void check_corners(const SweepSpec& spec) {

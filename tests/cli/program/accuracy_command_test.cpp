@@ -106,6 +106,23 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(real_notches_are_compared_too) {
+  const Arguments motion{"accuracy", "--v0", "1", "--p", "1", "--f", "0.05", "--delta", "0.05"};
+  const json wide = report_of(
+      *this, joined(motion, {"--notch-width", "0.1", "--friction-zones", "0.3:0.1"}));
+  BOOST_TEST(wide["input"]["notch_width"] == 0.1);
+  BOOST_TEST(wide["input"]["friction_zones"][0]["f"] == 0.1);
+  BOOST_TEST(wide["reference"]["outcome"] == "stopped_in_notch");
+  const json held = report_of(*this, joined(motion, {"--hold", "0.2", "--excitation", "half-sine",
+                                                     "--k", "0.5", "--lambda", "1"}));
+  BOOST_TEST(held["input"]["hold"] == 0.2);
+  for (const json& report : {wide, held}) {
+    for (const char* const name : {"stillpoint", "dopri5", "RK4"}) {
+      BOOST_TEST(method(report, name)["counts_right"] == true);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
   const Arguments held{"--v0", "0",    "--p",          "1",         "--f", "1",   "--delta",  "0",
                        "--x0", "-0.5", "--excitation", "half-sine", "--k", "0.5", "--lambda", "1"};

@@ -137,6 +137,23 @@ BOOST_FIXTURE_TEST_CASE(loads_are_in_hertz_and_seconds, Sandbox) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(real_notches_are_in_metres, Sandbox) {
+  const Arguments motion{"--velocity", "0.4", "--period", "2.8", "--f", "0.02"};
+  const SweepTable table =
+      rows(*this, joined(motion, {"--delta-m", "2mm,6mm", "--notch-width-m", "5mm:20mm:2",
+                                  "--friction-zones", "30mm:0.03", "--times"}));
+  BOOST_TEST_REQUIRE(table.rows.size() == 4U);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    check_row(
+        table, i,
+        report_of(*this, joined(joined({"simulate"}, motion),
+                                {"--delta-m", table.at(i, "delta_m"), "--notch-width-m",
+                                 table.at(i, "notch_width_m"), "--friction-zones", "0.03:0.03"})),
+        {"peak_m", "stop_position_m", "stop_time_s"});
+    BOOST_TEST(table.at(i, "outcome") == "stopped_in_notch");
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(scenes_and_columns_and_files_serve, Sandbox) {
   write("scene.json", R"({"velocity": "0.4m/s", "period": ["2s", 3], "f": 0.02,
       "delta_m": "1mm:3mm:3", "mass": "1200t"})");

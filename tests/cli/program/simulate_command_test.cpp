@@ -70,6 +70,25 @@ BOOST_AUTO_TEST_CASE(a_real_notch_and_zones_come_from_flags_and_from_a_scene) {
   BOOST_TEST(scene["input"]["friction_zones"][1]["f"] == 0.4);
 }
 
+BOOST_AUTO_TEST_CASE(edges_of_zones_and_the_hold_may_carry_their_unit) {
+  const Arguments motion{"simulate", "--velocity", "0.4", "--period", "2.8", "--f", "0.02"};
+  const Arguments delta{"--delta-m", "1mm"};
+  const json bare =
+      report_of(*this, joined(motion, joined(delta, {"--friction-zones", "0.02:0.1,0.05:0.06"})),
+                impatient());
+  const json flags =
+      report_of(*this, joined(motion, joined(delta, {"--friction-zones", "20mm:0.1,5 cm:0.06"})),
+                impatient());
+  BOOST_TEST(flags["input"] == bare["input"]);
+  write("zones.json", R"({"velocity": 0.4, "period": 2.8, "f": 0.02, "delta_m": 0.001,
+      "friction_zones": [{"to": "20mm", "f": 0.1}, {"to": 0.05, "f": 0.06}]})");
+  const json scene = report_of(*this, {"simulate", "zones.json"}, impatient());
+  BOOST_TEST(scene["input"] == bare["input"]);
+  const json held =
+      report_of(*this, joined(motion, joined(delta, {"--hold", "0.3g"})), impatient());
+  BOOST_TEST(held["input"]["hold"] == 0.3);
+}
+
 BOOST_AUTO_TEST_CASE(a_design_is_simulated_with_the_notch_that_will_be_built) {
   const Arguments design{"design", "--velocity",         "0.4", "--period",
                          "2.8",    "--max-displacement", "0.15"};

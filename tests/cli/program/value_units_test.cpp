@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "value_units.hpp"
 #include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
+#include "settings.hpp"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(scales_decimal_digits_not_doubles) {
   std::uniform_int_distribution<int> form(0, 3);
   int tried = 0;
   for (const cli::Option& option : cli::options()) {
-    for (const cli::Unit& unit : cli::units_of(option.traits.dimension)) {
+    for (const stillpoint::records::Unit& unit :
+         stillpoint::records::units_of(option.traits.dimension)) {
       for (int i = 0; i < 100; ++i, ++tried) {
         const std::int64_t digits = mantissa(random);
         const int e = exponent(random);

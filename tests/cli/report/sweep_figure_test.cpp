@@ -5,6 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <string>
+
 BOOST_AUTO_TEST_SUITE(sweep_figure_test)
 
 BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
@@ -33,6 +35,12 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.map.key[1].name == "stops off centre");
   BOOST_TEST(figure.map.key[1].hatched);
   BOOST_TEST(figure.map.labels.at(0) == "1");
+  // The boundaries of the first return are those of the paper's notch.
+  BOOST_TEST(!figure.curves.empty());
+  spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});
+  const figures::Figure built = report::page(spec, summary, map).figures.at(0);
+  BOOST_TEST(built.curves.empty());
+  BOOST_TEST(built.description.find("in the notch") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

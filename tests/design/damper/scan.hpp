@@ -17,6 +17,7 @@ namespace stillpoint::design_test {
 class Scan {
  public:
   using Wide = long double;
+  static constexpr int delta_steps = 100;
 
   Scan(const design::Problem& problem, const design::Limits& limits)
       : v0_(problem.v0),
@@ -40,15 +41,19 @@ class Scan {
                                                       : (s - f) * (s - 3 * f) / (2 * p_ * p_);
   }
 
-  /// The largest R of a point, by bisection; negative outside of the region.
-  [[nodiscard]] Wide tolerance(Wide f, Wide delta) const {
+  /// The largest R of a point, by bisection; negative outside of the region. One below `least` need
+  /// not be found: any number below `least` stands for it.
+  [[nodiscard]] Wide tolerance(Wide f, Wide delta, Wide least = 0) const {
     const Wide linear =
         std::min({f2_ > 0 ? 1 - f2_ / f : Wide(1), f_cap_ / f - 1, delta_cap_ / delta - 1});
     const auto stops = [&](Wide r) { return delta * (1 - r) > delta1(f * (1 - r)); };
-    if (!stops(0)) {
+    if (!stops(least)) {
       return -1;
     }
-    Wide low = 0;
+    if (linear < least) {
+      return linear;
+    }
+    Wide low = least;
     Wide high = 1;
     while (high - low > 1e-18L) {
       const Wide middle = (low + high) / 2;
@@ -57,12 +62,12 @@ class Scan {
     return std::min(linear, low);
   }
 
-  /// The largest tolerance of any Delta for f.
-  [[nodiscard]] Wide best_tolerance(Wide f, int steps) const {
+  /// The largest tolerance of any Delta for f, or `best` if that is larger.
+  [[nodiscard]] Wide best_tolerance(Wide f, int steps, Wide best = -1) const {
     const Wide floor = std::max<Wide>(delta1(f), 0);
-    Wide best = -1;
     for (int i = 1; i <= steps; ++i) {
-      best = std::max(best, tolerance(f, floor + (delta_cap_ - floor) * i / steps));
+      const Wide delta = floor + (delta_cap_ - floor) * i / steps;
+      best = std::max(best, tolerance(f, delta, std::max<Wide>(best, 0)));
     }
     return best;
   }
@@ -75,7 +80,7 @@ class Scan {
   }
 
   /// What the objective minimises.
-  [[nodiscard]] Wide cost(design::Objective objective, Wide f, int delta_steps = 100) const {
+  [[nodiscard]] Wide cost(design::Objective objective, Wide f) const {
     const Wide s = radius(f);
     switch (objective) {
       case design::Objective::robust:
@@ -93,10 +98,16 @@ class Scan {
   /// The least cost of all feasible f of the grid (for `robust`, the cost itself says whether f is
   /// feasible); HUGE_VAL if none is.
   [[nodiscard]] Wide least_cost(design::Objective objective) const {
+    if (objective == design::Objective::robust) {
+      Wide best = -1;
+      for (const Wide f : grid(100)) {
+        best = best_tolerance(f, delta_steps, best);
+      }
+      return -best;
+    }
     Wide best = HUGE_VAL;
-    const bool robust = objective == design::Objective::robust;
-    for (const Wide f : grid(robust ? 100 : 1000)) {
-      if (robust || serves(f)) {
+    for (const Wide f : grid(1000)) {
+      if (serves(f)) {
         best = std::min(best, cost(objective, f));
       }
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "testing/forced_scene.hpp"
 #include "testing/printing.hpp"
 #include "testing/scene_s5.hpp"
 
@@ -273,6 +274,94 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
       }
     }
   }
+}
+
+// Notches that hold only so much or have a width, and friction in zones: docs/notches.md section 2.
+// The peers share only the rules with the kernel.
+BOOST_AUTO_TEST_CASE(random_real_notches_follow_the_same_rules) {
+  test::Dice dice(40403);
+  constexpr int count = 400;
+  constexpr double decided_margin = 1e-6;
+  constexpr double tolerance = 1e-8;  // 1e-13 per step, and what the motion enlarges
+  int undecided = 0;
+  for (int i = 0; i < count; ++i) {
+    const test::ForcedScene<> drawn = test::random_notched_scene(dice);
+    const Scene s{drawn.oscillator(), drawn.motion.start(), drawn.excitation,
+                  std::min(drawn.t_end, 25 / drawn.motion.p), drawn.surface};
+    ForcedOptions options;
+    options.t_end = s.t_end;
+    const ForcedResponse exact =
+        forced_response(s.oscillator, s.start, s.excitation, options, s.surface);
+    if (!exact.decision_margin || exact.decision_margin < decided_margin) {
+      ++undecided;
+      continue;
+    }
+    const double length = std::max(exact.peak_amplitude, 1e-300);
+    const Size size{length, s.oscillator.p * length, 1 / s.oscillator.p};
+    const Result result = dopri5(s, 1e-13, size);
+    BOOST_TEST_CONTEXT(drawn) {
+      BOOST_TEST(result.finished);
+      BOOST_TEST(static_cast<double>(result.passages) == *exact.zero_passages);
+      BOOST_TEST(static_cast<double>(result.turns) == *exact.turning_points);
+      BOOST_TEST(static_cast<double>(result.sticks) == exact.sticks);
+      BOOST_TEST(result.outcome == exact.outcome);
+      BOOST_TEST(std::abs(result.peak - exact.peak_amplitude) <= tolerance * size.length);
+      BOOST_TEST(std::abs(result.x - *exact.final_position) <= tolerance * size.length);
+      BOOST_TEST(std::abs(result.v - *exact.final_velocity) <= tolerance * size.speed);
+      BOOST_TEST(std::abs(result.end_time - *exact.end_time) <= tolerance * s.t_end);
+    }
+  }
+  BOOST_TEST(undecided <= count / 10);
+}
+
+// Nothing holds the mass, and the load begins at 0: x'' + x = -k sin(lambda t).
+BOOST_AUTO_TEST_CASE(a_load_that_begins_at_what_friction_holds_moves_the_mass_at_once) {
+  const Scene s = with(Harmonic{0.1, 0.5}, {1, 0, 0}, {0, 0}, 10);
+  const double x = -0.1 * (std::sin(5.0) - 0.5 * std::sin(10.0)) / (1 - 0.25);
+  BOOST_TEST(std::abs(dopri5(s, 1e-12).x - x) < 1e-10);
+  BOOST_TEST(std::abs(runge_kutta4(s, 1e-3).x - x) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(real_notches_are_compared_with_50_digits) {
+  const auto request = [](const Oscillator& oscillator, const Surface& surface,
+                          const Excitation& excitation = {}) {
+    return SimulationRequest{.oscillator = oscillator,
+                             .start = {0, 1},
+                             .excitation = excitation,
+                             .surface = surface,
+                             .half_cycle_limit = {}};
+  };
+  for (const SimulationRequest& one :
+       {request({1, 0.26, 0.37}, {0.05, {}}), request({1, 0.02, 0.02}, {0.1, {{0.3, 0.04}}}),
+        request({1, 0.05, 0.05}, {0.1, {}}, HalfSine{0.5, 1}),
+        request({1, 0.1, 0}, {{}, {{0.2, 0.3}, {0.5, 0.15}}}),
+        request({1, 0.05, 0.05, 0.2}, {}, HalfSine{0.5, 1})}) {
+    const Comparison found = compare(comparison_scene(one));
+    BOOST_TEST(found.rows.front().counts_right);
+    BOOST_TEST(found.rows.front().peak_error <= 1e-15);
+    BOOST_TEST(found.rows.front().end_error <= 1e-14);
+    bool regularised = false;
+    for (const MethodRow& row : found.rows) {
+      regularised = regularised || row.name == "regularised";
+      if ((row.name == "dopri5" && row.setting == 1e-12) ||
+          (row.name == "RK4" && row.setting < 0.002)) {
+        BOOST_TEST(row.counts_right);
+        BOOST_TEST(row.end_error <= 1e-8);
+      }
+    }
+    BOOST_TEST(regularised == std::isinf(one.oscillator.hold));  // the model has no hold
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_regularised_model_knows_widths_and_zones) {
+  const Scene s{{1, 0.02, 0.02}, {0, 1}, NoExcitation{}, 140, {0.1, {{0.3, 0.04}}}};
+  const Result truth = kernel(s);
+  const auto error = [&](double width) {
+    return std::abs(regularised(s, width).end_time - truth.end_time);
+  };
+  BOOST_TEST(error(1e-3) < error(1e-2) / 2);
+  BOOST_TEST(regularised(s, 1e-3).outcome == Outcome::stopped_in_notch);
+  BOOST_TEST(regularised(s, 1e-3).passages == truth.passages);
 }
 
 // k < f: the mass comes to rest for good although the load never ends.

@@ -91,6 +91,7 @@ BOOST_AUTO_TEST_CASE(has_classes_that_tell_outcomes_and_half_cycles_apart) {
   BOOST_TEST(cls(stopped_at_zero, 6) == 3);
   BOOST_TEST(cls(stopped_at_zero, 7) == 4);
   BOOST_TEST(cls(stopped_at_zero, 1e6) == 5);
+  BOOST_TEST(cls(stopped_in_notch, 2) == 1);  // as near to the centre as its notch is wide
   BOOST_TEST(cls(stopped_in_dead_zone, 1) == 6);
   BOOST_TEST(cls(stopped_in_dead_zone, 15) == 10);
   BOOST_TEST(cls(caught_at_start, 0) == 12);

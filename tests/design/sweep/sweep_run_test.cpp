@@ -9,6 +9,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cstring>
 
 BOOST_AUTO_TEST_SUITE(sweep_run_test)
@@ -85,6 +86,65 @@ BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_rows_of_forced_response) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(in_real_notches_has_the_rows_of_one_motion) {
+  SweepSpec spec = free_spec(Axis({0.02, 0.26}), Axis({0.02, 0.37}));
+  spec.axes.push_back({notch_width, Axis({0.01, 0.2})});
+  spec.zones = {{0.3, 0.05}};
+  spec.columns = default_columns(spec, true);
+  const Fields free_rows = rows_of(spec);
+  spec.kind = SweepKind::forced;
+  spec.excitation = HalfSine{.k = 0.5, .lambda = 0.7};
+  spec.columns = default_columns(spec, true);
+  const Fields forced_rows = rows_of(spec);
+  BOOST_TEST_REQUIRE(free_rows.size() == 9U);
+  BOOST_TEST_REQUIRE(forced_rows.size() == 9U);
+  BOOST_TEST(free_rows[0][2] == "notch_width");
+  for (std::size_t i = 1; i < 9; ++i) {
+    const auto motion = [&](const Excitation& excitation) {
+      return forced_response(
+          {.p = 1, .f = std::stod(free_rows[i][0]), .delta = std::stod(free_rows[i][1])},
+          {.x0 = 0, .v0 = 1}, excitation, {}, {std::stod(free_rows[i][2]), spec.zones});
+    };
+    const ForcedResponse free = motion(NoExcitation{});
+    BOOST_TEST((free.outcome == Outcome::stopped_in_notch));
+    check_response(free_rows[i], 3, free);
+    check_same(free_rows[i].at(8), free.peak_absolute_acceleration);
+    const ForcedResponse forced = motion(spec.excitation);
+    check_response(forced_rows[i], 3, forced);
+    check_same(forced_rows[i].at(9), forced.final_position);
+    check_same(forced_rows[i].at(13), forced.peak_absolute_acceleration);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_hold_makes_a_difference_under_a_load_alone) {
+  SweepSpec spec = free_spec(Axis({0.05, 0.1}), Axis({0.05}));
+  const Fields paper = rows_of(spec);
+  spec.axes.push_back({hold, Axis({0, 0.2, 1})});
+  spec.columns = default_columns(spec, true);
+  const Fields free_rows = rows_of(spec);
+  BOOST_TEST_REQUIRE(free_rows.size() == 7U);
+  for (std::size_t i = 1; i < 7; ++i) {
+    const std::vector<std::string>& same = paper[(i + 2) / 3];
+    BOOST_TEST(std::equal(same.begin() + 1, same.end(), free_rows[i].begin() + 2));
+  }
+  spec.kind = SweepKind::forced;
+  spec.excitation = HalfSine{.k = 0.5, .lambda = 1};
+  spec.axes[0].axis = Axis({0});
+  spec.columns = default_columns(spec, true);
+  const Fields forced_rows = rows_of(spec);
+  for (std::size_t i = 1; i < 7; ++i) {
+    const auto response = forced_response({.p = 1,
+                                           .f = std::stod(forced_rows[i][0]),
+                                           .delta = 0.05,
+                                           .hold = std::stod(forced_rows[i][1])},
+                                          {.x0 = 0, .v0 = 0}, spec.excitation, {});
+    check_response(forced_rows[i], 2, response);
+  }
+  // The pulse of 0.5 g does not open a notch that holds 1 g.
+  BOOST_TEST(std::stod(forced_rows[3][2]) == 0);
+  BOOST_TEST(std::stod(forced_rows[2][2]) > 0);
+}
+
 BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_search) {
   SweepSpec spec;
   spec.kind = SweepKind::design;
@@ -131,6 +191,24 @@ BOOST_AUTO_TEST_CASE(as_npy_has_packed_records) {
   BOOST_TEST(value == 0.2);
   // delta = 0.7 > v0^2 / 2 catches the mass at once: outcome 3.
   BOOST_TEST(sink.text.back() == '\x03');
+  // With a width it stops in the notch: outcome 6.
+  spec.axes.push_back({notch_width, Axis({0.1})});
+  MemorySink in_notch;
+  BOOST_TEST(run(spec, in_notch).state.outcomes.at(6) == 2);
+  BOOST_TEST(in_notch.text.back() == '\x06');
+}
+
+BOOST_AUTO_TEST_CASE(every_outcome_has_a_number_of_its_own) {
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    if (const auto outcome = motion_outcome(i)) {
+      BOOST_TEST(sweep_outcome(*outcome) == i);
+      BOOST_TEST(sweep_outcome_name(i) == name(*outcome));
+    } else {
+      BOOST_TEST(i == too_many_half_cycles);
+    }
+  }
+  BOOST_TEST(sweep_outcome_name(5) == "too_many_half_cycles");  // in files since before the notches
+  BOOST_TEST(sweep_outcome_name(6) == "stopped_in_notch");
 }
 
 BOOST_AUTO_TEST_CASE(tells_its_progress_and_stops_when_asked) {

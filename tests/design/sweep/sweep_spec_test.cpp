@@ -44,6 +44,10 @@ BOOST_AUTO_TEST_CASE(default_columns_are_what_varies_and_the_results) {
   BOOST_TEST((default_columns(design, true) == std::vector{beta, feasible, f, delta, tolerance,
                                                            peak_amplitude, stop_time,
                                                            peak_absolute_acceleration}));
+  // It is not a formula where the notch has a width.
+  SweepSpec built = small();
+  built.axes.push_back({notch_width, Axis({0.1})});
+  BOOST_TEST((default_columns(built).back() == peak_absolute_acceleration));
 }
 
 BOOST_AUTO_TEST_CASE(columns_are_read_by_name) {
@@ -71,6 +75,23 @@ BOOST_AUTO_TEST_CASE(that_is_not_valid_names_the_field) {
   check_refused(spec, "columns");
   spec.columns = {sticks};
   check_refused(spec, "columns");  // of forced motions only
+
+  spec.columns = {hold};
+  check_refused(spec, "columns");  // not given
+
+  spec = small();
+  spec.axes.push_back({notch_width, Axis({0.1, 0})});
+  check_refused(spec, "notch-width");
+  spec.axes.back().axis = Axis({0.1});
+  require_valid(spec);
+  spec.axes.push_back({hold, Axis({0.1})});
+  check_refused(spec, "hold");  // a width holds by its friction
+  spec = small();
+  spec.axes.push_back({hold, Axis({0.1, -0.1})});
+  check_refused(spec, "hold");
+  spec = small();
+  spec.zones = {{0.2, 0.1}, {0.1, 0.1}};
+  check_refused(spec, "friction-zones 2: to");
 
   spec = small();
   spec.threads = 0;

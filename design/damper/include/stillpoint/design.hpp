@@ -4,6 +4,7 @@
 // All of stillpoint::design; it includes what it uses of stillpoint::core.
 
 #include <stillpoint/design/built_notch.hpp>
+#include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/hits.hpp>
@@ -11,6 +12,8 @@
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/design/works_for.hpp>

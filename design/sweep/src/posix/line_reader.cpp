@@ -35,8 +35,9 @@ bool ready(int descriptor, const std::stop_token& stop) {
 
 }  // namespace
 
-LineReader::LineReader(const std::string& path)
-    : source_(path == "-" ? "standard input" : path),
+LineReader::LineReader(const std::string& path, std::string kind)
+    : kind_(std::move(kind)),
+      source_(path == "-" ? "standard input" : path),
       descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)),
       buffer_(buffer_size) {
   if (descriptor_ < 0) {
@@ -51,7 +52,7 @@ LineReader::~LineReader() {
 }
 
 void LineReader::refuse(std::optional<std::int64_t> line, std::string_view what) const {
-  records::FilePlace place{.kind = "list", .path = source_};
+  records::FilePlace place{.kind = kind_, .path = source_};
   if (line) {
     place.line = static_cast<std::size_t>(*line);
   }
@@ -59,7 +60,7 @@ void LineReader::refuse(std::optional<std::int64_t> line, std::string_view what)
 }
 
 void LineReader::refuse_unreadable(int error) const {
-  throw records::FileError::unreadable({.kind = "list", .path = source_}, error);
+  throw records::FileError::unreadable({.kind = kind_, .path = source_}, error);
 }
 
 /// False if there is nothing more.

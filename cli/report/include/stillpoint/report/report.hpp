@@ -6,9 +6,11 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/built_notch.hpp>
+#include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/report/document.hpp>
@@ -16,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,17 +26,27 @@
 
 namespace stillpoint::report {
 
+/// The parts of a file, best first.
+struct Catalogue {
+  std::string file;
+  std::vector<design::RatedPart> parts;
+};
+
 /// Where an input was given in metres and seconds, `physical` has it, and reports are in both.
 struct DesignReport {
   design::DesignResult result;
   std::optional<design::PhysicalInput> physical{};
   std::optional<design::BuiltNotch> built_notch{};  ///< of the finding, if a width was given
+  std::optional<Catalogue> catalogue{};             ///< of which the finding is the best
+  std::optional<std::int64_t> trade_offs{};         ///< how many were asked for
+  std::optional<std::vector<design::TradeOff>> trade_off{};
 };
 
 struct RegionReport {
   design::RegionRequest request;
   design::RegionAnswer answer;
   std::optional<design::PhysicalInput> physical{};
+  std::optional<Catalogue> catalogue{};
 };
 
 /// Where an acceleration record comes from.
@@ -86,8 +99,8 @@ struct AccuracyReport {
                                          const std::optional<design::PhysicalInput>& physical);
 
 /// The ids of the figures that a page may have.
-inline constexpr std::array<std::string_view, 6> design_figures{"region", "hits",   "motion",
-                                                                "phase",  "energy", "pulse"};
+inline constexpr std::array<std::string_view, 8> design_figures{
+    "region", "trade-off", "trade-off-tolerance", "hits", "motion", "phase", "energy", "pulse"};
 inline constexpr std::array<std::string_view, 2> region_figures{"region", "hits"};
 inline constexpr std::array<std::string_view, 4> motion_figures{"motion", "phase", "energy",
                                                                 "excitation"};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <Eigen/Core>
 
@@ -15,10 +16,12 @@ struct BatchOptions {
   bool acceleration{false};  ///< peak_absolute_acceleration as well
   /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
   double half_cycle_limit{1e8};
-  int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
+  int threads{0};     ///< 0: as many as the machine runs at once. No result depends on it.
+  Surface surface{};  ///< under every mass; any but the paper's runs without lanes, much slower
 };
 
-/// The metrics of entry i are the i-th of each array, and they are those of free_response.
+/// The metrics of entry i are the i-th of each array, and they are those of free_response,
+/// or on a surface those of forced_response without an excitation.
 ///
 /// An array cannot hold an empty value, so the outcome says which values exist: where outcome[i] is
 /// never_stops, half_cycles[i] and stop_time[i] are infinite and stop_position[i] is 0, and none of

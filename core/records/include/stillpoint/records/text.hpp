@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ inline constexpr std::size_t longest_path = 300;
 /// Text from a file, made fit for a terminal and for JSON: shortened, with a '?' for each control
 /// byte and, if the text is not UTF-8, for each byte beyond ASCII.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest);
+
+/// "robust, amplitude, time or acceleration"; of at least two.
+[[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
 /// A part of a file as messages quote it.
 [[nodiscard]] std::string quoted(std::string_view text);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One motion by an integrator: the rules of docs/forced.md section 1 around pieces in which the
-// sign s of v is constant,
+// One motion by an integrator: the rules of docs/forced.md section 1 and docs/notches.md section 2
+// around pieces in which the sign s of v and the friction f are constant,
 //   x' = v,   v' = -W(t) - p^2 x - s f.
 // An event is found as users do it: a change of sign over a step, then a bracketed root on the
 // integrator's own states within the step.
@@ -12,10 +12,11 @@
 //   step(motion, limit)      one step, to `limit` at most; says where it ended and what it located
 //   state()                  at the end of that step
 //   at(motion, t)            within that step
-//   locates_events           whether the integrator looks for the events itself; it then ends its
-//                            steps at them, and at() is not used
+//   locates_events           whether the integrator looks for turns and x = 0 itself; it then ends
+//                            its steps at them, at() is not used, and scenes have no other edges
 //   has_dense_output         whether at() is cheap
 
+#include <stillpoint/peers/ground.hpp>
 #include <stillpoint/peers/load.hpp>
 #include <stillpoint/peers/methods.hpp>
 #include <stillpoint/peers/scene.hpp>
@@ -105,7 +106,8 @@ class EventRun {
         method_(method),
         effort_left_(most),
         stiffness_(scene.oscillator.p * scene.oscillator.p),
-        notch_(2 * scene.oscillator.delta),
+        ground_(scene),
+        notch_(ground_.notch()),
         state_{scene.start.x0, scene.start.v0} {}
 
   Result run() {
@@ -125,18 +127,26 @@ class EventRun {
   [[nodiscard]] double& x() { return state_[0]; }
   [[nodiscard]] double& v() { return state_[1]; }
   [[nodiscard]] double load() const { return load_(t_) + stiffness_ * state_[0]; }
-  [[nodiscard]] bool held() const { return std::abs(load()) <= scene_.oscillator.f; }
+  [[nodiscard]] static double pushed_by(double load) { return load > 0 ? -1 : 1; }
+  [[nodiscard]] bool holds(double load) const {
+    return std::abs(load) <= ground_.capacity(pushed_by(load), state_[0]);
+  }
+  [[nodiscard]] bool held() const { return holds(load()); }
   /// At rest, and no load to come will ever move it: a harmonic one swings to +-k for ever.
   [[nodiscard]] bool held_for_ever() const {
-    return load_.largest() + std::abs(stiffness_ * state_[0]) <= scene_.oscillator.f;
+    const double spring = stiffness_ * state_[0];
+    return holds(spring + load_.largest()) && holds(spring - load_.largest());
   }
 
   void begin() {
     enter_stretch();
     if (x() == 0 && v() != 0 && v() * v() < notch_) {
       v() = 0;
-      stop(Outcome::caught_at_start);
+      if (!ground_.lets_go()) {
+        stop(Outcome::caught_at_start);
+      }
     }
+    moved_ = v() != 0;
     result_.peak = std::abs(x());
     resting_ = v() == 0;
     rest_begin_ = t_;
@@ -150,7 +160,7 @@ class EventRun {
 
   void stop_where_it_rests() {
     t_ = rest_begin_;
-    stop(x() == 0 ? Outcome::stopped_at_zero : Outcome::stopped_in_dead_zone);
+    stop(ground_.rest_at(x()));
   }
 
   void finish() {
@@ -179,7 +189,7 @@ class EventRun {
 
   void rest() {
     if (!held()) {
-      return set_off();
+      return set_off(pushed_by(load()));
     }
     if (held_for_ever()) {
       return stop_where_it_rests();
@@ -188,26 +198,31 @@ class EventRun {
     const double from = t_;
     t_ = std::min({t_ + load_.scan_step(), load_.stretch_end(), scene_.t_end});
     if (!held()) {
-      const double limit = std::copysign(scene_.oscillator.f, load());
+      const double s = pushed_by(load());
+      const double limit = -s * ground_.capacity(s, x());
       const auto excess = [&](double t) { return load_(t) + stiffness_ * x() - limit; };
-      t_ = bracketed_root(excess, from, t_);
-      return set_off(-limit);
+      const double root = bracketed_root(excess, from, t_);
+      // A load that was at the limit before is beyond it at once.
+      t_ = root == t_ && excess(from) == 0 ? from : root;
+      enter_stretch();
+      return set_off(s);
     }
     enter_stretch();
   }
 
-  void set_off() { set_off(-load()); }
-
-  void set_off(double push) {
+  void set_off(double s) {
     effort_left_ -= event_effort;
     result_.sticks += t_ > rest_begin_ ? 1 : 0;
-    direction_ = push < 0 ? -1 : 1;
+    direction_ = s;
     resting_ = false;
+    result_.passages += moved_ && x() == 0 && notch_ > 0 ? 1 : 0;  // out of the notch
+    moved_ = true;
   }
 
   void slide() {
     const double s = direction_;
-    const Motion<Load> motion{load_, stiffness_, s, s * scene_.oscillator.f};
+    const Motion<Load> motion{load_, stiffness_, s, s * ground_.friction_towards(s, x())};
+    edge_ = ground_.edge_towards(s, x());
     method_.begin(motion, t_, state_);
     const bool inward = s * x() < 0;
     while (t_ < scene_.t_end && effort_left_ > 0) {
@@ -227,13 +242,12 @@ class EventRun {
   /// Takes over the step up to the event in it; whether there was one.
   bool step_ends(const Motion<Load>& motion, const Step& step, bool inward) {
     const double s = direction_;
-    const bool notched = inward && notch_ > 0;
     t_ = step.to;
     state_ = method_.state();
     if constexpr (Method::locates_events) {
       if (step.event == Located::turn) {
         turn(inward);
-      } else if (step.event == Located::arrival && notched) {
+      } else if (step.event == Located::arrival && edge_ == 0) {
         arrive();
       } else {
         return false;
@@ -241,14 +255,14 @@ class EventRun {
       return true;
     } else {
       const bool turned = s * v() <= 0;
-      if (!turned && !(notched && s * x() >= 0)) {
+      if (!turned && !(s * x() >= edge_)) {
         return false;
       }
       if (turned) {
         locate(motion, 1, step.from, step.to);
       }
-      // If the motion turns within the step, its position there says whether it met the notch.
-      if (notched && s * x() >= 0) {
+      // If the motion turns within the step, its position there says whether it met the edge.
+      if (s * x() >= edge_) {
         locate(motion, 0, step.from, t_);
         arrive();
       } else {
@@ -258,17 +272,18 @@ class EventRun {
     }
   }
 
-  /// To where x (0) or v (1) vanishes within the step.
+  /// To where x comes to the edge (0) or v vanishes (1) within the step.
   void locate(const Motion<Load>& motion, std::size_t which, double from, double to) {
+    const double level = which == 0 ? direction_ * edge_ : 0;
     if constexpr (Method::has_dense_output) {
-      const auto value = [&](double t) { return method_.at(motion, t)[which]; };
+      const auto value = [&](double t) { return method_.at(motion, t)[which] - level; };
       t_ = bracketed_root(value, from, to);
     } else {
       const auto value_and_rate = [&](double t) {
         const State now = method_.at(motion, t);
         State rate;
         motion(now, rate, t);
-        return std::pair(now[which], rate[which]);
+        return std::pair(now[which] - level, rate[which]);
       };
       t_ = newton_root(value_and_rate, from, to);
     }
@@ -280,9 +295,14 @@ class EventRun {
   void turn(bool inward) {
     effort_left_ -= event_effort;
     count_passage(inward);
-    v() = 0;
     ++result_.turns;
     result_.peak = std::max(result_.peak, std::abs(x()));
+    come_to_rest();
+  }
+
+  void come_to_rest() {
+    v() = 0;
+    ground_.rest();
     resting_ = true;
     rest_begin_ = t_;
     enter_stretch();
@@ -290,14 +310,20 @@ class EventRun {
 
   void arrive() {
     effort_left_ -= event_effort;
-    const double left = v() * v() - notch_;
-    x() = 0;
-    if (left <= 0) {
-      v() = 0;
-      return stop(Outcome::stopped_at_zero);
+    x() = direction_ * edge_;
+    ground_.reach(edge_);
+    if (edge_ == 0) {
+      const double left = v() * v() - notch_;
+      if (left <= 0 && !ground_.lets_go()) {
+        v() = 0;
+        return stop(Outcome::stopped_at_zero);
+      }
+      if (left <= 0) {
+        return come_to_rest();
+      }
+      v() = direction_ * std::sqrt(left);
+      ++result_.passages;
     }
-    v() = direction_ * std::sqrt(left);
-    ++result_.passages;
     enter_stretch();
   }
 
@@ -308,11 +334,14 @@ class EventRun {
   Method& method_;
   std::int64_t effort_left_;
   double stiffness_;
+  Ground ground_;
   double notch_;
+  double edge_{0};  ///< s x where the piece ends
   State state_;
   double t_{0};
   double direction_{1};
   bool resting_{false};
+  bool moved_{false};
   double rest_begin_{0};
   Result result_;
 };

@@ -25,12 +25,13 @@ inline constexpr std::int64_t usual_effort = 20'000'000;
 
 /// The model without events: sgn v becomes tanh(v / e), dirac(x) a bump, both `width` wide as a
 /// part of `size`, and dopri5 integrates it with the tolerance width / 1000. Below 3 e the mass
-/// counts as at rest.
+/// counts as at rest. It knows no hold.
 [[nodiscard]] Result regularised(const Scene& scene, double width, const Size& size = {},
                                  std::int64_t most = usual_effort);
 
 /// This project's kernel with all that it computes by default: counts, peaks, times, margin. A
-/// scene without excitation goes to free_response, the others to forced_response up to t_end.
+/// scene without excitation goes to free_response, or on a surface to forced_response, the others
+/// to forced_response up to t_end.
 [[nodiscard]] Result kernel(const Scene& scene);
 
 }  // namespace stillpoint::peers

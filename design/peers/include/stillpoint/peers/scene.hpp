@@ -4,6 +4,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -16,6 +17,7 @@ struct Scene {
   Start start;
   Excitation excitation;
   double t_end{0};  ///< tau at which the run ends, > 0 and finite; it ends before in a final rest
+  Surface surface{};
 };
 
 /// The result of a method, dimensionless; the counts are defined as in core's Response.

@@ -23,8 +23,8 @@ class SweepClass {
   /// The first of each range of half-cycles.
   static constexpr std::array<int, 6> first_half_cycles{1, 2, 3, 4, 7, 16};
   static constexpr std::size_t ranges = first_half_cycles.size();
-  /// A stop at x = 0 by ranges, one off x = 0 by ranges, then: does not move, never stops, is not
-  /// known to have stopped, has more half-cycles than the sweep allows.
+  /// A stop at x = 0 or within a notch by ranges, one beyond it by ranges, then: does not move,
+  /// never stops, is not known to have stopped, has more half-cycles than the sweep allows.
   static constexpr std::size_t count = 2 * ranges + 4;
 
   static constexpr std::uint8_t too_many = count - 1;

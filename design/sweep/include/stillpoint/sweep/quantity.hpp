@@ -21,6 +21,8 @@ enum class Quantity : std::uint8_t {
   feasible,
   f,
   delta,
+  hold,
+  notch_width,
   tolerance,
   peak_amplitude,
   half_cycles,
@@ -56,6 +58,8 @@ inline constexpr std::array quantity_forms{
     QuantityForm{Quantity::feasible, "feasible", Form::truth},
     QuantityForm{Quantity::f, "f"},
     QuantityForm{Quantity::delta, "delta"},
+    QuantityForm{Quantity::hold, "hold"},
+    QuantityForm{Quantity::notch_width, "notch_width"},
     QuantityForm{Quantity::tolerance, "tolerance"},
     QuantityForm{Quantity::peak_amplitude, "peak_amplitude"},
     QuantityForm{Quantity::half_cycles, "half_cycles"},
@@ -85,15 +89,28 @@ constexpr Form form(Quantity quantity) {
 /// '-' and '_' are the same.
 [[nodiscard]] std::optional<Quantity> find_quantity(std::string_view name);
 
-/// How an entry of a sweep ends: an Outcome, by its number, or this one after them.
-// No motion of a sweep ends in a notch with a width: that outcome comes after it.
-inline constexpr std::size_t too_many_half_cycles = static_cast<std::size_t>(Outcome::running) + 1;
-inline constexpr std::size_t sweep_outcome_count = too_many_half_cycles + 1;
+/// How an entry of a sweep ends, by number: an Outcome or, among them, too_many_half_cycles, whose
+/// byte in files is older than stopped_in_notch.
+inline constexpr std::size_t too_many_half_cycles =
+    static_cast<std::size_t>(Outcome::stopped_in_notch);
+inline constexpr std::size_t sweep_outcome_count = too_many_half_cycles + 2;
+
+[[nodiscard]] constexpr std::size_t sweep_outcome(Outcome outcome) {
+  const auto number = static_cast<std::size_t>(outcome);
+  return number < too_many_half_cycles ? number : number + 1;
+}
+
+/// Empty for too_many_half_cycles.
+[[nodiscard]] constexpr std::optional<Outcome> motion_outcome(std::size_t number) {
+  return number == too_many_half_cycles  ? std::nullopt
+         : number < too_many_half_cycles ? std::optional(static_cast<Outcome>(number))
+                                         : std::optional(static_cast<Outcome>(number - 1));
+}
 
 /// The name in rows and reports.
-[[nodiscard]] inline std::string_view sweep_outcome_name(std::size_t outcome) {
-  return outcome == too_many_half_cycles ? "too_many_half_cycles"
-                                         : name(static_cast<Outcome>(outcome));
+[[nodiscard]] inline std::string_view sweep_outcome_name(std::size_t number) {
+  const auto outcome = motion_outcome(number);
+  return outcome ? name(*outcome) : "too_many_half_cycles";
 }
 
 }  // namespace stillpoint::sweep

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/surface.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
@@ -34,16 +35,18 @@ enum class RowFormat { csv, npy };
 struct SweepSpec {
   SweepKind kind{SweepKind::free};
   /// Inputs and results of the rows are physical, see units.hpp; not beside a list. Excitation,
-  /// t_end and limits are dimensionless by these units.
+  /// t_end, zones and limits are dimensionless by these units.
   std::optional<SweepUnits> units{};
   /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has
-  /// one value and stands for an input that is not a column.
+  /// one value and stands for an input that is not a column. Without hold or notch_width the notch
+  /// is the paper's.
   std::vector<SweepAxis> axes;
   std::shared_ptr<List> list;     ///< empty for a grid; it is read once, from its beginning
   std::vector<Quantity> columns;  ///< of the output; see default_columns
   int threads{1};                 ///< no result depends on it
 
   std::optional<double> half_cycle_limit;  ///< of motions, 1 to 1e15; empty: as in core
+  std::vector<FrictionZone> zones;         ///< of motions; see Surface
   Excitation excitation;                   ///< of forced motions, as is
   std::optional<double> t_end;             ///< required if the excitation never ends
 
@@ -62,17 +65,24 @@ struct SweepSpec {
 /// The number of entries of a grid; empty for a list. Throws InputError above 1e15.
 [[nodiscard]] std::optional<std::int64_t> entries(const SweepSpec& spec);
 
+/// Whether the input has an axis or is a column of the list.
+[[nodiscard]] bool given(const SweepSpec& spec, Quantity input);
+
 /// Whether the input takes more than one value.
 [[nodiscard]] bool varies(const SweepSpec& spec, Quantity input);
 
 /// Whether every motion starts at x = 0.
 [[nodiscard]] bool from_zero(const SweepSpec& spec);
 
+/// Whether friction is the paper's under every motion: a constant f and all of delta at x = 0.
+[[nodiscard]] bool plain_surface(const SweepSpec& spec);
+
 /// Throws InputError for an input that is missing, given twice or wrong. Of a grid the corners are
 /// checked: what is wrong with a grid mostly shows there, before hours of it are done.
 void require_valid(const SweepSpec& spec);
 
-/// What an entry is made of, in the order of the columns.
+/// What an entry is made of, in the order of the columns. Of motions, hold and notch_width may be
+/// left out.
 [[nodiscard]] std::span<const Quantity> inputs(SweepKind kind);
 
 /// What is computed of an entry, in the order of the columns.

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "options.hpp"
-#include "settings.hpp"
-
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
+
+/// What a value measures, which decides the units that it may carry.
+enum class Dimension {
+  none,
+  length,
+  velocity,
+  time,
+  frequency,
+  mass,
+  stiffness,
+  acceleration,
+  gravities,  ///< an acceleration as a multiple of g
+};
 
 /// A unit is a power of ten of the SI unit of its dimension.
 struct Unit {
@@ -18,7 +27,7 @@ struct Unit {
   int power_of_ten;
 };
 
-/// The units of a dimension, the SI unit first; of k that is g. None for a plain number.
+/// The units of a dimension, the SI unit first; of gravities that is g. None for a plain number.
 [[nodiscard]] std::vector<Unit> units_of(Dimension dimension);
 
 /// "m, cm or mm"; "" for a plain number.
@@ -26,13 +35,12 @@ struct Unit {
 
 /// "150mm" is 0.15 for a length: the number is scaled as decimal digits before it is rounded, so
 /// 150mm and 0.15 are the same double. A bare number is in the SI unit. Throws InputError, which
-/// names the option, the text and the units that it accepts.
-[[nodiscard]] double parse_value(const Option& option, std::string_view text);
-
-/// The same for each number of an axis: "100mm:200mm:5".
-[[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
+/// names the field, the text and the units that it accepts; of a plain number it ends in
+/// `instead`, what to give with a unit.
+[[nodiscard]] double parse_value(std::string_view field, Dimension dimension, std::string_view text,
+                                 std::string_view instead = "");
 
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

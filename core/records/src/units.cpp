@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "value_units.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,7 @@
 #include <charconv>
 #include <optional>
 
-namespace stillpoint::cli {
+namespace stillpoint::records {
 
 namespace {
 
@@ -92,28 +91,6 @@ bool is_known(std::string_view unit) {
   return std::ranges::find(unit_table, unit, &Unit::name) != unit_table.end();
 }
 
-/// "; in physical units give --period or --stiffness", for an option that has such rivals.
-std::string physical_rivals(const Option& option) {
-  std::string found;
-  for (const Option& other : options()) {
-    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
-        other.traits.dimension != none) {
-      found += fmt::format("{}--{}", found.empty() ? "" : " or ", other.name);
-    }
-  }
-  return found.empty() ? "" : fmt::format("; with a unit give {}", found);
-}
-
-InputError wrong_unit(const Option& option, std::string_view text) {
-  const std::vector<Unit> accepted = units_of(option.traits.dimension);
-  return {
-      std::string(option.name), fmt::format("\"{}\"", text),
-      accepted.empty()
-          ? fmt::format("must be a number without a unit{}", physical_rivals(option))
-          : fmt::format("must be a number in {}, or end in {}", accepted.front().name,
-                        accepted.size() == 1 ? "this unit" : unit_names(option.traits.dimension))};
-}
-
 }  // namespace
 
 std::vector<Unit> units_of(Dimension dimension) {
@@ -131,29 +108,28 @@ std::string unit_names(Dimension dimension) {
   return list.empty() ? "" : list.size() == 1 ? std::string(list.front()) : listed(list);
 }
 
-double parse_value(const Option& option, std::string_view text) {
+double parse_value(std::string_view field, Dimension dimension, std::string_view text,
+                   std::string_view instead) {
   const auto parts = divided(text);
-  if (!parts || parts->unit.empty() ||
-      (option.traits.dimension == none && !is_known(parts->unit))) {
-    return records::parse_number(option.name, text);
+  if (!parts || parts->unit.empty() || (dimension == none && !is_known(parts->unit))) {
+    return parse_number(field, text);
   }
-  for (const Unit& unit : units_of(option.traits.dimension)) {
-    if (unit.name == parts->unit) {
-      const auto scanned = records::scan_number(moved(parts->number, unit.power_of_ten));
-      if (scanned.fault != records::NumberFault::none) {
-        throw InputError(std::string(option.name), std::string(text),
-                         "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
-      }
-      return scanned.value;
-    }
+  const std::vector<Unit> accepted = units_of(dimension);
+  const auto unit = std::ranges::find(accepted, parts->unit, &Unit::name);
+  if (unit == accepted.end()) {
+    throw InputError(
+        std::string(field), fmt::format("\"{}\"", shortened(text, longest_word)),
+        accepted.empty()
+            ? fmt::format("must be a number without a unit{}", instead)
+            : fmt::format("must be a number in {}, or end in {}", accepted.front().name,
+                          accepted.size() == 1 ? "this unit" : unit_names(dimension)));
   }
-  throw wrong_unit(option, records::shortened(text, records::longest_word));
-}
-
-Axis axis_value(const Option& option, std::string_view text) {
-  return sweep::parse_axis(option.name, text, [&option](std::string_view number) {
-    return parse_value(option, number);
-  });
+  const auto scanned = scan_number(moved(parts->number, unit->power_of_ten));
+  if (scanned.fault != NumberFault::none) {
+    throw InputError(std::string(field), std::string(text),
+                     "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+  }
+  return scanned.value;
 }
 
 bool has_unit(std::string_view text) {
@@ -161,4 +137,4 @@ bool has_unit(std::string_view text) {
   return parts && !parts->unit.empty();
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::records

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What there is to choose from: the parts of a catalogue and the front of a trade-off.
+
+#include "units.hpp"
+
+#include <stillpoint/design/catalogue.hpp>
+#include <stillpoint/design/trade_off.hpp>
+#include <stillpoint/figures/figure.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::report {
+
+/// What a part is judged by.
+struct PartTask {
+  const design::Problem& problem;
+  const design::Limits& limits;
+  const Physical& physical;
+};
+
+/// "exceeds 150 mm: f 12 % too small; ...", or "fits".
+[[nodiscard]] std::string judgement(const design::RatedPart& rated, const PartTask& task);
+
+/// "7 of 40 parts fit".
+[[nodiscard]] std::string how_many_fit(const std::vector<design::RatedPart>& parts);
+
+/// The best parts, and what the others fail by.
+void add_parts(Document& document, const Catalogue& catalogue, const PartTask& task);
+/// Their marks, without those beyond the axes.
+void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);
+
+/// From one end of the front to the other, in a sentence; and its table.
+[[nodiscard]] std::string trade_off_words(const std::vector<design::TradeOff>& front,
+                                          const Physical& physical);
+void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
+                   const Physical& physical);
+/// Acceleration over stroke, and tolerance below it.
+[[nodiscard]] std::vector<figures::Figure> trade_off_figures(
+    const std::vector<design::TradeOff>& front, const design::Finding& chosen,
+    const FigureUnits& units);
+
+/// Null without a catalogue, without a trade-off.
+[[nodiscard]] nlohmann::ordered_json catalogue_json(const std::optional<Catalogue>& catalogue,
+                                                    const PartTask& task);
+[[nodiscard]] nlohmann::ordered_json trade_off_json(
+    const std::optional<std::vector<design::TradeOff>>& front, const Physical& physical);
+
+}  // namespace stillpoint::report

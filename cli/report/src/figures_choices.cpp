@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "choices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace stillpoint::report {
+
+using figures::Figure;
+using figures::FigurePoint;
+using figures::Fill;
+using figures::Ink;
+using figures::Shape;
+using fmt::format;
+
+namespace {
+
+/// One of the quantities over the stroke.
+Figure over_stroke(const std::vector<design::TradeOff>& front, const FigureUnits& units,
+                   std::string name, double (*quantity)(const design::TradeOff&), Ink ink) {
+  Figure figure;
+  figure.height = 170;
+  figures::FigureCurve curve{std::move(name), {{}}, ink};
+  double least = HUGE_VAL;
+  double most = 0;
+  for (const design::TradeOff& now : front) {
+    curve.strokes[0].push_back({now.peak_amplitude * units.length, quantity(now)});
+    least = std::min(least, quantity(now));
+    most = std::max(most, quantity(now));
+  }
+  const auto unit = [](const std::string& words) { return words.empty() ? "" : ", " + words; };
+  figure.x = figures::axis_around("stroke" + unit(units.length_unit), curve.strokes[0].back().x,
+                                  curve.strokes[0].front().x);
+  figure.y = figures::axis_around(curve.name, least, most);
+  figure.curves.push_back(std::move(curve));
+  return figure;
+}
+
+}  // namespace
+
+void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& units) {
+  std::vector<FigurePoint> fit;
+  std::vector<FigurePoint> fail;
+  std::size_t outside = 0;
+  for (const design::RatedPart& rated : catalogue.parts) {
+    const FigurePoint at{rated.part.f, rated.part.delta * units.length};
+    const auto within = [](double position) { return position >= 0 && position <= 1; };
+    if (!within(figure.x.position(at.x)) || !within(figure.y.position(at.y))) {
+      ++outside;
+    } else {
+      (rated.admissible ? fit : fail).push_back(at);
+    }
+  }
+  const auto add = [&figure](const char* name, std::vector<FigurePoint> points, Shape shape,
+                             Ink ink, Fill fill) {
+    if (!points.empty()) {
+      figure.description += format(" {}: {}.", name, points.size());
+      figure.marks.insert(figure.marks.begin(), {name, std::move(points), shape, ink, fill});
+    }
+  };
+  add("parts that fail", std::move(fail), Shape::cross, Ink::orange, Fill::solid);
+  add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
+  if (outside > 0) {
+    figure.caption += format(" {} of the {} parts {} outside of this figure.", outside,
+                             catalogue.parts.size(), outside == 1 ? "lies" : "lie");
+  }
+}
+
+std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front,
+                                      const design::Finding& chosen, const FigureUnits& units) {
+  Figure acceleration = over_stroke(
+      front, units, "acceleration, g",
+      [](const design::TradeOff& now) { return now.peak_absolute_acceleration; }, Ink::orange);
+  acceleration.id = "trade-off";
+  acceleration.title = "Trade-off of stroke, acceleration and tolerance";
+  Figure tolerance = over_stroke(
+      front, units, "tolerance, %",
+      [](const design::TradeOff& now) { return 100 * now.damper.tolerance; }, Ink::blue);
+  tolerance.id = "trade-off-tolerance";
+  tolerance.title = "Tolerance of the same dampers";
+  tolerance.below = true;
+  tolerance.caption =
+      "Each point is the most tolerant damper with that stroke. No damper is better in one of the "
+      "three without being worse in another.";
+  const double stroke = chosen.response.peak_amplitude * units.length;
+  const auto mark = [stroke](Figure& figure, double y) {
+    figure.y.most = std::max(figure.y.most, y);
+    figure.y.least = std::min(figure.y.least, y);
+    figure.marks.push_back({"design", {{stroke, y}}, Shape::diamond, Ink::blue});
+  };
+  mark(acceleration, chosen.response.peak_absolute_acceleration);
+  mark(tolerance, 100 * chosen.point.tolerance);
+  acceleration.description = format(
+      "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
+      "{:.4g} g. The design has {} at {:.4g} g.",
+      units.length_words(front.front().peak_amplitude), front.front().peak_absolute_acceleration,
+      units.length_words(front.back().peak_amplitude), front.back().peak_absolute_acceleration,
+      units.length_words(chosen.response.peak_amplitude),
+      chosen.response.peak_absolute_acceleration);
+  tolerance.description = format("The largest tolerance for each stroke; the design has {:.3g} %.",
+                                 100 * chosen.point.tolerance);
+  return {std::move(acceleration), std::move(tolerance)};
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "choices.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+namespace {
+
+constexpr std::size_t most_rows = 20;
+
+/// What goes wrong where a constraint is violated.
+std::string consequence(const design::Constraint& violated, const PartTask& task) {
+  const std::string_view name = violated.name;
+  if (name == "amplitude") {
+    return "exceeds " + length_shown(task.physical, task.problem.beta);
+  }
+  if (name == "acceleration") {
+    return "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0));
+  }
+  return name == "start"       ? "the notch holds it"
+         : name == "return"    ? "rests off centre"
+         : name == "stop"      ? "passes x = 0"
+         : name == "dead_zone" ? "dead zone too wide"
+                               : "above " + std::string(name);
+}
+
+/// "f 12 % too small", "delta 3.4 times too large".
+std::string by_how_much(const design::Constraint& violated) {
+  const auto& [name, variable, relation, value, limit, slack, satisfied] = violated;
+  const bool too_large = relation.front() == '<';
+  const double factor = too_large ? value / limit : limit / value;
+  const std::string_view side = too_large ? "large" : "small";
+  constexpr double in_percent_up_to = 2;
+  if (limit <= 0 && too_large) {
+    return format("no {} is small enough", variable);
+  }
+  if (!(std::isfinite(factor) && factor >= 1)) {
+    return format("{} too {}", variable, side);
+  }
+  return factor < in_percent_up_to
+             ? format("{} {:.2g} % too {}", variable, 100 * std::abs(slack) / limit, side)
+             : format("{} {:.3g} times too {}", variable, factor, side);
+}
+
+/// "amplitude 600, stop 12, tolerance 3": how many parts each rules out.
+std::string failures(const std::vector<design::RatedPart>& parts) {
+  std::vector<std::pair<std::string_view, std::size_t>> counts;
+  const auto count = [&counts](std::string_view name) {
+    const auto found =
+        std::ranges::find(counts, name, &std::pair<std::string_view, std::size_t>::first);
+    if (found == counts.end()) {
+      counts.emplace_back(name, 1);
+    } else {
+      ++found->second;
+    }
+  };
+  for (const design::RatedPart& rated : parts) {
+    if (!rated.admissible && rated.tolerance) {
+      count("tolerance");
+    }
+    for (const design::Constraint& violated : rated.violated) {
+      count(violated.name);
+    }
+  }
+  std::string text;
+  for (const auto& [name, parts_of_it] : counts) {
+    text += format("{}{} {}", text.empty() ? "" : ", ", name, parts_of_it);
+  }
+  return text;
+}
+
+std::string in(const std::string& name, const std::string& unit) {
+  return name + (unit.empty() ? "" : ", " + unit);
+}
+
+std::string percent(double tolerance) {
+  constexpr double thousandths = 1e5;  // of a percent
+  return format("+-{:.4g} %", 100 * std::round(thousandths * tolerance) / thousandths);
+}
+
+}  // namespace
+
+std::string judgement(const design::RatedPart& rated, const PartTask& task) {
+  if (rated.admissible) {
+    return "fits";
+  }
+  std::string text = rated.tolerance          ? "tolerates too little"
+                     : rated.violated.empty() ? "is not admissible"
+                                              : "";
+  for (const design::Constraint& violated : rated.violated) {
+    text += format("{}{}: {}", text.empty() ? "" : "; ", consequence(violated, task),
+                   by_how_much(violated));
+  }
+  return text;
+}
+
+std::string how_many_fit(const std::vector<design::RatedPart>& parts) {
+  const auto fit = std::ranges::count(parts, true, &design::RatedPart::admissible);
+  return format("{} of {} part{} fit{}", fit, parts.size(), parts.size() == 1 ? "" : "s",
+                fit == 1 ? "s" : "");
+}
+
+void add_parts(Document& document, const Catalogue& catalogue, const PartTask& task) {
+  const FigureUnits units(task.physical);
+  const auto& parts = catalogue.parts;
+  Table table{{"part", "f", in("delta", units.length_unit), "tolerance", ""}, {}};
+  const std::size_t shown = std::min(parts.size(), most_rows);
+  for (const design::RatedPart& rated : std::span(parts).first(shown)) {
+    const auto& [name, f, delta] = rated.part;
+    table.rows.push_back(
+        {{name, digits(f), digits(delta * units.length),
+          rated.tolerance ? percent(*rated.tolerance) : "none", judgement(rated, task)},
+         rated.admissible ? Tone::good : Tone::bad});
+  }
+  Section& section = document.section("Parts, best first");
+  section.parts.emplace_back(std::move(table));
+  if (parts.size() > shown) {
+    section.line(format("{} more; --json lists them all.", parts.size() - shown), Tone::faint);
+  }
+  if (const std::string ruled_out = failures(parts); !ruled_out.empty()) {
+    section.line("Parts that each requirement rules out: " + ruled_out + ".");
+  }
+}
+
+std::string trade_off_words(const std::vector<design::TradeOff>& front, const Physical& physical) {
+  const auto at = [&](const design::TradeOff& end) {
+    return format("{} at {}", length_shown(physical, end.peak_amplitude),
+                  acceleration_shown(end.peak_absolute_acceleration));
+  };
+  return format("strokes of {} to {}", at(front.front()), at(front.back()));
+}
+
+void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
+                   const Physical& physical) {
+  const FigureUnits units(physical);
+  Table table{{in("stroke", units.length_unit), "acceleration", "tolerance",
+               in("stop time", units.time_unit), "f", in("delta", units.length_unit)},
+              {}};
+  const std::size_t step = (front.size() + most_rows - 1) / most_rows;
+  for (std::size_t i = 0; i < front.size(); i += step) {
+    const auto& [damper, peak, acceleration, stop_time] = front[i];
+    table.rows.push_back(
+        {{digits(peak * units.length), digits(acceleration), percent(damper.tolerance),
+          digits(stop_time * units.time), digits(damper.f), digits(damper.delta * units.length)}});
+  }
+  Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
+  section.parts.emplace_back(std::move(table));
+  if (step > 1) {
+    section.line(format("Every {} of {} dampers; --json lists them all.",
+                        step == 2 ? "second" : format("{}th", step), front.size()),
+                 Tone::faint);
+  }
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The damper that a suite of recorded accelerations asks for: docs/records-design.md.
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// What should be small: the transmitted acceleration, the largest displacement, the residual one.
+enum class SuiteObjective { acceleration, amplitude, residual };
+
+/// "acceleration", "amplitude" or "residual".
+[[nodiscard]] std::string_view name(SuiteObjective objective) noexcept;
+[[nodiscard]] std::optional<SuiteObjective> parse_suite_objective(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> suite_objective_names();
+
+/// What becomes of a figure that each record has.
+enum class Combine { max, mean };
+
+[[nodiscard]] std::string_view name(Combine combine) noexcept;
+[[nodiscard]] std::optional<Combine> parse_combine(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> combine_names();
+
+/// W(tau) = scale * record.
+struct SuiteRecord {
+  std::string name;  ///< for messages and reports
+  Record record;
+  double scale{1};  ///< not 0
+};
+
+/// 0 <= low <= high; low = high fixes the variable.
+struct SearchRange {
+  double low{0};
+  double high{0};
+};
+
+/// Of the combined figures; empty: no limit.
+struct SuiteLimits {
+  std::optional<double> peak{};          ///< > 0
+  std::optional<double> acceleration{};  ///< transmitted, in g; > 0
+  std::optional<double> residual{};      ///< >= 0
+};
+
+struct RecordDesignRequest {
+  std::vector<SuiteRecord> records;
+  SearchRange p{1, 1};  ///< low > 0
+  /// Default: up to the largest load, beyond which nothing moves.
+  std::optional<SearchRange> f{};
+  /// Default: up to (p peak)^2/2 with the largest p and the limit of the peak, or without a limit
+  /// the peak without a damper: the energy of a free motion of that size.
+  std::optional<SearchRange> delta{};
+  SuiteObjective objective{SuiteObjective::acceleration};
+  std::optional<Combine> combine{};  ///< default: max below seven records, else mean
+  SuiteLimits limits{};
+  double hold{std::numeric_limits<double>::infinity()};
+  std::optional<double> notch_width{};  ///< not beside a finite hold
+  double tolerance{0.1};                ///< of f and delta, for the sensitivity; in [0, 1)
+  std::int64_t scan_points{10'000};     ///< about so many; in [1, 1e8]
+  int threads{0};                       ///< 0: all. No result depends on it
+};
+
+struct SuiteDamper {
+  double p{1};
+  double f{0};
+  double delta{0};
+};
+
+/// The figures of all records, combined.
+struct SuiteFigures {
+  double peak{0};          ///< largest |x|
+  double acceleration{0};  ///< largest transmitted one, in g
+  double residual{0};      ///< |x| at the final rest
+  double margin{1};        ///< the smallest decision margin of all motions
+  /// False: a motion never rests, or not within 10 000 half-cycles. Then the figures mean nothing.
+  bool settled{true};
+};
+
+[[nodiscard]] double figure(const SuiteFigures& figures, SuiteObjective which);
+
+/// A damper is passed over where a decision of a motion is closer than this to the other outcome:
+/// neither the check nor the world could tell which of the two it is.
+inline constexpr double least_suite_margin = 1e-6;
+
+/// Whether it rests, with that margin, and meets the limits.
+[[nodiscard]] bool admissible(const SuiteFigures& figures, const SuiteLimits& limits);
+
+/// All motions start from rest at x = 0.
+struct SuitePoint {
+  SuiteDamper damper;
+  SuiteFigures figures;
+};
+
+struct SuiteSearch {
+  std::string algorithm;  ///< which found the point: "scan", "LN_SBPLX" or "GN_ISRES"
+  std::string status;     ///< NLopt's word; "SUCCESS" of the scan
+  std::int64_t evaluations{0};
+  double wall_time_s{0};
+  std::int64_t scan_points{0};
+  std::int64_t scan_feasible{0};
+};
+
+/// What dampers within f (1 +- R), delta (1 +- R) do: the corners and random points, no proof.
+struct Sensitivity {
+  double tolerance{0};
+  std::int64_t samples{0};
+  std::int64_t admissible{0};  ///< of the samples
+  SuiteFigures worst;          ///< of each figure, and settled if all are
+};
+
+/// One record by another integrator, and its distance.
+struct SuiteCheckRow {
+  double peak{0};
+  double acceleration{0};
+  double residual{0};
+  double relative_error{0};  ///< of peak and acceleration; of residual over the peak
+};
+
+/// Runge-Kutta with a fixed step, events bisected; it shares only the rules with the kernel.
+struct SuiteCheck {
+  bool passed{false};
+  double tolerance{1e-6};  ///< for relative_error
+  double relative_error{0};
+  double wall_time_s{0};
+  std::vector<SuiteCheckRow> records;
+};
+
+struct RecordFinding {
+  SuitePoint point;
+  std::vector<ForcedResponse> responses;  ///< of each record
+  Sensitivity sensitivity;
+  SuiteCheck check;
+};
+
+/// A limit where no damper met all of them.
+struct SuiteShortfall {
+  SuiteObjective which{SuiteObjective::acceleration};
+  double limit{0};
+  double nearest{0};  ///< the figure of the damper that breaks the limits least
+  /// With this limit alone relaxed to this value a damper was found; empty: none was.
+  std::optional<double> relaxed;
+};
+
+struct RecordDesign {
+  RecordDesignRequest request;  ///< with the ranges and the combination that were chosen
+  std::optional<RecordFinding> finding;
+  SuitePoint nearest;  ///< without a finding: what breaks the limits least
+  std::vector<SuiteShortfall> shortfalls;
+  SuiteSearch search;
+};
+
+/// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
+[[nodiscard]] RecordDesign design(const RecordDesignRequest& request);
+
+/// The figures over f and delta for one p, on the points of the search's scan: delta runs faster.
+struct SuiteMap {
+  std::vector<double> f;
+  std::vector<double> delta;
+  std::vector<SuiteFigures> figures;
+};
+/// `request` as a RecordDesign has it. Throws InputError.
+[[nodiscard]] SuiteMap suite_map(const RecordDesignRequest& request, double p);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// A damper of the front and its motion after the hit.
+struct TradeOff {
+  DesignPoint damper;
+  double peak_amplitude{0};
+  double peak_absolute_acceleration{0};
+  double stop_time{0};
+};
+
+inline constexpr std::int64_t most_trade_offs = 1000;
+
+/// The front of stroke, transmitted acceleration and tolerance: dampers of which none can be
+/// improved in one of the three without loss in another. It has every f that is feasible within the
+/// limits, each with the Delta that tolerates most; these are `count` of them at equal steps of f,
+/// from the largest stroke to the least. docs/theory.md says why that is the whole front. Fewer
+/// where the f that are feasible lie closer than rounding; none if the region is empty. Throws
+/// InputError for a wrong problem and unless 2 <= count <= most_trade_offs.
+[[nodiscard]] std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits,
+                                              std::int64_t count);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "suite.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// A motion with more is not followed to its rest: at a period of 3 s that takes four hours.
+constexpr double most_half_cycles = 10'000;
+
+/// Of a damper that never rests: worse than any that does. Finite, because NLopt sees it.
+constexpr double never_rests = 1e9;
+
+const std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>, 3> limit_of{{
+    {SuiteObjective::amplitude, &SuiteLimits::peak},
+    {SuiteObjective::acceleration, &SuiteLimits::acceleration},
+    {SuiteObjective::residual, &SuiteLimits::residual},
+}};
+
+Excitation scaled(const SuiteRecord& record) {
+  Record load = record.record;
+  for (double& value : load.values) {
+    value *= record.scale;
+  }
+  return load;
+}
+
+}  // namespace
+
+double figure(const SuiteFigures& figures, SuiteObjective which) {
+  switch (which) {
+    case SuiteObjective::amplitude:
+      return figures.peak;
+    case SuiteObjective::residual:
+      return figures.residual;
+    case SuiteObjective::acceleration:
+      break;
+  }
+  return figures.acceleration;
+}
+
+Suite::Suite(const RecordDesignRequest& request)
+    : combine_(request.combine.value()), hold_(request.hold), surface_{request.notch_width, {}} {
+  loads_.reserve(request.records.size());
+  for (const SuiteRecord& record : request.records) {
+    loads_.push_back(scaled(record));
+  }
+}
+
+ForcedResponse Suite::response(const SuiteDamper& damper, const Excitation& load) const {
+  ForcedOptions options;
+  options.half_cycle_limit = most_half_cycles;
+  return forced_response(oscillator(damper), {}, load, options, surface_);
+}
+
+std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
+  std::vector<ForcedResponse> list;
+  list.reserve(loads_.size());
+  for (const Excitation& load : loads_) {
+    list.push_back(response(damper, load));
+  }
+  return list;
+}
+
+SuiteFigures Suite::figures(const SuiteDamper& damper) const {
+  SuiteFigures all;
+  const auto add = [this](double& figure, double value) {
+    figure = combine_ == Combine::max ? std::max(figure, value) : figure + value;
+  };
+  for (const Excitation& load : loads_) {
+    try {
+      const ForcedResponse one = response(damper, load);
+      add(all.peak, one.peak_amplitude);
+      add(all.acceleration, one.peak_absolute_acceleration);
+      add(all.residual, std::abs(one.stop_position.value_or(0)));
+      all.margin = std::min(all.margin, one.decision_margin.value_or(1));
+      all.settled = all.settled && one.stop_position.has_value();
+    } catch (const TooManyHalfCycles&) {
+      all.settled = false;
+    }
+    if (!all.settled) {
+      return all;
+    }
+  }
+  if (combine_ == Combine::mean) {
+    const auto count = static_cast<double>(loads_.size());
+    all.peak /= count;
+    all.acceleration /= count;
+    all.residual /= count;
+  }
+  return all;
+}
+
+SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const SuiteLimits& limits) {
+  if (!figures.settled) {
+    return {never_rests, 0, 0};
+  }
+  double off = figures.margin < least_suite_margin ? least_suite_margin - figures.margin : 0;
+  for (const auto& [which, member] : limit_of) {
+    const std::optional<double>& limit = limits.*member;
+    const double value = figure(figures, which);
+    if (limit && value > *limit) {
+      // Of the limit, or where no residual is allowed of the peak.
+      off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);
+    }
+  }
+  return {std::min(off, never_rests), figure(figures, objective), figures.peak};
+}
+
+bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
+  return rank(figures, SuiteObjective::acceleration, limits).off == 0;
+}
+
+}  // namespace stillpoint::design

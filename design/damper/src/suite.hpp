@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/record_design.hpp>
+
+#include <compare>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// The records of a request as loads, and what a damper does under them.
+class Suite {
+ public:
+  /// Of a request with its combination. Throws InputError for a wrong record.
+  explicit Suite(const RecordDesignRequest& request);
+
+  /// Throws InputError for a wrong damper, but not for one that never rests.
+  [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
+  /// The same, with each motion.
+  [[nodiscard]] std::vector<ForcedResponse> responses(const SuiteDamper& damper) const;
+
+  [[nodiscard]] const std::vector<Excitation>& loads() const { return loads_; }
+  [[nodiscard]] Oscillator oscillator(const SuiteDamper& damper) const {
+    return {damper.p, damper.f, damper.delta, hold_};
+  }
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+
+ private:
+  [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
+
+  std::vector<Excitation> loads_;
+  Combine combine_;
+  double hold_;
+  Surface surface_;
+};
+
+/// How good a damper is: the less, the better. Any that is admissible is better than any other.
+struct SuiteRank {
+  double off{0};    ///< 0: admissible; else how far it is from that
+  double value{0};  ///< of the objective
+  double peak{0};   ///< where the objective is the same, as under a load that the notch holds
+
+  [[nodiscard]] auto operator<=>(const SuiteRank&) const = default;
+};
+[[nodiscard]] SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective,
+                             const SuiteLimits& limits);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/design/trade_off.hpp>
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+struct Span {
+  double low;
+  double high;
+};
+
+/// The task at one f, as a function of Delta.
+struct AtF {
+  const Problem& problem;
+  const Limits& limits;
+  double f;
+
+  /// The tolerance of the damper, or minus the factor by which it misses a constraint. Within a
+  /// strip it rises up to where it is largest and falls from there.
+  [[nodiscard]] double worth(double delta) const {
+    if (const auto tolerance = largest_tolerance(problem, limits, f, delta)) {
+      return *tolerance;
+    }
+    double miss = 0;
+    for (const Constraint& now : constraints(problem, limits, f, delta)) {
+      if (!now.satisfied) {
+        miss = std::max(miss, std::abs(now.slack) / std::max(now.value, now.limit));
+      }
+    }
+    return -miss;
+  }
+
+  /// The Delta of the span that is worth most; the middle of those where f alone binds.
+  [[nodiscard]] double best_in(Span span) const {
+    const auto [low, high] = span;
+    constexpr double golden = std::numbers::phi - 1;
+    constexpr int rounds = 75;  // golden^75 = 2e-16
+    double a = high - golden * (high - low);
+    double b = low + golden * (high - low);
+    double at_a = worth(a);
+    double at_b = worth(b);
+    for (int i = 0; i < rounds && a < b; ++i) {
+      if (at_a < at_b) {
+        span.low = std::exchange(a, b);
+        at_a = at_b;
+        b = span.low + golden * (span.high - span.low);
+        at_b = worth(b);
+      } else {
+        span.high = std::exchange(b, a);
+        at_b = at_a;
+        a = span.high - golden * (span.high - span.low);
+        at_a = worth(a);
+      }
+    }
+    const double best = at_a < at_b ? b : a;
+    const double most = worth(best);
+    // Far above the rounding of a tolerance, far below what can be built.
+    constexpr double equal = 1e-12;
+    constexpr int halvings = 20;  // which Delta of equals is no matter of digits
+    const auto end_towards = [&](double out) {
+      double in = best;
+      for (int i = 0; i < halvings; ++i) {
+        const double now = std::midpoint(in, out);
+        (worth(now) >= most - equal ? in : out) = now;
+      }
+      return in;
+    };
+    const double middle = std::midpoint(end_towards(low), end_towards(high));
+    return worth(middle) >= most - equal ? middle : best;
+  }
+};
+
+/// The best damper with that f; empty if none is admissible with the tolerance asked for.
+std::optional<DesignPoint> best_with(const AtF& task) {
+  const auto& [problem, limits, f] = task;
+  std::optional<DesignPoint> best;
+  const auto consider = [&](double low, double high) {
+    high = std::min(high, limits.delta_max.value_or(high));
+    const double delta = low < high ? task.best_in({low, high}) : high;
+    if (admissible(problem, limits, f, delta)) {
+      const double tolerance = largest_tolerance(problem, limits, f, delta).value_or(0);
+      if (!best || tolerance > best->tolerance) {
+        best = {f, delta, tolerance};
+      }
+    }
+  };
+  consider(0, problem.v0 * problem.v0 / 2);
+  for (std::int64_t n = 1; problem.arrivals > 1 && n <= problem.arrivals; ++n) {
+    // No damper of the n-th arrival, and so of none behind it, has a tolerance of 1/(2n - 1).
+    if (best && n > 1 && best->tolerance * static_cast<double>(2 * n - 1) >= 1) {
+      break;
+    }
+    if (const auto range = delta_range(problem, n, f)) {
+      consider(range->low, range->high);
+    }
+  }
+  return best;
+}
+
+/// The f of the dampers that have the tolerance asked for.
+std::vector<Span> feasible_spans(const Problem& problem, const Limits& limits,
+                                 const Region& region) {
+  std::vector<Span> strip_spans;
+  for (const Strip& strip : strips(problem, limits)) {
+    if (strip.f_lower) {
+      strip_spans.push_back({*strip.f_lower, *strip.f_upper});
+    }
+  }
+  std::ranges::sort(strip_spans, {}, &Span::low);
+  std::vector<Span> spans;
+  for (const Span& span : strip_spans) {
+    if (spans.empty() || spans.back().high < span.low) {
+      spans.push_back(span);
+    } else {
+      spans.back().high = std::max(spans.back().high, span.high);
+    }
+  }
+  if (spans.empty() || spans.front().low != *region.f_lower ||
+      spans.back().high != *region.f_upper) {
+    spans = {{*region.f_lower, *region.f_upper}};  // the strips are not all there is
+  }
+  // As a design does, it stays off the edges, which rounding may put on either side.
+  constexpr double inset = 1e-9;
+  for (auto& [low, high] : spans) {
+    const double least = std::max(low, inset * problem.v0 * problem.p);
+    const double off = inset * (high - low);
+    if (least + off < high - off) {
+      low = least + off;
+      high -= off;
+    }
+  }
+  return spans;
+}
+
+}  // namespace
+
+std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits, std::int64_t count) {
+  if (count < 2 || count > most_trade_offs) {
+    throw InputError("trade_off", std::to_string(count), "must be a whole number from 2 to 1000");
+  }
+  const Region region = admissible_region(problem, limits);
+  if (!region.feasible) {
+    return {};
+  }
+  const std::vector<Span> spans = feasible_spans(problem, limits, region);
+  double width = 0;
+  for (const Span& span : spans) {
+    width += span.high - span.low;
+  }
+  std::vector<TradeOff> front;
+  for (std::int64_t i = 0; i < count; ++i) {
+    double at = width * static_cast<double>(i) / static_cast<double>(count - 1);
+    std::size_t k = 0;
+    while (k + 1 < spans.size() && at > spans[k].high - spans[k].low) {
+      at -= spans[k].high - spans[k].low;
+      ++k;
+    }
+    const double f = std::min(spans[k].low + at, spans[k].high);
+    const bool again = !front.empty() && front.back().damper.f >= f;
+    const auto damper = again ? std::nullopt : best_with({problem, limits, f});
+    if (damper) {
+      const Response motion = free_response({problem.p, f, damper->delta}, {0, problem.v0});
+      front.push_back({*damper, motion.peak_amplitude, motion.peak_absolute_acceleration,
+                       motion.stop_time.value_or(0)});
+    }
+  }
+  return front;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/catalogue.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::sweep {
+
+/// So many take about a second to judge.
+inline constexpr std::size_t most_parts = 100'000;
+/// Of a name, in bytes.
+inline constexpr std::size_t longest_part_name = 100;
+
+struct CatalogueUnits {
+  /// Metres of the dimensionless 1; empty where the task is dimensionless.
+  std::optional<double> length_m{};
+  /// A number in metres, which may carry a unit; throws InputError.
+  std::function<double(std::string_view)> parse_metres{};
+};
+
+/// The parts of a CSV file with a header. Its columns are name, f, and delta or delta_m, in any
+/// order; others are passed over. `path` "-" is standard input. Throws records::FileError, with the
+/// line, for what is wrong with the file: a missing column, a value that is no number from 0 to
+/// 1e300, a name that is empty, not printable or there twice, no part at all or more than
+/// most_parts.
+[[nodiscard]] std::vector<design::Part> read_catalogue(const std::string& path,
+                                                       const CatalogueUnits& units);
+
+}  // namespace stillpoint::sweep

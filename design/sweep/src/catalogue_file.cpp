@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/sweep/catalogue_file.hpp>
+
+#include "line_reader.hpp"
+#include "list_line.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+using records::longest_word;
+using records::printable;
+using records::trimmed;
+
+/// Reads the file line by line; every error names the line.
+class CatalogueReader {
+ public:
+  CatalogueReader(const std::string& path, const CatalogueUnits& units)
+      : lines_(path, "catalogue"), units_(units) {}
+
+  std::vector<design::Part> parts() {
+    read_header();
+    std::vector<design::Part> parts;
+    while (next_row()) {
+      if (parts.size() == most_parts) {
+        refuse(fmt::format("there are more than {} parts", most_parts));
+      }
+      if (fields_.size() != columns_) {
+        refuse(fmt::format("has {} values, but the header names {} columns", fields_.size(),
+                           columns_));
+      }
+      parts.push_back(part());
+    }
+    if (parts.empty()) {
+      lines_.refuse({}, "has no parts: below the header there must be at least one");
+    }
+    return parts;
+  }
+
+ private:
+  /// The fields of the next line that is not blank; false at the end.
+  bool next_row() {
+    std::string_view line;
+    do {
+      if (!lines_.next(line, {})) {
+        return false;
+      }
+      constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+      if (lines_.number() == 1 && line.starts_with(byte_order_mark)) {
+        line.remove_prefix(byte_order_mark.size());
+      }
+    } while (trimmed(line).empty());
+    fields_.clear();
+    CsvLine row(line);
+    for (std::string_view field; row.next(field);) {
+      if (row.unclosed()) {
+        refuse("a quote is opened and not closed");
+      }
+      fields_.push_back(field);
+    }
+    return true;
+  }
+
+  void read_header() {
+    if (!next_row()) {
+      lines_.refuse({}, "is empty: it must have a header with name, f, and delta or delta_m");
+    }
+    columns_ = fields_.size();
+    name_ = column("name");
+    f_ = column("f");
+    delta_ = column("delta");
+    delta_m_ = column("delta_m");
+    if (!name_ || !f_ || (!delta_ && !delta_m_)) {
+      refuse(fmt::format("the header has no column {}: it must have name, f, and delta or delta_m",
+                         !name_ ? "name"
+                         : !f_  ? "f"
+                                : "delta or delta_m"));
+    }
+    if (delta_ && delta_m_) {
+      refuse("the header has both delta and delta_m: give one of them");
+    }
+    if (delta_m_ && !units_.length_m) {
+      refuse(
+          "the column delta_m is in metres, so the task must be too: give --velocity and "
+          "--max-displacement, or a column delta");
+    }
+  }
+
+  std::optional<std::size_t> column(std::string_view name) const {
+    if (std::ranges::count(fields_, name) > 1) {
+      refuse(fmt::format("the column {} is there twice", name));
+    }
+    const auto found = std::ranges::find(fields_, name);
+    return found == fields_.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - fields_.begin()));
+  }
+
+  design::Part part() {
+    const std::string name(fields_[*name_]);
+    if (name.empty()) {
+      refuse("name is empty: every part must have one");
+    }
+    if (name.size() > longest_part_name || printable(name, longest_part_name) != name) {
+      refuse(fmt::format("name = {}: must be printable UTF-8 of at most {} bytes",
+                         printable(name, longest_word), longest_part_name));
+    }
+    if (const auto [first, alone] = line_of_.emplace(name, lines_.number()); !alone) {
+      refuse(fmt::format("name = {}: is there twice, first in line {}", name, first->second));
+    }
+    design::Part part{name, number("f", fields_[*f_], 1), 0};
+    part.delta = delta_ ? number("delta", fields_[*delta_], 1)
+                        : number("delta_m", fields_[*delta_m_], *units_.length_m);
+    return part;
+  }
+
+  /// The value of a cell in dimensionless units, of which one is `unit` of the cell's.
+  double number(std::string_view field, std::string_view text, double unit) const {
+    double value = 0;
+    try {
+      value = field == "delta_m" ? units_.parse_metres(text) : records::parse_number(field, text);
+    } catch (const InputError& error) {
+      refuse(printable(error.what(), 4 * longest_word));
+    }
+    if (!(value >= 0 && value / unit <= largest_square)) {
+      refuse(fmt::format("{} = {}: must be a number from 0 to {:.3g}", field,
+                         printable(text, longest_word), largest_square * std::min(unit, 1.0)));
+    }
+    return value / unit;
+  }
+
+  [[noreturn]] void refuse(std::string_view what) const { lines_.refuse(lines_.number(), what); }
+
+  LineReader lines_;
+  const CatalogueUnits& units_;
+  std::vector<std::string_view> fields_;
+  std::size_t columns_{0};
+  std::optional<std::size_t> name_, f_, delta_, delta_m_;
+  std::unordered_map<std::string, std::int64_t> line_of_;
+};
+
+}  // namespace
+
+std::vector<design::Part> read_catalogue(const std::string& path, const CatalogueUnits& units) {
+  return CatalogueReader(path, units).parts();
+}
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "refusal.hpp"
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(catalogue_command_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+namespace data = boost::unit_test::data;
+
+/// f2 = 0.10556, f3 = 0.35355, Delta2 = 0.5; f = 0.26 and delta = 0.37 are near the best.
+const std::string few =
+    "name,f,delta\nweak,0.05,0.4\ngood,0.26,0.37\nfair,0.2,0.4\nstrong,0.4,0.4\n";
+
+Arguments design(const Arguments& more = {}) {
+  return joined({"design", "--v0", "1", "--p", "1", "--beta", "0.9"}, more);
+}
+
+Arguments isolator(const Arguments& more = {}) {
+  return joined({"design", "--velocity", "0.4", "--period", "2.8", "--max-displacement", "0.15"},
+                more);
+}
+
+std::vector<std::string> names(const json& catalogue) {
+  std::vector<std::string> list;
+  for (const json& part : catalogue) {
+    list.push_back(part["name"]);
+  }
+  return list;
+}
+
+Wrong wrong(const char* name, const std::string& file, Texts says) {
+  says.insert(says.begin(), "catalogue standard input");
+  return {name, design({"--catalogue", "-"}), std::move(says), file};
+}
+
+const std::string name_of_101_bytes(101, 'x');
+
+const std::vector<Wrong> wrong_files{
+    wrong("empty", "", {"is empty", "name, f, and delta or delta_m"}),
+    wrong("blank", "\n \n\t\n", {"is empty"}),
+    wrong("header_alone", "name,f,delta\n\n", {"has no parts", "at least one"}),
+    wrong("without_names", "f,delta\n0.1,0.2\n", {"line 1", "no column name"}),
+    wrong("without_f", "name,delta\na,0.2\n", {"line 1", "no column f:"}),
+    wrong("without_delta", "name,f\na,0.2\n", {"line 1", "no column delta or delta_m"}),
+    wrong("with_both", "name,f,delta,delta_m\na,0.1,0.2,0.2\n",
+          {"line 1", "both delta and delta_m", "one of them"}),
+    wrong("column_twice", "name,f,delta,f\na,0.1,0.2,0.2\n", {"line 1", "column f is there twice"}),
+    wrong("in_metres", "name,f,delta_m\na,0.1,0.2\n", {"line 1", "delta_m", "--velocity"}),
+    wrong("no_header", "a,0.1,0.2\nb,0.1,0.2\n", {"line 1", "no column name"}),
+    wrong("text", "name,f,delta\na,0.1,0.2\nb,strong,0.2\n",
+          {"line 3", "f = \"strong\"", "number"}),
+    wrong("no_number", "name,f,delta\na,,0.2\n", {"line 2", "f = ", "number"}),
+    wrong("negative", "name,f,delta\na,0.1,-0.2\n", {"line 2", "delta = -0.2", "from 0 to 1e+300"}),
+    wrong("nan", "name,f,delta\na,nan,0.2\n", {"line 2", "f = \"nan\"", "finite number"}),
+    wrong("infinite", "name,f,delta\na,0.1,inf\n", {"line 2", "delta = \"inf\"", "finite number"}),
+    wrong("overflow", "name,f,delta\na,1e999,0.2\n", {"line 2", "f = ", "1e999"}),
+    wrong("too_large", "name,f,delta\na,2e300,0.2\n", {"line 2", "f = 2e300", "from 0 to 1e+300"}),
+    wrong("unit", "name,f,delta\na,0.1,5mm\n", {"line 2", "delta = \"5mm\"", "number"}),
+    wrong("same_name", "name,f,delta\na,0.1,0.2\n\nb,0.1,0.2\na,0.2,0.3\n",
+          {"line 5", "name = a", "twice", "line 2"}),
+    wrong("no_name", "name,f,delta\n ,0.1,0.2\n", {"line 2", "name is empty"}),
+    wrong("long_name", "name,f,delta\n" + name_of_101_bytes + ",0.1,0.2\n",
+          {"line 2", "name = xxx", "at most 100 bytes"}),
+    wrong("bell_in_a_name", "name,f,delta\na\ab,0.1,0.2\n", {"line 2", "name = a?b", "printable"}),
+    wrong("latin_1", "name,f,delta\nG\xFCte,0.1,0.2\n", {"line 2", "printable UTF-8"}),
+    wrong("value_missing", "name,f,delta\na,0.1\n", {"line 2", "2 values", "3 columns"}),
+    wrong("value_too_many", "name,f,delta\na,0.1,0.2,0.3\n", {"line 2", "4 values", "3 columns"}),
+    wrong("open_quote", "name,f,delta\n\"a,0.1,0.2\n", {"line 2", "quote"}),
+    wrong("long_line", "name,f,delta\na," + std::string(70'000, '0') + ",0.2\n",
+          {"line 2", "65536 bytes"}),
+    wrong("binary", std::string("\x7f\x45\x4c\x46\0\0\0", 7), {"line 1", "no column name"})};
+
+const std::vector<Wrong> wrong_uses{
+    {"no_file",
+     design({"--catalogue", "nowhere.csv"}),
+     {"catalogue nowhere.csv", "cannot be read", "No such file"}},
+    {"a_directory", design({"--catalogue", "."}), {"catalogue .", "cannot be read"}},
+    {"with_a_pulse",
+     {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--p", "1", "--beta",
+      "0.05", "--catalogue", "-"},
+     {"catalogue and pulse exclude each other"},
+     few},
+    {"trade_off_with_a_pulse",
+     {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--p", "1", "--beta",
+      "0.05", "--trade-off", "5"},
+     {"trade-off and pulse exclude each other"}},
+    {"trade_off_0", design({"--trade-off", "0"}), {"trade_off = 0", "from 2 to 1000"}},
+    {"trade_off_1e9", design({"--trade-off", "1000000000"}), {"trade_off", "from 2 to 1000"}},
+    {"trade_off_text", design({"--trade-off", "many"}), {"trade-off", "many"}},
+    {"trade_off_of_a_region",
+     {"region", "--v0", "1", "--p", "1", "--beta", "1", "--trade-off", "5"},
+     {"trade-off"}}};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, refuses_the_file, data::make(wrong_files), one) {
+  check_refused(*this, one, {.input = one.input});
+  write("parts.csv", one.input);
+  const ProgramRun region =
+      run({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--catalogue", "parts.csv"});
+  check_refusal(region, {"catalogue parts.csv"});
+}
+
+BOOST_DATA_TEST_CASE_F(Sandbox, refuses_the_use, data::make(wrong_uses), one) {
+  check_refused(*this, one, {.input = one.input});
+}
+
+BOOST_FIXTURE_TEST_SUITE(catalogue, Sandbox)
+
+BOOST_AUTO_TEST_CASE(of_100_MB_is_refused_before_it_is_read_to_its_end) {
+  {
+    std::ofstream file(path("huge.csv"));
+    file << "name,f,delta\n";
+    for (int i = 0; i <= 100'000; ++i) {
+      file << 'p' << i << ",0.2,0.4\n";
+    }
+  }
+  std::filesystem::resize_file(path("huge.csv"), 100'000'000);
+  check_refusal(run(design({"--catalogue", "huge.csv"})),
+                {"catalogue huge.csv", "line 100002", "more than 100000 parts"});
+  write("one_line.csv", "name,f,delta\n");
+  std::filesystem::resize_file(path("one_line.csv"), 100'000'000);
+  check_refusal(run(design({"--catalogue", "one_line.csv"})),
+                {"catalogue one_line.csv", "line 2", "65536 bytes"});
+}
+
+BOOST_AUTO_TEST_CASE(may_be_spelled_in_many_ways) {
+  write("few.csv", few);
+  const json expected = report_of(*this, design({"--catalogue", "few.csv"}));
+  const std::vector<std::string> spellings{
+      "name,f,delta\r\nweak,0.05,0.4\r\ngood,0.26,0.37\r\nfair,0.2,0.4\r\nstrong,0.4,0.4",
+      "\xEF\xBB\xBF" + few,
+      "\ndelta, price ,f,name\n0.4,12,0.05,weak\n\n0.37,15,2.6e-1,good\n.4,,0.2, fair\n"
+      "0.4,9,0.4,\"strong\"\n"};
+  for (const std::string& text : spellings) {
+    const json report = report_of(*this, design({"--catalogue", "-"}), {.input = text});
+    BOOST_TEST(report["catalogue"] == expected["catalogue"], text);
+    BOOST_TEST(report["design"] == expected["design"]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
+  write("few.csv", few);
+  const json report = report_of(*this, design({"--catalogue", "few.csv"}));
+  const std::vector<std::string> order{"good", "fair", "strong", "weak"};
+  BOOST_TEST(names(report["catalogue"]) == order, boost::test_tools::per_element());
+  BOOST_TEST(report["design"]["name"] == "good");
+  BOOST_TEST(report["design"]["f"] == 0.26);
+  BOOST_TEST(report["design"]["delta"] == 0.37);
+  BOOST_TEST(report["search"].is_null());
+  BOOST_TEST(report["cross_check"]["passed"] == true);
+  BOOST_TEST(report["input"]["catalogue"] == "few.csv");
+  // The same point by `region`.
+  const json point = report_of(*this, {"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f",
+                                       "0.26", "--delta", "0.37"});
+  BOOST_TEST(report["design"]["tolerance"] == point["tolerance"]);
+  BOOST_TEST(report["constraints"] == point["constraints"]);
+  BOOST_TEST(report["works_for"] == point["works_for"]);
+  const json& good = report["catalogue"][0];
+  BOOST_TEST(good["admissible"] == true);
+  BOOST_TEST(good["why"].is_null());
+  BOOST_TEST(good["violates"].empty());
+  // 0.4/f3 - 1 = 13 %; 1 - 0.05/f2 is more than half.
+  BOOST_TEST(report["catalogue"][2]["why"] == "rests off centre: f 13 % too large");
+  BOOST_TEST(report["catalogue"][3]["why"].get<std::string>().starts_with(
+      "exceeds 0.9: f 2.11 times too small"));
+  BOOST_TEST(report["catalogue"][3]["tolerance"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
+  write("few.csv", few);
+  const ProgramRun answer = run(design({"--catalogue", "few.csv"}));
+  BOOST_TEST(answer.exit_code == 0);
+  BOOST_TEST(answer.out.starts_with("Damper design\n  Order part good: f = 0.26, delta = 0.37.\n"),
+             answer.out);
+  BOOST_TEST(answer.out.find("2 of 4 parts fit\n") != std::string::npos);
+  BOOST_TEST(answer.out.find("rests off centre: f 13 % too large\n") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(the_objective_chooses_among_those_with_the_tolerance) {
+  write("few.csv", few);
+  const auto best = [&](const std::string& objective, const std::string& tolerance) {
+    return report_of(*this, design({"--catalogue", "few.csv", "--objective", objective,
+                                    "--tolerance", tolerance}))["design"]["name"];
+  };
+  BOOST_TEST(best("acceleration", "0") == "fair");  // S grows with f
+  BOOST_TEST(best("amplitude", "0") == "good");
+  BOOST_TEST(best("acceleration", "0.3") == "good");  // of fair, 25 % is left above Delta
+}
+
+BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_of_each) {
+  write("few.csv", few);
+  const ProgramRun answer = run(design({"--catalogue", "few.csv", "--tolerance", "0.5", "--json"}));
+  BOOST_TEST(answer.exit_code == 3);
+  const json report = answer.json();
+  BOOST_TEST(report["design"].is_null());
+  BOOST_TEST(!report["region"]["reason"].is_null());
+  for (const json& part : report["catalogue"]) {
+    BOOST_TEST(part["admissible"] == false);
+    BOOST_TEST(part["why"].is_string());
+  }
+  // The mend is the tolerance of the best part.
+  BOOST_TEST_REQUIRE(report["region"]["mends"].size() == 1U);
+  BOOST_TEST(report["region"]["mends"][0]["input"] == "tolerance");
+  BOOST_TEST(
+      near(report["region"]["mends"][0]["value"], report["catalogue"][0]["tolerance"], 1e-14));
+  const ProgramRun text = run(design({"--catalogue", "few.csv", "--tolerance", "0.5"}));
+  BOOST_TEST(text.exit_code == 3);
+  for (const char* part : {"good ", "fair ", "strong ", "weak "}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, part);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(in_metres_may_carry_units) {
+  write("metres.csv", "name,f,delta_m\na,0.02,6mm\nb,0.02,0.006\nc,0.02,0.6cm\n");
+  const json report = report_of(*this, isolator({"--catalogue", "metres.csv"}));
+  for (const json& part : report["catalogue"]) {
+    BOOST_TEST(near(part["delta_m"], 0.006, 1e-15));
+    BOOST_TEST(part["delta"] == report["catalogue"][0]["delta"]);
+    BOOST_TEST(part["admissible"] == true);
+  }
+  write("wrong.csv", "name,f,delta_m\na,0.02,6mm\nb,0.02,6s\n");
+  check_refusal(run(isolator({"--catalogue", "wrong.csv"})),
+                {"catalogue wrong.csv, line 3", "delta-m = \"6s\"", "mm"});
+  write("negative.csv", "name,f,delta_m\na,0.02,-6mm\n");
+  check_refusal(run(isolator({"--catalogue", "negative.csv"})),
+                {"catalogue negative.csv, line 2", "delta_m = -6mm", "from 0"});
+}
+
+BOOST_AUTO_TEST_CASE(of_a_thousand_parts_swamps_neither_the_text_nor_the_page) {
+  std::string text = "name,f,delta\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += "part-" + std::to_string(i) + "," + std::to_string(0.0005 * i) + "," +
+            std::to_string(0.0006 * ((i * 37) % 1000)) + "\n";
+  }
+  write("many.csv", text);
+  const json report = report_of(*this, design({"--catalogue", "many.csv", "--html", "page.html"}));
+  BOOST_TEST(report["catalogue"].size() == 1000U);
+  const std::string page = read("page.html");
+  std::size_t rows = 0;
+  for (std::size_t at = 0; (at = page.find("<td data-head=\"part\">", at)) != std::string::npos;
+       ++at) {
+    ++rows;
+  }
+  BOOST_TEST(rows == 20U);
+  BOOST_TEST(page.find("980 more") != std::string::npos);
+  const std::string printed = run(design({"--catalogue", "many.csv"})).out;
+  BOOST_TEST(std::ranges::count(printed, '\n') < 50);
+}
+
+BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
+  write("few.csv", "name,f,delta\nfirst,0.26,0.37\nsecond,0.05,0.2\nfar,9,9\n");
+  const Arguments region{"region", "--v0",        "1",       "--p",   "1",   "--beta",
+                         "1.1",    "--catalogue", "few.csv", "--svg", "out", "--arrivals"};
+  const json one = report_of(*this, joined(region, {"1"}));
+  const json two = report_of(*this, joined(region, {"2"}));
+  const auto fits = [](const json& report, const std::string& name) {
+    const auto part = std::ranges::find_if(report["catalogue"],
+                                           [&](const json& now) { return now["name"] == name; });
+    return (*part)["admissible"].get<bool>();
+  };
+  BOOST_TEST(fits(one, "first"));
+  BOOST_TEST(!fits(one, "second"));
+  BOOST_TEST(fits(two, "first"));
+  BOOST_TEST(fits(two, "second"));
+  const std::string figure = read("out/region.svg");
+  BOOST_TEST(figure.find("parts that fit") != std::string::npos);
+  BOOST_TEST(figure.find("1 of the 3 parts lies outside") == std::string::npos);  // in the caption
+}
+
+BOOST_AUTO_TEST_CASE(is_not_written_over_and_is_a_key_of_a_scene) {
+  write("few.csv", few);
+  check_refusal(run(design({"--catalogue", "few.csv", "--output", "few.csv"})),
+                {"few.csv", "would overwrite the catalogue few.csv"});
+  BOOST_TEST(read("few.csv") == few);
+  write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "catalogue": "few.csv", "trade_off": 3})");
+  const json report = report_of(*this, {"design", "scene.json"});
+  BOOST_TEST(report["design"]["name"] == "good");
+  BOOST_TEST(report["trade_off"].size() == 3U);
+  check_refusal(run({"design", "-", "--catalogue", "-"}, {.input = "{}"}),
+                {"the scene and the catalogue cannot both be standard input"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_FIXTURE_TEST_SUITE(trade_off, Sandbox)
+
+BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
+  const json report = report_of(*this, isolator({"--trade-off", "9"}));
+  BOOST_TEST_REQUIRE(report["trade_off"].size() == 9U);
+  double last = HUGE_VAL;
+  for (const json& now : report["trade_off"]) {
+    check_fields(now, {"f:number", "delta:number", "tolerance:number", "peak_amplitude:number",
+                       "peak_absolute_acceleration:number", "stop_time:number"});
+    BOOST_TEST(now["peak_m"].get<double>() < last);
+    last = now["peak_m"];
+    BOOST_TEST(last <= 0.15);
+    BOOST_TEST(now["tolerance"].get<double>() <=
+               report["design"]["tolerance"].get<double>() + 1e-8);
+  }
+  // beta binds at one end, the return at the other: peak V0/(sqrt(2) omega).
+  BOOST_TEST(near(report["trade_off"][0]["peak_m"], 0.15, 1e-8));
+  BOOST_TEST(near(last, 0.4 / std::sqrt(2) * 2.8 / (2 * 3.141592653589793), 1e-8));
+  BOOST_TEST(report_of(*this, isolator())["trade_off"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(is_drawn_with_the_design_on_it) {
+  BOOST_TEST(run(isolator({"--trade-off", "30", "--svg", "out"})).exit_code == 0);
+  for (const char* name : {"out/trade-off.svg", "out/trade-off-tolerance.svg"}) {
+    const std::string figure = read(name);
+    BOOST_TEST(figure.find("stroke, mm") != std::string::npos);
+    BOOST_TEST(figure.find("design") != std::string::npos);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_an_empty_region_is_empty) {
+  const ProgramRun answer =
+      run({"design", "--v0", "1", "--p", "1", "--beta", "0.5", "--trade-off", "5", "--json"});
+  BOOST_TEST(answer.exit_code == 3);
+  BOOST_TEST(answer.json()["trade_off"].is_array());
+  BOOST_TEST(answer.json()["trade_off"].empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

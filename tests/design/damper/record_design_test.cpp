@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+#include "suite_check.hpp"
+
+#include "random_source.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/records/record_file.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(record_design_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using design_test::RandomSource;
+
+/// Of an optimum, relative: what the docs promise against a dense scan.
+constexpr double optimum_tolerance = 1e-4;
+/// That of the check of a design: Runge-Kutta's 5e-12 a radian, over some 100, and what a decision
+/// at a margin of 1e-6 enlarges.
+constexpr double integrator_tolerance = 1e-6;
+/// Of a figure worked out by hand.
+constexpr double hand_tolerance = 1e-14;
+
+// A period of 2.8 s with p = 1: lengths in g/omega^2, 1.947 m.
+constexpr double omega = 2 * std::numbers::pi / 2.8;
+constexpr double metre = omega * omega / 9.80665;
+
+SuiteRecord recorded(const std::string& file, double scale = 1) {
+  records::RecordOptions options;
+  options.clock = {"s", 1 / omega, 1};
+  const std::string path = std::string(STILLPOINT_DATA_DIR) + "/records/" + file;
+  return {file, records::read_record(path, options).record, scale};
+}
+
+RecordDesignRequest two_records() {
+  RecordDesignRequest request;
+  request.records = {recorded("near_fault_pulse.txt"), recorded("strong_motion.AT2")};
+  request.limits.peak = 0.25 * metre;
+  request.limits.residual = 0.005 * metre;
+  request.scan_points = 2500;
+  return request;
+}
+
+/// W = 0.4 at 0, -0.2 at 1, 0 at 2.
+RecordDesignRequest three_samples() {
+  RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.scan_points = 100;
+  return request;
+}
+
+/// Computed here from the kernel's responses: none of the search's own code.
+double best_of_dense_scan(const RecordDesign& design, int side) {
+  const RecordDesignRequest& task = design.request;
+  double best = HUGE_VAL;
+  for (int i = 0; i <= side; ++i) {
+    for (int j = 0; j <= side; ++j) {
+      const double f = task.f->low + (task.f->high - task.f->low) * i / side;
+      const double delta = task.delta->low + (task.delta->high - task.delta->low) * j / side;
+      if (f + delta == 0) {
+        continue;  // never rests
+      }
+      double peak = 0;
+      double acceleration = 0;
+      double residual = 0;
+      for (const SuiteRecord& record : task.records) {
+        const ForcedResponse one =
+            forced_response({task.p.low, f, delta, task.hold}, {}, record.record, {},
+                            Surface{task.notch_width, {}});
+        peak = std::max(peak, one.peak_amplitude);
+        acceleration = std::max(acceleration, one.peak_absolute_acceleration);
+        residual = std::max(residual, std::abs(one.stop_position.value()));
+      }
+      if (peak <= *task.limits.peak && residual <= *task.limits.residual &&
+          acceleration <= task.limits.acceleration.value_or(HUGE_VAL)) {
+        best = std::min(best, task.objective == SuiteObjective::amplitude ? peak : acceleration);
+      }
+    }
+  }
+  return best;
+}
+
+void check_against_dense_scan(const RecordDesignRequest& request, int side) {
+  const RecordDesign result = design::design(request);
+  BOOST_REQUIRE(result.finding.has_value());
+  BOOST_TEST(result.finding->check.passed, result.finding->check.relative_error);
+  const double found = figure(result.finding->point.figures, request.objective);
+  const double best = best_of_dense_scan(result, side);
+  BOOST_TEST(found <= best * (1 + optimum_tolerance), found << ", the dense scan has " << best);
+}
+
+void check_same(const RecordDesign& one, const RecordDesign& other) {
+  BOOST_REQUIRE(one.finding.has_value());
+  BOOST_REQUIRE(other.finding.has_value());
+  BOOST_TEST(one.finding->point.damper.f == other.finding->point.damper.f);
+  BOOST_TEST(one.finding->point.damper.delta == other.finding->point.damper.delta);
+  BOOST_TEST(one.search.evaluations == other.search.evaluations);
+  BOOST_TEST(one.search.scan_feasible == other.search.scan_feasible);
+  BOOST_TEST(one.finding->sensitivity.worst.residual == other.finding->sensitivity.worst.residual);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
+  // 10^4 dampers in the usual run; STILLPOINT_DENSE_SIDE=1000 makes it 10^6,
+  // docs/records-design.md.
+  const char* const wanted = std::getenv("STILLPOINT_DENSE_SIDE");
+  const int side = wanted != nullptr ? std::atoi(wanted) : 100;
+  RecordDesignRequest paper = two_records();
+  check_against_dense_scan(paper, side);
+  paper.objective = SuiteObjective::amplitude;
+  paper.limits.acceleration = 0.3;  // without it the best damper does not move
+  check_against_dense_scan(paper, side);
+  RecordDesignRequest with_capacity = two_records();
+  with_capacity.hold = 0.05;
+  check_against_dense_scan(with_capacity, side);
+  RecordDesignRequest with_width = two_records();
+  with_width.notch_width = 0.05 * metre;
+  check_against_dense_scan(with_width, side);
+}
+
+BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
+  RecordDesignRequest request = two_records();
+  request.hold = 0.05;
+  request.scan_points = 400;
+  request.threads = 1;
+  const RecordDesign one = design::design(request);
+  for (const int threads : {2, 3}) {
+    request.threads = threads;
+    check_same(one, design::design(request));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_check_sees_the_same_motions_of_random_dampers) {
+  RandomSource random(1301);
+  const RecordDesignRequest suite = two_records();
+  int decided = 0;
+  for (int i = 0; i < 120; ++i) {
+    Oscillator oscillator{random.uniform(0.7, 1.5), random.uniform(0.001, 0.2),
+                          i % 4 == 0 ? 0 : random.uniform(0.0001, 0.01)};
+    Surface surface;
+    if (i % 4 == 1) {
+      surface.notch_width = random.uniform(0.01, 0.1) * metre;
+    } else if (i % 4 == 2) {
+      oscillator.hold = random.uniform(0, 0.2);
+    }
+    const Record& record = suite.records[static_cast<std::size_t>(i % 2)].record;
+    const ForcedResponse kernel = forced_response(oscillator, {}, record, {}, surface);
+    if (kernel.decision_margin.value_or(1) < least_suite_margin) {
+      continue;
+    }
+    ++decided;
+    const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, record);
+    BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
+                                 << ", delta = " << oscillator.delta
+                                 << ", hold = " << oscillator.hold
+                                 << ", width = " << surface.notch_width.value_or(0)) {
+      const double size = kernel.peak_amplitude;
+      BOOST_TEST(other.settled);
+      BOOST_TEST(std::abs(other.peak - size) <= integrator_tolerance * size);
+      BOOST_TEST(std::abs(other.acceleration - kernel.peak_absolute_acceleration) <=
+                 integrator_tolerance * kernel.peak_absolute_acceleration);
+      BOOST_TEST(std::abs(other.residual - std::abs(kernel.stop_position.value())) <=
+                 integrator_tolerance * size);
+    }
+  }
+  BOOST_TEST(decided >= 110);
+}
+
+BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
+  RecordDesignRequest request = three_samples();
+  request.f = SearchRange{2, 2};
+  request.delta = SearchRange{0, 0};
+  request.records.push_back(request.records.front());
+  request.records.back().scale = -3;  // its largest load is 1.2
+  const RecordDesign worst = design::design(request);
+  BOOST_REQUIRE(worst.finding.has_value());
+  BOOST_TEST((worst.request.combine == Combine::max));
+  BOOST_TEST(std::abs(worst.finding->point.figures.acceleration - 1.2) <= hand_tolerance);
+  BOOST_TEST(worst.finding->point.figures.peak == 0);
+  BOOST_TEST(worst.finding->check.passed);
+  BOOST_TEST(worst.search.algorithm == "scan");
+  request.combine = Combine::mean;  // of 0.4 and 1.2
+  const RecordDesign mean = design::design(request);
+  BOOST_REQUIRE(mean.finding.has_value());
+  BOOST_TEST(std::abs(mean.finding->point.figures.acceleration - 0.8) <= hand_tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(the_mean_counts_from_seven_records_on) {
+  RecordDesignRequest request = three_samples();
+  request.f = SearchRange{2, 2};
+  request.delta = SearchRange{0, 0};
+  request.records.resize(6, request.records.front());
+  BOOST_TEST((design::design(request).request.combine == Combine::max));
+  request.records.resize(7, request.records.front());
+  BOOST_TEST((design::design(request).request.combine == Combine::mean));
+}
+
+BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
+  RecordDesignRequest request = three_samples();
+  request.f = SearchRange{0, 0};
+  request.delta = SearchRange{0, 0};
+  const RecordDesign result = design::design(request);
+  BOOST_TEST(!result.finding.has_value());
+  BOOST_TEST(!result.nearest.figures.settled);
+}
+
+BOOST_AUTO_TEST_CASE(each_single_limit_that_is_said_to_do_does) {
+  RecordDesignRequest request = two_records();
+  request.limits = {0.25 * metre, 0.15, 0.005 * metre};
+  const RecordDesign none = design::design(request);
+  BOOST_TEST(!none.finding.has_value());
+  BOOST_REQUIRE(none.shortfalls.size() == 3);
+  int relaxed = 0;
+  for (const SuiteShortfall& shortfall : none.shortfalls) {
+    BOOST_TEST(shortfall.nearest == figure(none.nearest.figures, shortfall.which));
+    if (!shortfall.relaxed) {
+      continue;
+    }
+    ++relaxed;
+    BOOST_TEST(*shortfall.relaxed > shortfall.limit);
+    RecordDesignRequest mended = request;
+    (shortfall.which == SuiteObjective::amplitude  ? mended.limits.peak
+     : shortfall.which == SuiteObjective::residual ? mended.limits.residual
+                                                   : mended.limits.acceleration) =
+        shortfall.relaxed;
+    BOOST_TEST(design::design(mended).finding.has_value());
+  }
+  BOOST_TEST(relaxed >= 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
+  RecordDesignRequest request = two_records();
+  request.hold = 0.05;
+  request.delta = SearchRange{0, 0.01};
+  request.p = {0.8, 1.6};
+  const RecordDesign free = design::design(request);
+  BOOST_REQUIRE(free.finding.has_value());
+  BOOST_TEST(free.finding->point.damper.p >= 0.8);
+  BOOST_TEST(free.finding->point.damper.p <= 1.6);
+  for (const double p : {0.8, 1.2, 1.6}) {
+    request.p = {p, p};
+    const RecordDesign single = design::design(request);
+    if (single.finding) {
+      BOOST_TEST(free.finding->point.figures.acceleration <=
+                 single.finding->point.figures.acceleration * (1 + optimum_tolerance));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
+  RecordDesignRequest request = two_records();
+  request.hold = 0.05;
+  request.scan_points = 400;
+  const RecordDesign wide = design::design(request);
+  BOOST_REQUIRE(wide.finding.has_value());
+  const SuitePoint& point = wide.finding->point;
+  const Sensitivity& sensitivity = wide.finding->sensitivity;
+  BOOST_TEST(sensitivity.samples == 64);
+  BOOST_TEST(sensitivity.tolerance == 0.1);
+  request.f = SearchRange{point.damper.f * 1.1, point.damper.f * 1.1};
+  request.delta = SearchRange{point.damper.delta * 1.1, point.damper.delta * 1.1};
+  request.tolerance = 0;
+  const RecordDesign corner = design::design(request);
+  BOOST_TEST(sensitivity.worst.peak >= corner.nearest.figures.peak * (1 - hand_tolerance));
+  BOOST_TEST(sensitivity.worst.acceleration >=
+             corner.nearest.figures.acceleration * (1 - hand_tolerance));
+  if (corner.finding) {
+    BOOST_TEST(corner.finding->sensitivity.admissible == 64);
+    BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {
+  RecordDesignRequest request = design::design(three_samples()).request;
+  const SuiteMap map = suite_map(request, 1);
+  BOOST_REQUIRE(map.f.size() == 10);
+  BOOST_REQUIRE(map.figures.size() == map.f.size() * map.delta.size());
+  const std::size_t i = 3;
+  const std::size_t j = 7;
+  const ForcedResponse there =
+      forced_response({1, map.f[i], map.delta[j]}, {}, request.records.front().record);
+  BOOST_TEST(map.figures[i * map.delta.size() + j].peak == there.peak_amplitude);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
+  const auto refused = [](const std::string& field,
+                          const std::function<void(RecordDesignRequest&)>& spoil) {
+    RecordDesignRequest request = three_samples();
+    spoil(request);
+    BOOST_TEST_CONTEXT(field) {
+      BOOST_CHECK_EXCEPTION(static_cast<void>(design::design(request)), InputError,
+                            [&](const InputError& error) { return error.field() == field; });
+    }
+  };
+  refused("records", [](auto& request) { request.records.clear(); });
+  refused("scale", [](auto& request) { request.records[0].scale = 0; });
+  refused("p", [](auto& request) { request.p = {2, 1}; });
+  refused("p", [](auto& request) { request.p = {0, 1}; });
+  refused("f", [](auto& request) { request.f = SearchRange{-1, 1}; });
+  refused("delta", [](auto& request) { request.delta = SearchRange{1, 0}; });
+  refused("peak limit", [](auto& request) { request.limits.peak = 0; });
+  refused("residual limit", [](auto& request) { request.limits.residual = -1; });
+  refused("acceleration limit", [](auto& request) { request.limits.acceleration = 0; });
+  refused("tolerance", [](auto& request) { request.tolerance = 1; });
+  refused("hold", [](auto& request) { request.hold = -1; });
+  refused("notch-width", [](auto& request) { request.notch_width = 0; });
+  refused("scan_points", [](auto& request) { request.scan_points = 0; });
+  refused("threads", [](auto& request) { request.threads = -1; });
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+#include "scan.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/trade_off.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(trade_off_test)
+
+// docs/theory.md, "The front". The truth is the closed form of the peak and of S, a bisection in
+// long double, and brute force.
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+using Wide = long double;
+
+/// Relative, of closed forms.
+constexpr double formula_tolerance = 1e-14;
+/// Of R, absolute: that of the search, as in search_test.
+constexpr double tolerance_tolerance = 1e-8;
+
+bool near(double a, double b, double tolerance) {
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+/// What the three want, of a damper after the hit: how much friction changes the peak V0/p and the
+/// acceleration p V0 without it, which rounding does not hide.
+struct Merits {
+  double peak;
+  double acceleration;
+  double tolerance;
+};
+
+/// At least as good in all three and better in one.
+bool dominates(const Merits& a, const Merits& b) {
+  const bool no_worse = a.peak <= b.peak && a.acceleration <= b.acceleration &&
+                        a.tolerance >= b.tolerance - tolerance_tolerance;
+  const bool better = a.peak < b.peak || a.acceleration < b.acceleration ||
+                      a.tolerance > b.tolerance + tolerance_tolerance;
+  return no_worse && better;
+}
+
+Merits merits_of(const Problem& problem, double f, double tolerance) {
+  const Wide v = Wide(problem.v0) * problem.p;
+  const Wide s = std::sqrt(Wide(f) * f + v * v);
+  const Wide more = Wide(f) * f / (s + v);  // S - p V0
+  return {static_cast<double>(-v * (f + more) / (s + f) / problem.p / problem.p),
+          static_cast<double>(more), tolerance};
+}
+
+/// A task of one to five arrivals, with limits or without.
+struct Asked {
+  Problem problem;
+  Limits limits;
+};
+
+Asked random_task(RandomSource& random, int arrivals) {
+  Asked task{random_problem(random, 0.75, 1.5), {}};
+  task.problem.arrivals = 1 + random.pick(arrivals);
+  const double p_v0 = task.problem.p * task.problem.v0;
+  if (random.pick(3) == 0) {
+    task.limits.tolerance = random.uniform(0, 0.2);
+  }
+  if (random.pick(4) == 0) {
+    task.limits.f_max = random.uniform(0.05, 0.4) * p_v0;
+  }
+  if (random.pick(4) == 0) {
+    task.limits.delta_max = random.uniform(0.1, 0.6) * task.problem.v0 * task.problem.v0;
+  }
+  if (random.pick(4) == 0) {
+    task.limits.acceleration_max = random.uniform(1.01, 1.07) * p_v0;
+  }
+  return task;
+}
+
+constexpr std::int64_t count = 7;
+constexpr int delta_steps = 200;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(goes_from_the_largest_stroke_to_the_least_by_closed_forms) {
+  RandomSource random(11);
+  int fronts = 0;
+  for (int i = 0; i < 150; ++i) {
+    const auto [problem, limits] = random_task(random, 5);
+    const auto front = trade_off(problem, limits, count);
+    BOOST_TEST(front.empty() == !admissible_region(problem, limits).feasible);
+    fronts += front.empty() ? 0 : 1;
+    for (std::size_t k = 0; k < front.size(); ++k) {
+      const auto& [damper, peak, acceleration, stop_time] = front[k];
+      BOOST_TEST(admissible(problem, limits, damper.f, damper.delta));
+      BOOST_TEST(
+          admissible(problem, with_tolerance(limits, damper.tolerance), damper.f, damper.delta));
+      BOOST_TEST(damper.tolerance >= limits.tolerance);
+      const Merits by_formula = merits_of(problem, damper.f, damper.tolerance);
+      BOOST_TEST(near(peak, by_formula.peak + problem.v0 / problem.p, formula_tolerance));
+      BOOST_TEST(
+          near(acceleration, by_formula.acceleration + problem.p * problem.v0, formula_tolerance));
+      BOOST_TEST(stop_time * problem.p > 3.14);
+      BOOST_TEST((k == 0 || damper.f > front[k - 1].damper.f));
+      BOOST_TEST((k == 0 || peak < front[k - 1].peak_amplitude));
+    }
+  }
+  BOOST_TEST(fronts > 75);
+}
+
+BOOST_AUTO_TEST_CASE(has_the_largest_tolerance_of_each_f) {
+  RandomSource random(12);
+  int points = 0;
+  for (int i = 0; i < 60; ++i) {
+    auto [problem, limits] = random_task(random, 1);
+    limits.acceleration_max = {};  // which the scan does not know
+    const Scan scan(problem, limits);
+    for (const TradeOff& now : trade_off(problem, limits, count)) {
+      ++points;
+      const auto& [f, delta, tolerance] = now.damper;
+      BOOST_TEST(std::abs(static_cast<double>(scan.tolerance(f, delta)) - tolerance) <=
+                 tolerance_tolerance);
+      BOOST_TEST(static_cast<double>(scan.best_tolerance(f, delta_steps)) <=
+                 tolerance + tolerance_tolerance);
+    }
+  }
+  BOOST_TEST(points > 200);
+}
+
+/// Peak and S depend on f alone, so that another f cannot dominate; a random Delta at the same f
+/// could.
+BOOST_AUTO_TEST_CASE(is_dominated_by_no_admissible_damper) {
+  RandomSource random(13);
+  int admissible_ones = 0;
+  int dominated = 0;
+  for (int i = 0; i < 120; ++i) {
+    const auto [problem, limits] = random_task(random, 5);
+    const auto front = trade_off(problem, limits, count);
+    for (int k = 0; k < 60 && !front.empty(); ++k) {
+      const DesignPoint& near_by =
+          front[static_cast<std::size_t>(random.pick(static_cast<int>(front.size())))].damper;
+      const double f = random.pick(3) == 0 ? near_by.f * random.beside() : near_by.f;
+      const double delta = random.pick(2) == 0
+                               ? near_by.delta * random.beside()
+                               : problem.v0 * problem.v0 * random.uniform(1e-3, 0.5);
+      if (!admissible(problem, limits, f, delta)) {
+        continue;
+      }
+      ++admissible_ones;
+      const Merits other =
+          merits_of(problem, f, largest_tolerance(problem, limits, f, delta).value());
+      for (const TradeOff& now : front) {
+        const Merits own = merits_of(problem, now.damper.f, now.damper.tolerance);
+        BOOST_TEST(!dominates(other, own),
+                   "f = " << f << ", delta = " << delta << " is better than f = " << now.damper.f
+                          << ", delta = " << now.damper.delta << ", arrivals " << problem.arrivals);
+        dominated += dominates(own, other) ? 1 : 0;
+      }
+    }
+  }
+  BOOST_TEST(admissible_ones > 2000);
+  BOOST_TEST(dominated > 500);  // so `dominates` can be true
+}
+
+BOOST_AUTO_TEST_CASE(has_no_damper_more_tolerant_than_the_robust_design_and_comes_near_it) {
+  RandomSource random(14);
+  for (int i = 0; i < 20; ++i) {
+    const auto [problem, limits] = random_task(random, 4);
+    const auto front = trade_off(problem, limits, 41);
+    const auto robust = search(problem, limits);
+    BOOST_TEST(front.empty() == !robust);
+    double most = 0;
+    for (const TradeOff& now : front) {
+      most = std::max(most, now.damper.tolerance);
+    }
+    BOOST_TEST((!robust || most <= robust->point.tolerance + tolerance_tolerance));
+    // R falls from its maximum by at most the change of f over f, a fortieth of the span.
+    BOOST_TEST((!robust || most >= robust->point.tolerance - 0.06));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(leaves_out_the_f_between_two_strips) {
+  // Beta not binding and +-30 %: the first arrival wants f = 0.26 or so, the second f < 0.06.
+  Problem problem{1, 1, 1.2, Criterion::exact, 2};
+  const auto front = trade_off(problem, {.tolerance = 0.3}, 21);
+  BOOST_TEST(front.size() == 21U);
+  const auto own = strips(problem, {.tolerance = 0.3});
+  BOOST_TEST_REQUIRE(own.size() == 2U);
+  BOOST_TEST_REQUIRE(*own[1].f_upper < *own[0].f_lower);
+  std::size_t of_each[2]{};
+  for (const TradeOff& now : front) {
+    const bool first = now.damper.f >= *own[0].f_lower && now.damper.f <= *own[0].f_upper;
+    const bool second = now.damper.f >= *own[1].f_lower && now.damper.f <= *own[1].f_upper;
+    BOOST_TEST((first || second));
+    ++of_each[first ? 0 : 1];
+  }
+  BOOST_TEST(of_each[0] > 2U);
+  BOOST_TEST(of_each[1] > 2U);
+}
+
+BOOST_AUTO_TEST_CASE(of_a_single_f_is_one_damper_and_of_none_is_empty) {
+  const double least = admissible_region({1, 1, 1}).beta_min;
+  const auto one = trade_off({1, 1, least}, {}, 5);
+  BOOST_TEST(one.size() == 1U);
+  BOOST_TEST(trade_off({1, 1, 0.5}, {}, 5).empty());
+}
+
+BOOST_AUTO_TEST_CASE(refuses_a_wrong_count) {
+  for (const std::int64_t wrong : {std::int64_t{-1}, std::int64_t{0}, std::int64_t{1},
+                                   std::int64_t{1001}, std::int64_t{1'000'000'000}}) {
+    BOOST_CHECK_EXCEPTION(trade_off({1, 1, 1}, {}, wrong), InputError, [&](const InputError& e) {
+      return std::string(e.what()) ==
+             "trade_off = " + std::to_string(wrong) + ": must be a whole number from 2 to 1000";
+    });
+  }
+  BOOST_TEST(trade_off({1, 1, 1}, {}, 2).size() == 2U);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
