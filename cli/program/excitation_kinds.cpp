@@ -43,7 +43,7 @@ std::span<const ExcitationKind> excitation_kinds() {
           itself,
           nullptr},
       ExcitationKind{"half-sine", pulse, pi, of<Excitation, HalfSine>, of<Pulse, HalfSine>},
-      ExcitationKind{"full-sine", pulse, 2 * pi, of<Excitation, FullSine>, nullptr},
+      ExcitationKind{"full-sine", pulse, 2 * pi, of<Excitation, FullSine>, of<Pulse, FullSine>},
       ExcitationKind{"rectangle", pulse, pi, of<Excitation, Rectangle>, of<Pulse, Rectangle>},
       ExcitationKind{
           "record", {"record", "record-units", "record-step", "record-scale"}, 0, nullptr, nullptr},

@@ -23,16 +23,16 @@ void add_pulse(Section& task, const design::Pulse& pulse, const Physical& physic
   task.row("duration", time_text(physical, lasts));
 }
 
-void add_damper(Document& document, const design::Problem& problem, const design::Limits& limits,
-                const design::Finding& finding, const Physical& physical) {
+void add_damper(Document& document, const design::DesignResult& result, const Physical& physical) {
+  const design::Finding& finding = *result.finding;
+  const DeltaNeeds needs = delta_needs(result);
   const design::DesignPoint& point = finding.point;
   Section& section = document.detail("Design");
   section.row("f", digits(point.f), Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
-  section.row("tolerance", box_text(limits, point.tolerance));
+  section.row("tolerance", box_text(result.request.limits, point.tolerance));
   section.row("Delta1(f)",
-              format("{:.6g} published, {} exact", design::delta1_published(problem, point.f),
-                     digits(design::delta1_exact(problem, point.f))));
+              format("{:.6g} published, {} exact", needs.published, digits(needs.exact)));
   add_damper_physics(section, physical, point.f, point.delta);
   add_notch(section, finding.practice, physical);
 }
@@ -42,30 +42,41 @@ std::string off_by(double relative) {
   return format("{:.2g} % {}", 100 * std::abs(relative), relative < 0 ? "less than" : "more than");
 }
 
+/// Why the reduction to a velocity is off.
 std::string warning_text(design::PulseWarning warning, const design::PulseCheck& check) {
   switch (warning) {
     case design::PulseWarning::pulse_not_short:
-      return format(
-          "the pulse is not short, p/lambda = {:.3g}: the design assumes an initial velocity, and "
-          "the error of that grows like the square of p/lambda",
-          check.shortness);
+      return format("the pulse is not short, p/lambda = {:.3g}", check.shortness);
     case design::PulseWarning::friction_not_small:
-      return format(
-          "f is not small against k, f/k = {:.3g}: friction takes a large part of the velocity "
-          "while the pulse lasts",
-          check.friction_ratio);
+      return format("f is not small against k, f/k = {:.3g}", check.friction_ratio);
   }
   return {};
 }
 
-void add_pulse_check(Document& document, const design::PulseCheck& check,
+/// In one line, for comparison.
+std::string reduction_text(const design::PulseCheck& check) {
+  if (!check.start) {
+    return "not used: this pulse leaves no velocity";
+  }
+  std::string text = format("not used; to a velocity, the peak would be {} this",
+                            off_by(check.peak_error.value_or(0)));
+  for (const design::PulseWarning warning : check.warnings) {
+    text += "; " + warning_text(warning, check);
+  }
+  return text;
+}
+
+void add_pulse_check(Document& document, const design::PulseCheck& check, double beta,
                      const Physical& physical) {
   Section& section = document.detail("Under the pulse itself");
-  section.row("reduced to",
-              format("v0 = {:.6g} at tau = {:.6g}", check.start.speed, check.start.tau));
   section.row("p/lambda, f/k", format("{:.4g}, {:.4g}", check.shortness, check.friction_ratio));
   add_response(section, check.response, physical);
-  section.row("reduction", format("its peak is {} this", off_by(check.peak_error)));
+  section.row("use of beta", format("{:.4g} %", 100 * check.response.peak_amplitude / beta));
+  section.row("reduction", reduction_text(check));
+  if (check.start) {
+    section.row("", format("it starts with v0 = {:.6g} at tau = {:.6g}", check.start->speed,
+                           check.start->tau));
+  }
   if (check.stop_time_error) {
     section.row("", format("its stop time is {} this", off_by(*check.stop_time_error)));
   }
@@ -178,10 +189,11 @@ std::string felt(const design::Finding& finding, const Response& response,
 }
 
 /// What it does, and how far it can be trusted.
-void add_answer(Section& answer, const design::Finding& finding, const design::Problem& problem,
-                const design::Limits& limits, const Physical& physical) {
+void add_answer(Section& answer, const design::DesignResult& result, const Physical& physical) {
+  const auto& [problem, limits, search, pulse] = result.request;
+  const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
-  const bool pulsed = finding.pulse.has_value();
+  const bool pulsed = pulse.has_value();
   const Response& response = pulsed ? finding.pulse->response : finding.response;
   answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)),
              Tone::heading);
@@ -207,8 +219,12 @@ void add_answer(Section& answer, const design::Finding& finding, const design::P
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);
   }
   if (pulsed) {
-    for (const design::PulseWarning warning : finding.pulse->warnings) {
-      answer.row("note", warning_text(warning, *finding.pulse), Tone::bad);
+    answer.row("reduction", reduction_text(*finding.pulse));
+    constexpr double beyond_use = 0.9;
+    if (tolerance > beyond_use && !limits.delta_max) {
+      answer.row("note",
+                 "nothing bounds delta, so that almost any tolerance is possible: --delta-max "
+                 "keeps the notch small");
     }
   }
 }
@@ -218,17 +234,25 @@ void add_answer(Section& answer, const design::Finding& finding, const design::P
 Document document(const DesignReport& report) {
   const auto& [problem, limits, search, pulse] = report.result.request;
   Physical physical = report.physical;
-  if (physical) {  // a pulse leaves another velocity than was given
-    physical->velocity_m_per_s = problem.v0 * physical->scales.velocity_m_per_s;
+  design::Problem shown = problem;
+  if (pulse) {
+    shown.v0 = 0;
+    if (physical) {
+      physical->velocity_m_per_s = 0;
+    }
   }
   Document document;
   document.title = "Damper design";
-  Section& task = add_problem(document, problem, limits, physical);
+  Section& task = add_problem(document, shown, limits, physical);
   if (pulse) {
     add_pulse(task, *pulse, physical);
   }
   task.row("objective", std::string(name(search.objective)));
-  add_region(document, report.result.region, physical);
+  if (pulse) {
+    add_pulse_region(document, report.result, physical);
+  } else {
+    add_region(document, report.result.region, physical);
+  }
   if (!report.result.finding) {
     add_emptiness(document, report.result, physical);
     if (report.catalogue) {
@@ -239,7 +263,7 @@ Document document(const DesignReport& report) {
   const design::Finding& finding = *report.result.finding;
   document.verdict = verdict(report, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
-  add_answer(document.answer, finding, problem, limits, physical);
+  add_answer(document.answer, report.result, physical);
   if (report.catalogue) {
     document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
     add_parts(document, *report.catalogue, {problem, limits, physical});
@@ -248,15 +272,17 @@ Document document(const DesignReport& report) {
     document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
     add_trade_off(document, *report.trade_off, physical);
   }
-  add_damper(document, problem, limits, finding, physical);
+  add_damper(document, report.result, physical);
   add_constraints(document, finding.constraints, physical);
-  Section& motion = document.detail("Motion");
-  add_response(motion, finding.response, physical);
-  motion.row("use of beta",
-             format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
-  add_practice(motion, finding.practice, physical);
   if (finding.pulse) {
-    add_pulse_check(document, *finding.pulse, physical);
+    add_pulse_check(document, *finding.pulse, problem.beta, physical);
+    add_practice(document.detail("In practice"), finding.practice, physical);
+  } else {
+    Section& motion = document.detail("Motion");
+    add_response(motion, finding.response, physical);
+    motion.row("use of beta",
+               format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
+    add_practice(motion, finding.practice, physical);
   }
   if (report.built_notch) {
     add_built_notch(document, *report.built_notch, finding, physical);
@@ -265,10 +291,16 @@ Document document(const DesignReport& report) {
   if (report.catalogue) {
     return document;  // without a search
   }
-  document.detail("Search").line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms",
-                                        design::nlopt_version(), finding.search.algorithm,
-                                        finding.search.status, finding.search.evaluations,
-                                        1e3 * finding.search.wall_time_s));
+  Section& sought = document.detail("Search");
+  sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
+                     finding.search.algorithm, finding.search.status, finding.search.evaluations,
+                     1e3 * finding.search.wall_time_s));
+  if (finding.pulse && finding.pulse->bracketed) {
+    sought.line(
+        format("{} by NLopt: {}; along f alone: {}",
+               search.objective == design::Objective::robust ? "tolerance" : name(search.objective),
+               digits(finding.pulse->searched), digits(finding.pulse->bracketed)));
+  }
   return document;
 }
 

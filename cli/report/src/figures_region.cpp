@@ -165,14 +165,7 @@ std::string strips_caption(const Problem& problem) {
 RegionSpan::RegionSpan(const DrawnRegion& drawn)
     : first(std::max(drawn.region.f2, 0.0)),
       last(drawn.region.f3),
-      at([problem = drawn.problem](double /*f*/) { return problem; }) {
-  if (drawn.pulse && drawn.region.f_lower) {
-    const double tolerance = drawn.limits.tolerance;
-    first = *drawn.region.f_lower * (1 - tolerance);
-    last = *drawn.region.f_upper * (1 + tolerance);
-    at = [pulse = *drawn.pulse](double f) { return design::problem_at(pulse, f); };
-  }
-}
+      at([problem = drawn.problem](double /*f*/) { return problem; }) {}
 
 double RegionSpan::last_within_limits(const DrawnRegion& drawn) const {
   return std::min({last, drawn.limits.f_max.value_or(last), drawn.region.f4.value_or(last)});

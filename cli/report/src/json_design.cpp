@@ -2,6 +2,7 @@
 #include <stillpoint/report/report.hpp>
 #include "choices.hpp"
 #include "json_parts.hpp"
+#include "sections.hpp"
 
 namespace stillpoint::report {
 
@@ -15,8 +16,10 @@ void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
   task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
 }
 
-ordered_json design_point_json(const design::Problem& problem, const design::Limits& limits,
-                               const design::Finding& finding) {
+ordered_json design_point_json(const design::DesignResult& result) {
+  const auto& [problem, limits, search, pulse] = result.request;
+  const design::Finding& finding = *result.finding;
+  const auto needs = delta_needs(result);
   const design::DesignPoint& point = finding.point;
   const bool shaped = limits.shape != design::BoxShape{};
   const auto within = [&](double below, double above) {
@@ -31,8 +34,8 @@ ordered_json design_point_json(const design::Problem& problem, const design::Lim
           {"tolerance_f", within(limits.shape.f_low, limits.shape.f_high)},
           {"tolerance_delta", within(limits.shape.delta_low, limits.shape.delta_high)},
           {"arrival", finding.arrival ? ordered_json(*finding.arrival) : ordered_json(nullptr)},
-          {"delta1_published", number(design::delta1_published(problem, point.f))},
-          {"delta1_exact", number(design::delta1_exact(problem, point.f))}};
+          {"delta1_published", number(needs.published)},
+          {"delta1_exact", number(needs.exact)}};
 }
 
 ordered_json strips_json(const std::vector<design::Strip>& strips) {
@@ -75,20 +78,31 @@ ordered_json cross_check_json(const design::CrossCheck& check) {
   return {{"passed", check.passed}, {"methods", methods}};
 }
 
+void add_pulse_region(ordered_json& region, const design::DesignResult& result) {
+  region["by"] = "forced_motion";
+  region["intervals"] = ordered_json::array();
+  for (const auto& [low, high] : result.intervals) {
+    region["intervals"].push_back({number(low), number(high)});
+  }
+}
+
 /// How the design stands under its pulse.
 ordered_json pulse_check_json(const design::PulseCheck& check) {
   ordered_json warnings = ordered_json::array();
   for (const design::PulseWarning warning : check.warnings) {
     warnings.push_back(name(warning));
   }
-  return {{"shortness", number(check.shortness)},
-          {"friction_ratio", number(check.friction_ratio)},
-          {"equivalent_v0", number(check.start.speed)},
-          {"equivalent_start", number(check.start.tau)},
-          {"peak_error", number(check.peak_error)},
-          {"stop_time_error", number(check.stop_time_error)},
-          {"warnings", warnings},
-          {"response", forced_json(check.response)}};
+  return {
+      {"shortness", number(check.shortness)},
+      {"friction_ratio", number(check.friction_ratio)},
+      {"equivalent_v0", number(check.start ? std::optional(check.start->speed) : std::nullopt)},
+      {"equivalent_start", number(check.start ? std::optional(check.start->tau) : std::nullopt)},
+      {"peak_error", number(check.peak_error)},
+      {"stop_time_error", number(check.stop_time_error)},
+      {"warnings", warnings},
+      {"searched", number(check.searched)},
+      {"bracketed", number(check.bracketed)},
+      {"response", forced_json(check.response)}};
 }
 
 }  // namespace
@@ -129,6 +143,9 @@ ordered_json json(const DesignReport& report) {
   const auto& [problem, limits, search, pulse] = result.request;
   ordered_json task = task_json(problem, limits);
   add_pulse(task, pulse);
+  if (pulse && problem.v0 == 0) {
+    task["v0"] = nullptr;  // a full sine leaves none
+  }
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);
   task["catalogue"] = file_of(report.catalogue);
@@ -151,9 +168,12 @@ ordered_json json(const DesignReport& report) {
                     {"catalogue", catalogue_json(report.catalogue, parts)},
                     {"trade_off", trade_off_json(report.trade_off, report.physical)},
                     {"physical", physical_json(report)}};
+  if (pulse) {
+    add_pulse_region(json["region"], result);
+  }
   if (result.finding) {
     const design::Finding& finding = *result.finding;
-    json["design"] = design_point_json(problem, limits, finding);
+    json["design"] = design_point_json(result);
     json["design"]["name"] =
         report.catalogue ? ordered_json(report.catalogue->parts.front().part.name) : nullptr;
     json["constraints"] = constraints_json(finding.constraints);
@@ -162,7 +182,8 @@ ordered_json json(const DesignReport& report) {
       json["hits"] = hits_json(shown_hits(problem, finding.point.f, finding.point.delta));
     }
     json["practice"] = practice_json(finding.practice);
-    json["response"] = response_json(finding.response);
+    json["response"] =
+        finding.pulse ? forced_json(finding.pulse->response) : response_json(finding.response);
     if (!report.catalogue) {
       json["search"] = search_json(finding.search);
     }

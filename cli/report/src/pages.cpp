@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -44,15 +45,15 @@ std::string words_of(const design::Mend& mend, const Physical& physical) {
   return words(mend.field, mend.value, mend.upwards, "");
 }
 
-/// The region where nothing is admissible: its title says what would help, or the page does where
-/// it takes two inputs.
-void add_empty_region(HtmlPage& page, DrawnRegion drawn, const design::RegionVerdict& empty,
-                      const Physical& physical) {
-  drawn.mend = "No damper is admissible";
+/// Where nothing is admissible: the title of the region's figure. The page's verdict says what
+/// would help.
+std::string mend_title(HtmlPage& page, const design::RegionVerdict& empty,
+                       const Physical& physical) {
+  std::string title = "No damper is admissible";
   if (!empty.mends.empty()) {
     const auto of_beta = std::ranges::find(empty.mends, "beta", &design::Mend::field);
     const design::Mend& mend = of_beta == empty.mends.end() ? empty.mends.front() : *of_beta;
-    drawn.mend = "No damper: " + words_of(mend, physical);
+    title = "No damper: " + words_of(mend, physical);
     page.verdict += fmt::format(" To get one, {}.", words_of(mend, physical));
   } else if (empty.joint_mend) {
     std::string all;
@@ -61,19 +62,18 @@ void add_empty_region(HtmlPage& page, DrawnRegion drawn, const design::RegionVer
     }
     page.verdict += fmt::format(" To get one, {}.", all);
   }
+  return title;
+}
+
+void add_empty_region(HtmlPage& page, DrawnRegion drawn, const design::RegionVerdict& empty,
+                      const Physical& physical) {
+  drawn.mend = mend_title(page, empty, physical);
   page.figures = {region_figure(drawn, FigureUnits(physical))};
 }
 
-std::optional<design::PulseProblem> pulse_problem(const design::DesignRequest& request) {
-  const auto& [problem, limits, search, pulse] = request;
-  return pulse ? std::optional(
-                     design::PulseProblem{*pulse, problem.p, problem.beta, problem.criterion})
-               : std::nullopt;
-}
-
 /// The design as its pulse moves it, from rest.
-Figure pulse_figure(const design::Pulse& pulse, const design::Problem& problem,
-                    const design::Finding& found, const FigureUnits& units) {
+DrawnMotion motion_under(const design::Pulse& pulse, const design::Problem& problem,
+                         const design::Finding& found) {
   const Excitation shaking = design::excitation(pulse);
   const double ends = duration(shaking).value();
   constexpr double periods = 3;  // where it does not stop
@@ -83,11 +83,33 @@ Figure pulse_figure(const design::Pulse& pulse, const design::Problem& problem,
   DrawnMotion motion = drawn_forced_motion({problem.p, found.point.f, found.point.delta}, {0, 0},
                                            shaking, std::max(horizon, ends));
   motion.beta = problem.beta;
+  return motion;
+}
+
+/// The answer to a task with a pulse.
+HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits& units) {
+  const auto& [problem, limits, search, pulse] = report.result.request;
+  DrawnPulseRegion drawn{{*pulse, problem.p, problem.beta, problem.criterion},
+                         limits,
+                         report.result.region,
+                         report.result.intervals,
+                         {},
+                         {}};
+  if (!report.result.finding) {
+    drawn.mend = mend_title(page, report.result, report.physical);
+    page.figures = {pulse_region_figure(drawn, units)};
+    return page;
+  }
+  const design::Finding& found = *report.result.finding;
+  drawn.damper = DrawnDamper{"design", found.point.f, found.point.delta, found.point.tolerance};
+  const DrawnMotion motion = motion_under(*pulse, problem, found);
   Figure figure = motion_figure(motion, units);
   figure.id = "pulse";
   figure.title = "Motion under the pulse itself";
+  const double ends = duration(design::excitation(*pulse)).value();
   figure.bands.insert(figure.bands.begin(), {"pulse", 0, ends * units.time, Ink::sky});
-  return figure;
+  page.figures = {pulse_region_figure(drawn, units), figure, phase_figure(motion, units)};
+  return page;
 }
 
 }  // namespace
@@ -96,8 +118,11 @@ HtmlPage page(const DesignReport& report) {
   const auto& [problem, limits, search, pulse] = report.result.request;
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
+  if (pulse) {
+    return pulse_page(std::move(page), report, units);
+  }
   if (!report.result.finding) {
-    add_empty_region(page, {problem, limits, report.result.region, {}, {}, {}}, report.result,
+    add_empty_region(page, {problem, limits, report.result.region, {}, {}}, report.result,
                      report.physical);
     if (report.catalogue) {
       add_parts(page.figures.front(), *report.catalogue, units);
@@ -108,27 +133,16 @@ HtmlPage page(const DesignReport& report) {
   const auto& [f, delta, tolerance] = found.point;
   DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
   motion.beta = problem.beta;
-  page.figures = {region_figure({problem,
-                                 limits,
-                                 report.result.region,
-                                 DrawnDamper{"design", f, delta, tolerance},
-                                 pulse_problem(report.result.request),
-                                 {}},
-                                units),
-                  motion_figure(motion, units), phase_figure(motion, units),
-                  energy_figure(motion, units)};
+  page.figures = {
+      region_figure(
+          {problem, limits, report.result.region, DrawnDamper{"design", f, delta, tolerance}, {}},
+          units),
+      motion_figure(motion, units), phase_figure(motion, units), energy_figure(motion, units)};
   if (report.catalogue) {
     add_parts(page.figures.front(), *report.catalogue, units);
   }
-  if (!found.pulse) {
-    page.figures.insert(page.figures.begin() + 1,
-                        hits_figure(problem, f, delta, found.works_for, units));
-  } else {
-    for (Figure& figure : page.figures) {
-      figure.title += figure.id == "region" ? "" : ", reduced to v0";
-    }
-    page.figures.push_back(pulse_figure(*pulse, problem, found, units));
-  }
+  page.figures.insert(page.figures.begin() + 1,
+                      hits_figure(problem, f, delta, found.works_for, units));
   if (report.trade_off && report.trade_off->size() > 1) {
     auto front = trade_off_figures(*report.trade_off, found, units);
     page.figures.insert(page.figures.begin() + 1, front.begin(), front.end());
@@ -145,7 +159,7 @@ HtmlPage page(const RegionReport& report) {
     damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
               answer.tolerance.value_or(0)};
   }
-  const DrawnRegion drawn{problem, limits, answer.region, damper, {}, {}};
+  const DrawnRegion drawn{problem, limits, answer.region, damper, {}};
   if (answer.region.feasible) {
     page.figures = {region_figure(drawn, FigureUnits(report.physical))};
   } else {

@@ -38,7 +38,7 @@ void add_region(ordered_json& json, const design::PhysicalInput& physical,
                 const design::Region& region) {
   json["max_displacement_m"] = number(physical.max_displacement_m);
   json["max_displacement_min_m"] = number(region.beta_min * physical.scales.length_m);
-  json["delta2_m"] = number(physical.scales.delta_m(region.delta2));
+  json["delta2_m"] = number(finite(physical.scales.delta_m(region.delta2)));
 }
 
 /// Null where that input alone cannot mend it.
@@ -174,6 +174,9 @@ ordered_json physical_json(const DesignReport& report) {
   }
   add_practice(json, scales, finding ? finding->practice : std::nullopt);
   add_response(json, scales, finding ? &finding->response : nullptr);
+  if (request.problem.v0 == 0) {
+    json["velocity_m_per_s"] = nullptr;  // of a full sine
+  }
   add_excitation(json, scales, request.pulse ? design::excitation(*request.pulse) : NoExcitation{});
   return json;
 }

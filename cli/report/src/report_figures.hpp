@@ -7,6 +7,7 @@
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>
+#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/works_for.hpp>
@@ -111,7 +112,7 @@ struct DrawnDamper {
   double tolerance{0};
 };
 
-/// The problem at a constant friction f: another one for each f where a pulse leaves the velocity.
+/// The problem at a constant friction f.
 using ProblemAt = std::function<design::Problem(double)>;
 
 /// What there is to draw of a region.
@@ -120,7 +121,6 @@ struct DrawnRegion {
   design::Limits limits;
   design::Region region;
   std::optional<DrawnDamper> damper;
-  std::optional<design::PulseProblem> pulse;
   std::string mend;  ///< the title where nothing is admissible
 };
 
@@ -153,6 +153,18 @@ void add_limits(figures::Figure& figure, const DrawnRegion& drawn, const FigureU
 [[nodiscard]] figures::Figure hits_figure(const design::Problem& problem, double f, double delta,
                                           const std::optional<design::WorksFor>& works_for,
                                           const FigureUnits& units);
+
+/// The same of a pulse: every Delta above the curve, between the ends of f.
+struct DrawnPulseRegion {
+  design::PulseProblem problem;
+  design::Limits limits;
+  design::Region region;
+  std::vector<design::FrictionInterval> intervals;
+  std::optional<DrawnDamper> damper;
+  std::string mend;
+};
+[[nodiscard]] figures::Figure pulse_region_figure(const DrawnPulseRegion& drawn,
+                                                  const FigureUnits& units);
 
 /// The analytic boundaries alone, within the axes of the figure.
 void add_boundaries(figures::Figure& figure, const design::Problem& problem,

@@ -25,7 +25,9 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical)
                        with_unit(*scales.stiffness_n_per_m(), "N/m"));
   }
   section.row("isolator", isolator);
-  section.row("velocity", format("{:.6g} m/s", physical.velocity_m_per_s));
+  if (physical.velocity_m_per_s != 0) {  // a pulse moves the mass from rest
+    section.row("velocity", format("{:.6g} m/s", physical.velocity_m_per_s));
+  }
   if (physical.max_displacement_m) {
     section.row("max displacement", with_unit(*physical.max_displacement_m, "m"));
   }
@@ -108,7 +110,8 @@ Section& add_problem(Document& document, const design::Problem& problem,
   if (physical) {
     add_physical_input(section, *physical);
   }
-  section.row("dimensionless", format("v0 = {:.6g}   p = {:.6g}   beta = {:.6g}", problem.v0,
+  section.row("dimensionless", format("{}p = {:.6g}   beta = {:.6g}",
+                                      problem.v0 != 0 ? format("v0 = {:.6g}   ", problem.v0) : "",
                                       problem.p, problem.beta));
   const double velocity = physical ? physical->scales.velocity_m_per_s : 1;
   if (problem.v0_low) {
@@ -219,7 +222,7 @@ void add_constraints(Document& document, std::span<const design::Constraint> con
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
-    const bool length = now.variable == "delta" && physical;
+    const bool length = (now.variable == "delta" || now.variable == "peak") && physical;
     const double unit = length ? units.length : 1;
     table.rows.push_back(
         {{std::string(now.name),

@@ -6,6 +6,7 @@
 #include "units.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/report/document.hpp>
@@ -41,6 +42,16 @@ void add_excitation(Section& section, const Excitation& excitation,
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical);
 Section& add_region(Document& document, const design::Region& region, const Physical& physical);
+/// The same of a pulse, by the forced motion itself.
+void add_pulse_region(Document& document, const design::DesignResult& result,
+                      const Physical& physical);
+/// The least Delta for the f of a finding.
+struct DeltaNeeds {
+  double published{0};
+  std::optional<double> exact;
+};
+[[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
+
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
                    const Physical& physical);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "pulse_profile.hpp"
+
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/pulse.hpp>
 
@@ -10,9 +12,9 @@ namespace stillpoint::design {
 [[nodiscard]] Finding finding_of(const Problem& problem, const Limits& limits,
                                  const SearchResult& found);
 
-/// Follows the design under its pulse and adds the method forced_pulse to the finding's
-/// cross-check. Its tolerance is (p / lambda)^2, of which the error of a peak is at most 0.55:
-/// docs/forced.md section 8.
-[[nodiscard]] PulseCheck check_under_pulse(const PulseProblem& problem, Finding& finding);
+/// The same for a pulse, without its constraints. `expected` is the motion that the search had, in
+/// its units; the forced motion with this Delta and Runge-Kutta integration are the checks of it.
+[[nodiscard]] Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
+                                          const SearchResult& found, const FirstReturn& expected);
 
 }  // namespace stillpoint::design

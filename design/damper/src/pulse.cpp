@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "pulse_profile.hpp"
+
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/pulse.hpp>
 
@@ -9,8 +12,9 @@ namespace stillpoint::design {
 
 namespace {
 
-/// As far as a forced run reaches, forced_motion.hpp.
-constexpr double shortest_pulse = 1e12;
+constexpr Names warning_names(
+    std::to_array<Named<PulseWarning>>({{PulseWarning::pulse_not_short, "pulse_not_short"},
+                                        {PulseWarning::friction_not_small, "friction_not_small"}}));
 
 }  // namespace
 
@@ -19,18 +23,15 @@ void require_valid(const PulseProblem& problem, const Limits& limits) {
   require_within("p", problem.p, smallest_speed, largest_speed);
   require_valid(excitation(problem.pulse));
   const double lambda = angular_frequency(problem.pulse);
-  if (!(lambda >= problem.p && lambda <= shortest_pulse * problem.p)) {
+  if (!(lambda <= fastest_pulse * problem.p && problem.p <= slowest_pulse * lambda)) {
     throw InputError("lambda", lambda,
-                     fmt::format("must be from p to {:g} p (p = {}): {}", shortest_pulse, problem.p,
-                                 lambda < problem.p ? "a longer pulse is no impulse"
-                                                    : "a shorter pulse cannot be followed"));
+                     fmt::format("must be from {:g} p to {:g} p (p = {}): a {} pulse cannot be "
+                                 "followed",
+                                 1 / slowest_pulse, fastest_pulse, problem.p,
+                                 lambda < problem.p ? "longer" : "shorter"));
   }
-  if (limits.acceleration_max) {
-    // S falls and then grows with f, since V(f) falls: no bound of f alone keeps it.
-    throw InputError("acceleration_max", *limits.acceleration_max,
-                     "cannot be combined with a pulse; give an initial velocity");
-  }
-  require_valid(problem_at(problem, 0), limits);
+  const double speed = peak_load(problem.pulse) / lambda;
+  require_valid(Problem{speed, problem.p, problem.beta, problem.criterion}, limits);
 }
 
 double peak_load(const Pulse& pulse) {
@@ -42,7 +43,7 @@ double angular_frequency(const Pulse& pulse) {
 }
 
 std::string_view name(const Pulse& pulse) {
-  return std::holds_alternative<HalfSine>(pulse) ? "half-sine" : "rectangle";
+  return stillpoint::name(excitation(pulse));
 }
 
 Excitation excitation(const Pulse& pulse) {
@@ -50,12 +51,31 @@ Excitation excitation(const Pulse& pulse) {
 }
 
 std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f) {
-  return std::visit([f](const auto& kind) { return stillpoint::equivalent_start(kind, f); }, pulse);
+  return std::visit(
+      [f](const auto& kind) -> std::optional<EquivalentStart> {
+        if constexpr (requires { stillpoint::equivalent_start(kind, f); }) {
+          return stillpoint::equivalent_start(kind, f);
+        } else {
+          return std::nullopt;
+        }
+      },
+      pulse);
 }
 
-Problem problem_at(const PulseProblem& problem, double f) {
-  const auto start = equivalent_start(problem.pulse, f);
-  return {start ? start->speed : 0, problem.p, problem.beta, problem.criterion};
+std::optional<double> least_delta(const PulseProblem& problem, double f) {
+  const double k = peak_load(problem.pulse);
+  const FirstReturn motion = first_return(problem.pulse, problem.p, f / k);
+  return motion.returns
+             ? std::optional(motion.need(problem.criterion) * (k / problem.p) * (k / problem.p))
+             : std::nullopt;
+}
+
+std::string_view name(PulseWarning warning) noexcept {
+  return warning_names.name(warning);
+}
+
+std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept {
+  return warning_names.parse(name);
 }
 
 }  // namespace stillpoint::design

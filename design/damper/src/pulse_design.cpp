@@ -1,182 +1,189 @@
 // SPDX-License-Identifier: MIT
 #include "finding.hpp"
 #include "pulse_region.hpp"
-#include "settle.hpp"
+#include "pulse_search.hpp"
 
-#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 
-#include <boost/math/tools/minima.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// A point that is admissible for the pulse, with the cost that ranks it.
-struct Candidate {
-  DesignPoint point;
-  double cost{0};
-};
+using fmt::format;
 
-double cost_of(Objective objective, const PulseProblem& problem, const DesignPoint& point) {
-  if (objective == Objective::robust) {
-    return -point.tolerance;
-  }
-  const Prediction motion = predict(problem_at(problem, point.f), point.f);
-  return objective == Objective::amplitude ? motion.peak_amplitude
-         : objective == Objective::time    ? motion.stop_time
-                                           : motion.peak_acceleration;
+/// The request as the forced motion has it: v0 is the velocity of the reduction, if there is one.
+DesignRequest reduced(const PulseRequest& request, double f) {
+  const auto& [problem, limits, options] = request;
+  const auto start = equivalent_start(problem.pulse, f);
+  return {{start ? start->speed : 0, problem.p, problem.beta, problem.criterion},
+          limits,
+          options,
+          problem.pulse};
 }
 
-/// The task of the search and its options.
-struct Hunt {
-  PulseTask task;
-  SearchOptions options;
-};
-
-/// The better of `best` and the point, judged over its whole box with V(f) and under the pulse.
-void consider(std::optional<Candidate>& best, const Hunt& hunt, DesignPoint point) {
-  const auto& [task, options] = hunt;
-  if (!admissible(task, point.f, point.delta)) {
-    return;
+/// The last f that returns, and the motion there.
+FirstReturn last_return(const PulseRegion& region) {
+  FirstReturn last;
+  for (const FirstReturn& now : region.profile()->samples()) {
+    last = now.returns ? now : last;
   }
-  point.tolerance = largest_tolerance(task, point.f, point.delta).value_or(0);
-  const double cost = cost_of(options.objective, task.problem, point);
-  if (!best || cost < best->cost) {
-    best = {point, cost};
-  }
+  return last;
 }
 
-/// The same with the best Delta for f.
-void consider_f(std::optional<Candidate>& best, const Hunt& hunt, double f) {
-  const FreeTask free = task_of_box(hunt.task, f, hunt.task.limits.tolerance, 0);
-  consider(best, hunt, with_best_delta(free.problem, free.limits, f));
+/// `within` is the island of the design; without one the edges are those of all f.
+Region edges_of(const PulseRegion& region, const PulseProblem& problem,
+                const std::optional<Island>& within) {
+  Region edges;
+  const FirstReturn last = last_return(region);
+  double least_peak = last.peak;
+  const FirstReturn* weakest = nullptr;
+  for (const FirstReturn& now : region.profile()->samples()) {
+    if (now.returns) {
+      least_peak = std::min(least_peak, now.peak);
+      weakest = weakest == nullptr ? &now : weakest;
+    }
+  }
+  edges.f1 = problem.beta * problem.p * problem.p;
+  edges.f3 = last.f * region.f_unit();
+  edges.delta2 = HUGE_VAL;
+  edges.beta_min = least_peak * region.length_unit();
+  if (within) {
+    edges.feasible = true;
+    const bool binds = weakest != nullptr && within->low > weakest->f * (1 + 1e-9);
+    edges.f2 = binds ? within->low * region.f_unit() : 0;
+    edges.f_lower = within->low / (1 - region.asked()) * region.f_unit();
+    edges.f_upper = within->high / (1 + region.asked()) * region.f_unit();
+    edges.f_lower = std::min(*edges.f_lower, *edges.f_upper);
+  }
+  return edges;
 }
 
-/// The next argument on the way to x = g(x), by Wegstein's method: the secant through the last two
-/// rounds. Held to steps that neither overshoot nor stand still.
-class FixedPoint {
- public:
-  explicit FixedPoint(double x) : x_(x) {}
-
-  [[nodiscard]] double x() const { return x_; }
-  void answer(double g) {
-    // A step of less would stall where the secant misjudges the slope.
-    constexpr double shortest = 0.05;
-    const double slope = x_ != x_before_ ? (g - g_before_) / (x_ - x_before_) : 0;
-    const double part = std::clamp(slope < 1 ? 1 / (1 - slope) : 1, shortest, 1.0);
-    x_before_ = x_;
-    g_before_ = g;
-    x_ += part * (g - x_);
+/// A task with some of its requirements alone.
+bool feasible(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
+  if (!beta) {
+    problem.beta = HUGE_VAL;
   }
-  /// Where g has no answer: half way back.
-  void retreat() { x_ = x_before_ + (x_ - x_before_) / 2; }
+  return PulseRegion(region.profile(), problem, limits).feasible();
+}
 
- private:
-  double x_;
-  double x_before_{x_};
-  double g_before_{0};
-};
-
-/// Where S = sqrt(f^2 + (V(f) p)^2) is least: V falls with f, so that is not the lowest f.
-double softest_f(const PulseProblem& problem, double low, double high) {
-  const auto acceleration = [&](double f) {
-    return std::hypot(f, problem_at(problem, f).v0 * problem.p);
+/// The first requirement that leaves nothing, in the order of the sentences of `reason`.
+Conflict conflict_of(const PulseRegion& region, const PulseProblem& problem, const Limits& limits) {
+  const double tolerance = limits.tolerance;
+  const auto fits = [&](const Limits& some, bool beta = true) {
+    return feasible(region, problem, some, beta);
   };
-  // A minimum has only half of the digits.
-  constexpr int bits = std::numeric_limits<double>::digits / 2;
-  return boost::math::tools::brent_find_minima(acceleration, low, high, bits).first;
-}
-
-/// Rounds of the search with the velocities of the box last found, until that does not move. At
-/// that point the constraints that bind are those of the pulse itself.
-SearchResult search(const Hunt& hunt) {
-  const auto& [task, options] = hunt;
-  const Limits& limits = task.limits;
-  constexpr int most_rounds = 60;    // some five are taken; a round is a search of 20 us
-  constexpr double settled = 1e-10;  // relative, of f and of 1: what NLopt's tolerance resolves
-  constexpr double slack = 1e-9;     // more than that, so that the settled point is admissible
-  const DesignPoint corner = corner_point(task);
-  std::optional<Candidate> best;
-  SearchRecord record;
-  FixedPoint f(corner.f);
-  FixedPoint tolerance(limits.tolerance);
-  for (int round = 0; round < most_rounds; ++round) {
-    const FreeTask free = task_of_box(task, f.x(), tolerance.x(), slack);
-    const auto found = search(free.problem, free.limits, options);
-    if (!found) {
-      f.retreat();
-      tolerance.retreat();
-      continue;
-    }
-    const auto& [point, last] = *found;
-    record = {last.algorithm, last.status, record.evaluations + last.evaluations,
-              record.wall_time_s + last.wall_time_s};
-    const double wider =
-        options.objective == Objective::robust ? point.tolerance : limits.tolerance;
-    const double change = std::max(std::abs(point.f / f.x() - 1), std::abs(wider - tolerance.x()));
-    f.answer(point.f);
-    tolerance.answer(wider);
-    consider(best, hunt, point);
-    if (change <= settled) {
-      break;
-    }
-  }
-  if (options.objective == Objective::acceleration) {
-    const double inside = corner.f * (1 - slack);
-    consider_f(best, hunt, softest_f(task.problem, std::min(f.x(), inside), inside));
-  }
-  if (!best) {
-    // The region is too small for NLopt's steps.
-    consider_f(best, hunt, corner.f);
-    consider(best, hunt, corner);
-  }
-  assert(best);
-  return SearchResult{best->point, record};
-}
-
-/// Where the limits come from the velocity of the high corner, the conflict is with the edge behind
-/// them.
-Conflict as_asked(Conflict conflict, const FreeTask& task, const Limits& limits) {
-  if (conflict == Conflict::amplitude_against_f_max && task.limits.f_max != limits.f_max) {
+  if (!fits({.tolerance = tolerance})) {
     return Conflict::amplitude_against_return;
   }
-  if (conflict == Conflict::stop_against_delta_max && task.limits.delta_max != limits.delta_max) {
-    return Conflict::stop_against_start;
+  if (!fits({.f_max = limits.f_max, .tolerance = tolerance})) {
+    return Conflict::amplitude_against_f_max;
   }
-  return conflict;
+  if (!fits({.tolerance = tolerance, .acceleration_max = limits.acceleration_max}, false)) {
+    return Conflict::acceleration_alone;
+  }
+  if (!fits({.f_max = limits.f_max,
+             .tolerance = tolerance,
+             .acceleration_max = limits.acceleration_max})) {
+    return Conflict::amplitude_against_acceleration;
+  }
+  return Conflict::stop_against_delta_max;
 }
 
-/// The empty region, told for the largest f.
-DesignResult without_design(const PulseTask& task, const SearchOptions& options) {
-  const Limits& limits = task.limits;
-  const FreeTask free = task_of_box(task, highest_f(task), limits.tolerance, 0);
-  DesignResult result{{admissible_region(free.problem, free.limits)},
-                      {free.problem, limits, options, task.problem.pulse}};
-  result.region.conflict = result.region.feasible ? Conflict::narrower_than_rounding
-                                                  : as_asked(result.region.conflict, free, limits);
-  result.region.feasible = false;
-  result.region.f_lower = result.region.f_upper = std::nullopt;
-  result.region.f3 = std::min(result.region.f3, *free.limits.f_max);
-  result.reason = reason(result.region, free.problem, free.limits);
-  result.mends = mends(task.problem, limits);
-  result.joint_mend = joint_mend(task.problem, limits);
-  return result;
+std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseProblem& problem,
+                      const Limits& limits) {
+  const std::string box =
+      limits.tolerance > 0 ? format(", with a tolerance of {:g}", limits.tolerance) : "";
+  const PulseRegion amplitude(region.profile(), problem, {});
+  const double k = region.f_unit();
+  const FirstReturn last = last_return(region);
+  switch (conflict) {
+    case Conflict::amplitude_against_return:
+      if (amplitude.islands().empty()) {
+        return format(
+            "amplitude and return exclude each other: coming back to x = 0 needs f <= {:.6g}, and "
+            "with that the peak is {:.6g} at least, beyond beta = {:.6g}",
+            last.f * k, last.peak * region.length_unit(), problem.beta);
+      }
+      return format(
+          "amplitude and return exclude each other: a peak within beta needs f >= {:.6g}, coming "
+          "back to x = 0 needs f <= {:.6g}{}",
+          amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
+    case Conflict::amplitude_against_f_max:
+      return format(
+          "amplitude and f_max exclude each other: a peak within beta needs f >= {:.6g}, f_max is "
+          "{:.6g}{}",
+          amplitude.islands().front().low * k, *limits.f_max, box);
+    case Conflict::acceleration_alone:
+      return format("no f that returns keeps the transmitted acceleration within {:.6g} g{}",
+                    *limits.acceleration_max, box);
+    case Conflict::amplitude_against_acceleration:
+      return format(
+          "amplitude and acceleration exclude each other: no f that returns keeps both the peak "
+          "within beta and the transmitted acceleration within {:.6g} g{}",
+          *limits.acceleration_max, box);
+    default:
+      return format(
+          "stop and delta_max exclude each other: no f that keeps the other requirements arrives "
+          "slowly enough for delta <= {:.6g}{}",
+          *limits.delta_max, box);
+  }
 }
 
-/// The paper's edges with the velocity at f; the interval of f is that of the pulse.
-Region region_at(const PulseTask& task, const Problem& reduced) {
-  Region region = admissible_region(reduced, task.limits);
-  region.feasible = true;
-  region.conflict = Conflict::none;
-  region.f_lower = lowest_f(task);
-  region.f_upper = highest_f(task);
-  return region;
+std::vector<Constraint> constraints_of(const PulseRequest& request, const DesignPoint& point,
+                                       const FirstReturn& motion, const PulseRegion& region,
+                                       const Region& edges) {
+  const auto& [problem, limits, options] = request;
+  const auto below = [](std::string_view name, std::string_view variable, double value,
+                        double limit, bool strict = false) {
+    return Constraint{name,
+                      variable,
+                      strict ? "<" : "<=",
+                      value,
+                      limit,
+                      limit - value,
+                      strict ? value < limit : value <= limit};
+  };
+  const double need = motion.need(problem.criterion) * region.delta_unit();
+  std::vector<Constraint> list{
+      below("start", "f", point.f, peak_load(problem.pulse), true),
+      below("amplitude", "peak", motion.peak * region.length_unit(), problem.beta),
+      below("return", "f", point.f, edges.f3),
+      {"stop", "delta", ">=", point.delta, need, point.delta - need, point.delta >= need}};
+  if (limits.f_max) {
+    list.push_back(below("f_max", "f", point.f, *limits.f_max));
+  }
+  if (limits.delta_max) {
+    list.push_back(below("delta_max", "delta", point.delta, *limits.delta_max));
+  }
+  if (limits.acceleration_max) {
+    list.push_back(below("acceleration", "acceleration", motion.acceleration * region.f_unit(),
+                         *limits.acceleration_max));
+  }
+  return list;
+}
+
+/// An objective's value in the units of the request.
+std::optional<double> in_units(const PulseRegion& region, Objective objective, double p,
+                               double value) {
+  if (std::isinf(value)) {
+    return std::nullopt;
+  }
+  switch (objective) {
+    case Objective::robust:
+      return -value;
+    case Objective::amplitude:
+      return value * region.length_unit();
+    case Objective::time:
+      return value / p;
+    case Objective::acceleration:
+      break;
+  }
+  return value * region.f_unit();
 }
 
 }  // namespace
@@ -185,15 +192,30 @@ DesignResult design(const PulseRequest& request) {
   const auto& [problem, limits, options] = request;
   require_valid(options);
   require_valid(problem, limits);
-  const PulseTask task(problem, limits);
-  if (!feasible(task)) {
-    return without_design(task, options);
+  const PulseRegion region(problem, limits);
+  const auto optimum = search(region, options);
+  DesignResult result{{edges_of(region, problem, {})}, reduced(request, 0)};
+  for (const Island& island : region.islands()) {
+    result.intervals.push_back({island.low * region.f_unit(), island.high * region.f_unit()});
   }
-  const SearchResult found = search({task, options});
-  const Problem reduced = problem_at(problem, found.point.f);
-  DesignResult result{{region_at(task, reduced)}, {reduced, limits, options, problem.pulse}};
-  result.finding = finding_of(reduced, limits, found);
-  result.finding->pulse = check_under_pulse(problem, *result.finding);
+  if (!optimum) {
+    result.region.conflict = conflict_of(region, problem, limits);
+    result.reason = reason_of(result.region.conflict, region, problem, limits);
+    result.mends = mends(problem, limits);
+    return result;
+  }
+  const DesignPoint& unit = optimum->found.point;
+  const DesignPoint point{unit.f * region.f_unit(), unit.delta * region.delta_unit(),
+                          unit.tolerance};
+  const FirstReturn motion = region.at(unit.f);
+  result.request = reduced(request, point.f);
+  result.region = edges_of(region, problem, optimum->island);
+  result.finding = finding_under_pulse(problem, limits, {point, optimum->found.record}, motion);
+  result.finding->constraints = constraints_of(request, point, motion, region, result.region);
+  result.finding->pulse->searched =
+      in_units(region, options.objective, problem.p, optimum->searched);
+  result.finding->pulse->bracketed =
+      in_units(region, options.objective, problem.p, optimum->bracketed);
   return result;
 }
 

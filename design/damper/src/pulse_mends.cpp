@@ -7,102 +7,104 @@
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace stillpoint::design {
 
 namespace {
 
+/// No mend makes a pulse longer than p / lambda = 10, unless it is already: where the mass swings
+/// many times before it returns, a region costs too much to ask for a hundred of them.
+constexpr double slowest_mended = 10;
 /// Six decades of any input are more than any design can use, and keep it valid.
 constexpr double far = 1e6;
-/// Of lambda to p, as require_valid has it.
-constexpr double longest_ratio = 1e12;
 
 struct Case {
   PulseProblem problem;
   Limits limits;
-
-  void set_k(double k) {
-    std::visit([k](auto& kind) { kind.k = k; }, problem.pulse);
-  }
-  void set_lambda(double lambda) {
-    std::visit([lambda](auto& kind) { kind.lambda = lambda; }, problem.pulse);
-  }
+  std::shared_ptr<const PulseProfile> profile;  ///< of lambda and p alone, in units of k
 };
 
+void set_k(Case& now, double k) {
+  std::visit([k](auto& kind) { kind.k = k; }, now.problem.pulse);
+}
+
+void set_lambda(Case& now, double lambda) {
+  std::visit([lambda](auto& kind) { kind.lambda = lambda; }, now.problem.pulse);
+  now.profile = std::make_shared<PulseProfile>(now.problem.pulse, now.problem.p);
+}
+
+void set_p(Case& now, double p) {
+  now.problem.p = p;
+  now.profile = std::make_shared<PulseProfile>(now.problem.pulse, p);
+}
+
 bool fits(const Case& now) {
-  return feasible(PulseTask(now.problem, now.limits));
+  return PulseRegion(now.profile, now.problem, now.limits).feasible();
 }
 
-Input<Case> k_of(const PulseProblem& problem) {
-  const double k = peak_load(problem.pulse);
-  return {"k", k, k / far, [](Case& now, double value) { now.set_k(value); }};
-}
-
-Input<Case> lambda_of(const PulseProblem& problem) {
-  const double lambda = angular_frequency(problem.pulse);
-  return {"lambda", lambda, std::min(lambda * far, problem.p * longest_ratio),
-          [](Case& now, double value) { now.set_lambda(value); }};
-}
-
-Input<Case> beta_of(const PulseProblem& problem) {
-  return {"beta", problem.beta, problem.beta * far,
-          [](Case& now, double value) { now.problem.beta = value; }};
-}
-
-/// More p helps the amplitude and can only harm the stop, so both are tested one after the other:
-/// without a limit of Delta, then without one of the amplitude.
-void add_p(std::vector<Mend>& list, const Case& base) {
-  const auto with = [&](double p) {
+/// Where an input does not always help or always harm: the nearest value on either side that fits,
+/// of those that steps of growing size find.
+std::optional<double> nearest_either_way(const Case& base, double from, double least, double most,
+                                         void (*set)(Case&, double)) {
+  constexpr double first_step = 1.02;
+  constexpr double growth = 1.12;
+  const auto fits_at = [&](double value) {
     Case changed = base;
-    changed.problem.p = p;
-    return changed;
+    set(changed, value);
+    return fits(changed);
   };
-  const double p = base.problem.p;
-  const auto raised = nearest_fit(p, angular_frequency(base.problem.pulse), [&](double value) {
-    Case wide = with(value);
-    wide.limits.delta_max = std::nullopt;
-    return fits(wide);
-  });
-  if (!raised) {
-    return;
+  double step = first_step;
+  double inner = 1;  // the factors up to here are looked at
+  while (from * inner < most || from / inner > least) {
+    const double outer = inner * step;
+    step = 1 + (step - 1) * growth;
+    const double above = std::min(from * outer, most);
+    const double below = std::max(from / outer, least);
+    const auto nearest = [&](double inside, double to) {
+      return fits_at(to) ? nearest_fit(inside, to, fits_at) : std::nullopt;
+    };
+    const auto up = from * inner < most ? nearest(from * inner, above) : std::nullopt;
+    const auto down = from / inner > least ? nearest(from / inner, below) : std::nullopt;
+    if (up || down) {
+      return up && (!down || *up / from <= from / *down) ? up : down;
+    }
+    inner = outer;
   }
-  const double v0 = problem_at(base.problem, 0).v0;
-  // A forced run reaches no further.
-  const double least = std::max(p / far, angular_frequency(base.problem.pulse) / longest_ratio);
-  const auto value = nearest_fit(*raised, least, [&](double lower) {
-    Case wide = with(lower);
-    wide.problem.beta = 2 * v0 / lower;  // twice the peak without friction
-    return fits(wide);
-  });
-  if (value && fits(with(*value))) {
-    list.push_back({"p", *value, *value > p});
-  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
-  const Case base{problem, limits};
+  const Case base{problem, limits, std::make_shared<PulseProfile>(problem.pulse, problem.p)};
   std::vector<Mend> list;
   if (fits(base)) {
     return list;
   }
-  add_mend(list, base, fits, k_of(problem));
-  add_mend(list, base, fits, lambda_of(problem));
-  add_p(list, base);
-  add_mend(list, base, fits, beta_of(problem));
+  // In units of k a weaker pulse is a larger beta and larger limits: it can only help.
+  const double k = peak_load(problem.pulse);
+  add_mend(list, base, fits, Input<Case>{"k", k, k / far, set_k});
+  const double p = problem.p;
+  const double lambda = angular_frequency(problem.pulse);
+  if (const auto value = nearest_either_way(
+          base, lambda, std::min(lambda, std::max(lambda / far, p / slowest_mended)),
+          std::min(lambda * far, p * fastest_pulse), set_lambda)) {
+    list.push_back({"lambda", *value, *value > lambda});
+  }
+  if (const auto value =
+          nearest_either_way(base, p, std::max(p / far, lambda / fastest_pulse),
+                             std::max(p, std::min(p * far, lambda * slowest_mended)), set_p)) {
+    list.push_back({"p", *value, *value > p});
+  }
+  add_mend(list, base, fits,
+           Input<Case>{"beta", problem.beta, problem.beta * far,
+                       [](Case& now, double value) { now.problem.beta = value; }});
   for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
     add_mend(list, base, fits, limit);
   }
   return list;
-}
-
-std::optional<JointMend> joint_mend(const PulseProblem& problem, const Limits& limits) {
-  const Case base{problem, limits};
-  if (fits(base) || !mends(problem, limits).empty()) {
-    return std::nullopt;
-  }
-  return joint_mend_of(base, fits, {beta_of(problem), k_of(problem), lambda_of(problem)});
 }
 
 }  // namespace stillpoint::design

@@ -1,102 +1,172 @@
 // SPDX-License-Identifier: MIT
 #include "pulse_region.hpp"
 
-#include "nearest_fit.hpp"
-#include "region_edges.hpp"
-
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/region.hpp>
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// The motion under the pulse itself comes back to x = 0, rests there and has stayed within beta.
-bool holds_under_pulse(const PulseProblem& problem, double f, double delta) {
-  const ForcedResponse motion =
-      forced_response({problem.p, f, delta}, {}, excitation(problem.pulse));
-  return motion.stops_at_zero && motion.half_cycles == 1.0 && motion.peak_amplitude <= problem.beta;
-}
+/// More than the rounding of a motion in other units, and less than anything that can be built.
+constexpr double rounding = 1e-13;
 
-double last_f_that_returns(PulseProblem problem) {
-  problem.beta = HUGE_VAL;
-  const double v0 = problem_at(problem, 0).v0;
-  // Four times what holds the mass at its first return, so that this asks for the return alone.
-  const double delta = 2 * v0 * v0;
-  const auto last = nearest_fit(peak_load(problem.pulse), 0,
-                                [&](double f) { return holds_under_pulse(problem, f, delta); });
-  assert(last && "without friction the mass comes back");
-  return *last;
-}
-
-/// The largest Delta whose box fits below the caps for a box around f.
-double highest_delta(const PulseTask& task, double f) {
-  const double tolerance = task.limits.tolerance;
-  return highest_centre(*task_of_box(task, f, tolerance, 0).limits.delta_max, tolerance);
+double ratio_of_box(double tolerance) {
+  return (1 + tolerance) / (1 - tolerance);
 }
 
 }  // namespace
 
-PulseTask::PulseTask(const PulseProblem& what, const Limits& allowed)
-    : problem(what), limits(allowed), f_most(last_f_that_returns(what)) {}
-
-FreeTask task_of_box(const PulseTask& task, double f, double tolerance, double slack) {
-  const auto& [problem, limits, f_most] = task;
-  Problem at_high = problem_at(problem, f * (1 + tolerance));
-  at_high.v0 *= 1 - slack;
-  const Edges edge = edges(at_high, limits);
-  FreeTask free{problem_at(problem, f * (1 - tolerance)), limits};
-  free.problem.v0 *= 1 + slack;
-  free.limits.f_max = std::min(edge.f_cap, f_most * (1 - slack));
-  free.limits.delta_max = edge.delta_cap;
-  return free;
+PulseRegion::PulseRegion(std::shared_ptr<const PulseProfile> profile, const PulseProblem& problem,
+                         const Limits& limits)
+    : profile_(std::move(profile)),
+      criterion_(problem.criterion),
+      k_(peak_load(problem.pulse)),
+      length_(k_ / problem.p / problem.p),
+      beta_(problem.beta / length_ * (1 - rounding)),
+      f_max_(limits.f_max.value_or(HUGE_VAL) / k_ * (1 - rounding)),
+      delta_max_(limits.delta_max.value_or(HUGE_VAL) / length_ / k_ * (1 - rounding)),
+      acceleration_max_(limits.acceleration_max.value_or(HUGE_VAL) / k_ * (1 - rounding)),
+      asked_(limits.tolerance) {
+  find_islands();
 }
 
-double highest_f(const PulseTask& task) {
-  const auto returns = [&](double f) {
-    const Problem now = problem_at(task.problem, f);
-    return now.v0 > 0 && f <= edges(now, task.limits).f_cap;
+bool PulseRegion::holds(const FirstReturn& motion) const {
+  return motion.returns && motion.f <= f_max_ && motion.peak <= beta_ &&
+         motion.acceleration <= acceleration_max_;
+}
+
+void PulseRegion::find_islands() {
+  std::vector<FirstReturn> points = profile_->samples();
+  if (f_max_ <= points.back().f) {
+    // Below every sample there is one more decade to look at.
+    for (const double f : {f_max_ / 8, f_max_}) {
+      points.push_back(at(f));
+    }
+    std::ranges::sort(points, {}, &FirstReturn::f);
+  }
+  if (std::isfinite(acceleration_max_)) {
+    // It may be kept between two samples that do not keep it.
+    std::vector<FirstReturn> found;
+    constexpr int bits = 24;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const double now = points[i].acceleration;
+      if (now > acceleration_max_ && now <= points[i - 1].acceleration &&
+          now <= points[i + 1].acceleration) {
+        const auto acceleration = [&](double f) { return at(f).acceleration; };
+        found.push_back(at(boost::math::tools::brent_find_minima(acceleration, points[i - 1].f,
+                                                                 points[i + 1].f, bits)
+                               .first));
+      }
+    }
+    points.insert(points.end(), found.begin(), found.end());
+    std::ranges::sort(points, {}, &FirstReturn::f);
+  }
+  const auto edge = [&](double inside, double outside) {
+    return last_that_holds(inside, outside, [&](double f) { return holds(at(f)); });
   };
-  return highest_centre(*nearest_fit(task.f_most, 0, returns), task.limits.tolerance);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!holds(points[i])) {
+      continue;
+    }
+    const double low = i == 0 ? points[i].f : edge(points[i].f, points[i - 1].f);
+    while (i + 1 < points.size() && holds(points[i + 1])) {
+      ++i;
+    }
+    const double high = i + 1 == points.size() ? points[i].f : edge(points[i].f, points[i + 1].f);
+    if (low * (1 + rounding) <= high * (1 - rounding)) {
+      islands_.push_back({low * (1 + rounding), high * (1 - rounding)});
+    }
+  }
 }
 
-double lowest_f(const PulseTask& task) {
-  return *nearest_fit(0, highest_f(task), [&](double f) {
-    return f > 0 && admissible(task, f, highest_delta(task, f));
-  });
+double PulseRegion::use_of_delta(double low, double high, double tolerance) const {
+  return std::isinf(delta_max_)
+             ? 0
+             : profile_->need_between(low, high, criterion_) * ratio_of_box(tolerance) / delta_max_;
 }
 
-DesignPoint corner_point(const PulseTask& task) {
-  const double f = highest_f(task);
-  return {f, highest_delta(task, f), task.limits.tolerance};
+std::optional<double> PulseRegion::box_in(const Island& island, double tolerance) const {
+  const double ratio = ratio_of_box(tolerance);
+  const double last = island.high / ratio;
+  if (island.low > last) {
+    return std::nullopt;
+  }
+  const auto use = [&](double low) { return use_of_delta(low, low * ratio, tolerance); };
+  if (use(last) <= 1) {
+    return last;
+  }
+  // The need mostly falls with f. Where it does not, the box that needs least as far as the samples
+  // know.
+  const auto rough = [&](double low) {
+    return profile_->rough_need_between(low, low * ratio, criterion_);
+  };
+  constexpr int steps = 100;
+  double best = last;
+  for (int i = 0; i < steps; ++i) {
+    const double low = island.low * std::pow(last / island.low, static_cast<double>(i) / steps);
+    if (rough(low) < rough(best)) {
+      best = low;
+    }
+  }
+  const double step = std::pow(last / island.low, 1.0 / steps);
+  constexpr int bits = 30;
+  const double refined =
+      boost::math::tools::brent_find_minima(use, std::max(island.low, best / step),
+                                            std::min(last, best * step), bits)
+          .first;
+  return use(refined) <= 1 ? std::optional(refined) : std::nullopt;
 }
 
-bool feasible(const PulseTask& task) {
-  const DesignPoint corner = corner_point(task);
-  return admissible(task, corner.f, corner.delta);
+bool PulseRegion::feasible() const {
+  return std::ranges::any_of(
+      islands_, [&](const Island& island) { return box_in(island, asked_).has_value(); });
 }
 
-bool admissible(const PulseTask& task, double f, double delta) {
-  const auto& [problem, limits, f_most] = task;
-  const double low = f * (1 - limits.tolerance);
-  const double high = f * (1 + limits.tolerance);
-  const double low_delta = delta * (1 - limits.tolerance);
-  return high <= f_most &&
-         box_admissible(problem_at(problem, low), problem_at(problem, high), limits, f, delta) &&
-         holds_under_pulse(problem, low, low_delta) && holds_under_pulse(problem, high, low_delta);
-}
-
-std::optional<double> largest_tolerance(const PulseTask& task, double f, double delta) {
-  PulseTask box = task;
+/// As far as f and delta_max, or the given Delta, allow.
+double PulseRegion::widest(const Island& island, double f, double delta) const {
+  const double most = std::max(widest_tolerance, asked_);
+  const double of_f = std::min({most, (f - island.low) / f, (island.high - f) / f});
   const auto fits = [&](double tolerance) {
-    box.limits.tolerance = tolerance;
-    return admissible(box, f, delta);
+    const double low = std::max(island.low, f * (1 - tolerance));
+    const double high = std::min(island.high, f * (1 + tolerance));
+    if (std::isinf(delta)) {
+      return use_of_delta(low, high, tolerance) <= 1;
+    }
+    return delta * (1 + tolerance) <= delta_max_ &&
+           profile_->need_between(low, high, criterion_) <= delta * (1 - tolerance);
   };
-  return nearest_fit(std::nextafter(1.0, 0.0), 0, fits);
+  if (of_f < 0 || fits(of_f)) {
+    return std::max(of_f, 0.0);
+  }
+  return fits(0) ? last_that_holds(0.0, of_f, fits) : 0;
+}
+
+DesignPoint PulseRegion::with_best_delta(const Island& island, double f) const {
+  constexpr double reserve = 0.5;
+  const double inside = std::clamp(f, island.low, island.high);
+  const double tolerance = widest(island, inside, HUGE_VAL);
+  const double need =
+      profile_->need_between(std::max(island.low, inside * (1 - tolerance)),
+                             std::min(island.high, inside * (1 + tolerance)), criterion_);
+  // An arrival at rest needs a notch as well, of any size.
+  const double least = std::max(need, std::numeric_limits<double>::epsilon() * at(inside).peak);
+  const double delta = std::min(least / (1 - std::max(tolerance, reserve)) * (1 + rounding),
+                                delta_max_ / (1 + tolerance));
+  return {inside, delta, tolerance};
+}
+
+std::optional<double> PulseRegion::tolerance_of(double f, double delta) const {
+  for (const Island& island : islands_) {
+    if (island.low <= f && f <= island.high && delta <= delta_max_ &&
+        at(f).need(criterion_) <= delta) {
+      return widest(island, f, delta);
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace stillpoint::design

@@ -1,63 +1,81 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The admissible region where a pulse leaves the initial velocity V(f), docs/theory.md section 8.
-// V falls with f, so the box f (1 +- R) is tightest where the free one is, at its two corners, with
-// the velocity of either. Both corners must hold under the pulse itself too.
+// The admissible (f, Delta) of a pulse: the f whose motion returns, stays within beta and keeps the
+// limits, and for each of them every Delta from its need up to delta_max. docs/theory.md section 8.
+
+#include "pulse_profile.hpp"
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace stillpoint::design {
 
-/// The task of a design for a pulse.
-struct PulseTask {
-  PulseTask(const PulseProblem& what, const Limits& allowed);
-
-  PulseProblem problem;
-  Limits limits;
-  /// The largest f under which the mass comes back to x = 0 after the pulse itself: the f3 of the
-  /// forced motion, which lies a little below that of V(f).
-  double f_most;
+/// An interval of admissible f, in units of k; no tolerance is looked at.
+struct Island {
+  double low{0};
+  double high{0};
 };
 
-/// A problem and limits of constant velocity.
-struct FreeTask {
-  Problem problem;
-  Limits limits;
+/// In the units of PulseProfile.
+class PulseRegion {
+ public:
+  PulseRegion(const PulseProblem& problem, const Limits& limits)
+      : PulseRegion(std::make_shared<PulseProfile>(problem.pulse, problem.p), problem, limits) {}
+  PulseRegion(std::shared_ptr<const PulseProfile> profile, const PulseProblem& problem,
+              const Limits& limits);
+
+  [[nodiscard]] const std::shared_ptr<const PulseProfile>& profile() const { return profile_; }
+  [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
+  [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
+  /// The largest need of a box, over what delta_max leaves for it: at most 1 where it fits.
+  [[nodiscard]] double use_of_delta(double low, double high, double tolerance) const;
+  /// The low end of the box of that tolerance that needs the least Delta, where that is within
+  /// delta_max.
+  [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance) const;
+  [[nodiscard]] bool feasible() const;
+
+  /// The point of an island with the Delta that leaves the most tolerance, and with half of its
+  /// capacity in reserve where delta_max allows.
+  [[nodiscard]] DesignPoint with_best_delta(const Island& island, double f) const;
+  /// The largest tolerance of an admissible point; empty for any other.
+  [[nodiscard]] std::optional<double> tolerance_of(double f, double delta) const;
+
+  /// f, and Delta, in units of the request.
+  [[nodiscard]] double f_unit() const { return k_; }
+  [[nodiscard]] double delta_unit() const { return length_ * k_; }
+  [[nodiscard]] double length_unit() const { return length_; }
+  [[nodiscard]] double asked() const { return asked_; }
+
+ private:
+  [[nodiscard]] bool holds(const FirstReturn& motion) const;
+  void find_islands();
+  [[nodiscard]] double widest(const Island& island, double f, double delta_free) const;
+
+  std::shared_ptr<const PulseProfile> profile_;
+  std::vector<Island> islands_;
+  Criterion criterion_;
+  double k_;
+  double length_;
+  double beta_;
+  double f_max_;
+  double delta_max_;
+  double acceleration_max_;
+  double asked_;  ///< tolerance
 };
 
-/// For the box around `f` with the given tolerance: the velocity of its low corner and, as limits,
-/// f3 and Delta2 for the velocity of its high corner, and f_most. If this task admits such a box,
-/// so does the pulse. Both velocities and f_most are moved to the safe side by a relative `slack`.
-[[nodiscard]] FreeTask task_of_box(const PulseTask& task, double f, double tolerance, double slack);
-
-/// The largest f whose box fits below f3, f_most and f_max, f3 with the velocity of that f. There
-/// the strip of Delta is widest and the peak least.
-[[nodiscard]] double highest_f(const PulseTask& task);
-
-/// The smallest f that has any Delta. For a feasible task.
-[[nodiscard]] double lowest_f(const PulseTask& task);
-
-/// The highest f and the largest Delta whose box fits below Delta2 and delta_max.
-[[nodiscard]] DesignPoint corner_point(const PulseTask& task);
-
-/// Whether any (f, Delta) is admissible with its box: then that corner is.
-[[nodiscard]] bool feasible(const PulseTask& task);
-
-[[nodiscard]] bool admissible(const PulseTask& task, double f, double delta);
-/// The largest tolerance of an admissible point; empty for any other point.
-[[nodiscard]] std::optional<double> largest_tolerance(const PulseTask& task, double f,
-                                                      double delta);
+/// Nothing bounds Delta from above but delta_max, so that an interval of f that begins at 0 would
+/// have any tolerance below 1, with a Delta that grows beyond all bounds. No more than this is
+/// looked for, unless it is asked for.
+inline constexpr double widest_tolerance = 0.995;
 
 /// Like mends() of region.hpp, with k and lambda instead of v0.
 [[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
-[[nodiscard]] std::optional<JointMend> joint_mend(const PulseProblem& problem,
-                                                  const Limits& limits);
 
 }  // namespace stillpoint::design

@@ -21,7 +21,7 @@ constexpr double polished_share = 0.2;
 }  // namespace
 
 NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
-                 const SearchOptions& options, const std::function<Eigen::Vector2d()>& best) {
+                 const SearchOptions& options, const std::function<Eigen::VectorXd()>& best) {
   const bool is_global = algorithm.starts_with("GN_") && options.max_evaluations > 1;
   if (!is_global) {
     return minimise(posed, algorithm, {options.max_evaluations, options.max_seconds});

@@ -15,10 +15,10 @@ namespace stillpoint::design {
 /// The default one for an empty name. Throws InputError.
 [[nodiscard]] NloptAlgorithm find_algorithm(const std::string& wanted);
 
-/// Minimises; after a global algorithm a local one goes on from `best`, the best (x, y) so far.
+/// Minimises; after a global algorithm a local one goes on from `best`, the best point so far.
 [[nodiscard]] NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
                                const SearchOptions& options,
-                               const std::function<Eigen::Vector2d()>& best);
+                               const std::function<Eigen::VectorXd()>& best);
 
 /// The search of a task with several arrivals: the best of the strips.
 [[nodiscard]] std::optional<SearchResult> search_arrivals(const Problem& problem,

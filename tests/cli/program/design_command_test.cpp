@@ -372,7 +372,10 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_
   const Arguments pulse{"design",   "--pulse",     "half-sine", "--k",   "0.5",
                         "--lambda", "20",          "--p",       "1",     "--beta",
                         "0.02",     "--tolerance", "0.5",       "--json"};
-  BOOST_TEST(run(pulse).json()["region"]["joint_mend"]["mends"].size() == 2U);
+  // With a pulse nothing bounds Delta, so that a weaker one alone is enough.
+  const json by_pulse = run(pulse).json()["region"];
+  BOOST_TEST(by_pulse["joint_mend"].is_null());
+  BOOST_TEST(by_pulse["mends"][0]["input"] == "k");
 }
 
 BOOST_AUTO_TEST_CASE(each_mend_is_the_least_one) {

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(offers_files_where_one_is_meant_and_nothing_for_a_number) {
 
 BOOST_AUTO_TEST_CASE(offers_the_values_of_an_option) {
   write_script(*this);
-  const std::set<std::string> pulses{"half-sine", "rectangle"};
+  const std::set<std::string> pulses{"half-sine", "full-sine", "rectangle"};
   BOOST_TEST(offered(*this, "stillpoint design --pulse \"\"") == pulses);
   BOOST_TEST(offered(*this, "stillpoint design --objective=a") == std::set<std::string>());
   const std::set<std::string> with_a{"amplitude", "acceleration"};

@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(lists_the_values_that_an_option_takes) {
       "robust (default), amplitude, time, acceleration or residual; under records acceleration "
       "(default), amplitude or residual");
   BOOST_TEST(contains(help("excitation"), "harmonic, half-sine, full-sine, rectangle or record"));
-  BOOST_TEST(contains(help("pulse"), "half-sine or rectangle"));
+  BOOST_TEST(contains(help("pulse"), "half-sine, full-sine or rectangle"));
   BOOST_TEST(contains(help("record-units"), "g (default), m/s2 or cm/s2"));
   BOOST_TEST(contains(help("duration"), "0 or more"));
 }

@@ -114,9 +114,9 @@ BOOST_AUTO_TEST_CASE(with_a_pulse_needs_a_velocity_elsewhere) {
              report_of(*this, {"region", "--v0", "0.04", "--p", "1", "--beta", "0.05"}));
   BOOST_TEST(run({"sweep", "scene.json", "--v0", "0.04"}).out ==
              run({"sweep", "--v0", "0.04", "--p", "1", "--beta", "0.05"}).out);
-  write("bad.json", R"({"pulse": "full-sine", "k": 0.5, "lambda": 20, "p": 1})");
+  write("bad.json", R"({"pulse": "harmonic", "k": 0.5, "lambda": 20, "p": 1})");
   check_refusal(run({"simulate", "bad.json", "--f", "0.01", "--delta", "0"}),
-                {"pulse = full-sine", "half-sine or rectangle"});
+                {"pulse = harmonic", "half-sine, full-sine or rectangle"});
   write("both.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "v0": 1})");
   check_refusal(run({"simulate", "both.json", "--f", "0.01", "--delta", "0"}),
                 {"v0 and pulse exclude each other"});

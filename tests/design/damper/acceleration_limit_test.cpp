@@ -179,13 +179,22 @@ BOOST_AUTO_TEST_CASE(each_design_keeps_the_limit_over_its_box_and_none_better_is
   BOOST_TEST(met > 50);
 }
 
-BOOST_AUTO_TEST_CASE(a_pulse_refuses_the_limit_and_so_does_a_wrong_number) {
-  DesignRequest request{{1, 1, 0.8}, at_most(1)};
+BOOST_AUTO_TEST_CASE(a_pulse_takes_the_limit_as_well) {
+  DesignRequest request{{1, 1, 0.8}, at_most(0.05)};
   request.pulse = HalfSine{0.5, 20};
+  const DesignResult result = design::design(request);
+  BOOST_TEST_REQUIRE(result.finding.has_value());
+  BOOST_TEST(result.finding->response.peak_absolute_acceleration <= 0.05);
+  // Without friction it is p V0 = 2 k p / lambda, less by a relative 0.25 (p / lambda)^2; friction
+  // takes from the velocity and gives a little, so that the least is not much below.
+  request.limits = at_most(0.045);
+  BOOST_TEST(!design::design(request).finding.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_limit_is_refused) {
   const auto names_it = [](const InputError& error) {
     return std::string(error.what()).find("acceleration_max") != std::string::npos;
   };
-  BOOST_CHECK_EXCEPTION((void)design::design(request), InputError, names_it);
   for (const double wrong : {0.0, -1.0, 1e-301, 1e301, double(HUGE_VAL)}) {
     BOOST_CHECK_EXCEPTION((void)admissible_region({1, 1, 1}, at_most(wrong)), InputError, names_it);
   }

@@ -28,13 +28,13 @@ struct Finding {
   /// centre, within the residual.
   std::optional<std::int64_t> arrival{};
   std::vector<Constraint> constraints;
-  Response response;  ///< by the half-cycle map
+  Response response;  ///< by the half-cycle map, or under the pulse
   SearchRecord search;
   CrossCheck cross_check;
-  /// Empty for a pulse: its velocity depends on f, and the forced motion is what counts.
+  /// Empty for a pulse.
   std::optional<WorksFor> works_for;
   std::optional<Practice> practice;  ///< of `response`
-  std::optional<PulseCheck> pulse;   ///< if a pulse gave the initial velocity
+  std::optional<PulseCheck> pulse;   ///< if a pulse moves the mass
 };
 
 /// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the
@@ -42,6 +42,7 @@ struct Finding {
 struct DesignResult : RegionVerdict {
   DesignRequest request;
   std::optional<Finding> finding{};
+  std::vector<FrictionInterval> intervals{};  ///< of admissible f, with a pulse
 };
 
 /// The largest R of f and delta at once, whatever the shape of the box.
@@ -61,13 +62,13 @@ struct PulseRequest {
   SearchOptions search{};
 };
 
-/// The answer for the initial velocity that the pulse leaves under the f found, with `pulse` in the
-/// finding and forced_pulse as a third method of the cross-check. The point and its tolerance hold
-/// with V(f) over the whole box, and at its corners under the pulse itself. f_lower and f_upper of
-/// the region bound the f for which such a point exists; its other edges are those of the velocity.
-/// The mends name k and lambda instead of v0. Without a design the velocity is that for the largest
-/// f that returns. Throws InputError for wrong input. docs/theory.md section 8 and docs/forced.md
-/// section 8.
+/// The answer for a mass that a pulse moves from rest. The region is that of the forced motion
+/// itself: docs/theory.md section 8. In it f2 and f3 are the ends of the f that stay within beta
+/// and return, beta_min is the least beta without limits, delta2 is infinite, since a mass that
+/// leaves from rest pays nothing at the start. The finding's `response` is the forced one, and its
+/// `pulse` says how far the reduction to a velocity is off; the request's v0 is that velocity, or 0
+/// where there is none. The mends name k and lambda instead of v0. Throws InputError for wrong
+/// input.
 [[nodiscard]] DesignResult design(const PulseRequest& request);
 
 }  // namespace stillpoint::design

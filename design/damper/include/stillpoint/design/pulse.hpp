@@ -13,11 +13,9 @@
 
 namespace stillpoint::design {
 
-/// The pulses that act like an initial velocity. A full sine does not: it leaves none.
-using Pulse = std::variant<HalfSine, Rectangle>;
+using Pulse = std::variant<HalfSine, FullSine, Rectangle>;
 
-/// A problem whose initial velocity comes from a pulse. Friction already acts during the pulse, so
-/// the velocity depends on f and falls with it: docs/forced.md section 8.
+/// A problem where a pulse moves the mass from rest, instead of an initial velocity.
 struct PulseProblem {
   Pulse pulse;
   double p{1};
@@ -25,20 +23,31 @@ struct PulseProblem {
   Criterion criterion{Criterion::published};
 };
 
-/// Throws InputError, naming the field, unless k > 0, lambda >= p (a longer pulse is not an
-/// impulse), there is no acceleration_max, and the problem of the velocity left without friction is
-/// valid (problem.hpp).
+/// lambda / p is at most the first, as far as a forced run reaches, and p / lambda the second: a
+/// half-sine of 50 natural periods, during which a weakly damped mass swings as often.
+inline constexpr double fastest_pulse = 1e12;
+inline constexpr double slowest_pulse = 100;
+
+/// Throws InputError, naming the field, unless k > 0, lambda / p is from 0.01 to 1e12, and the
+/// problem of the velocity k / lambda is valid (problem.hpp).
 void require_valid(const PulseProblem& problem, const Limits& limits = {});
 
 [[nodiscard]] double peak_load(const Pulse& pulse);          ///< k
 [[nodiscard]] double angular_frequency(const Pulse& pulse);  ///< lambda
-[[nodiscard]] std::string_view name(const Pulse& pulse);     ///< "half-sine" or "rectangle"
+[[nodiscard]] std::string_view name(const Pulse& pulse);     ///< "half-sine" and so on
 [[nodiscard]] Excitation excitation(const Pulse& pulse);
-/// Of core, empty where the mass never moves.
+/// Of core, empty where the mass never moves, and for a full sine, which leaves no velocity.
 [[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f);
 
-/// The problem with the velocity that the pulse leaves under friction f; 0 where f >= k.
-[[nodiscard]] Problem problem_at(const PulseProblem& problem, double f);
+/// Delta >= this stops the mass at its first return under friction f: half the square of the
+/// arrival speed, by the published criterion f^2/(2 p^2) more. Empty where it does not return.
+[[nodiscard]] std::optional<double> least_delta(const PulseProblem& problem, double f);
+
+/// An interval of f whose motion returns, stays within beta and keeps the limits.
+struct FrictionInterval {
+  double low{0};
+  double high{0};
+};
 
 /// Why a pulse does not act like an initial velocity.
 enum class PulseWarning {
@@ -51,15 +60,21 @@ enum class PulseWarning {
 /// The warning of that name; empty where there is none.
 [[nodiscard]] std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept;
 
-/// The design under its pulse, followed from rest by the exact forced motion.
+/// The design under its pulse, followed from rest by the exact forced motion, and how far the
+/// reduction to an initial velocity would be off.
 struct PulseCheck {
   double shortness{0};       ///< p / lambda, the paper's eps for p = 1
   double friction_ratio{0};  ///< f / k
-  EquivalentStart start;     ///< of the free motion that the design was made for
   ForcedResponse response;
-  double peak_error{0};                   ///< of the free motion's peak, relative to the true one
-  std::optional<double> stop_time_error;  ///< of start.tau + the free stop time, likewise
-  std::vector<PulseWarning> warnings;
+  std::optional<EquivalentStart> start;  ///< of the reduction; these three not for a full sine
+  std::optional<double> peak_error;      ///< of the reduced motion's peak, relative to the true one
+  std::optional<double> stop_time_error;  ///< of start.tau + its stop time, likewise; empty also
+                                          ///< where it does not stop at x = 0
+  std::vector<PulseWarning> warnings;     ///< why it would be off
+  /// The objective's value of the best point that NLopt saw, and of the best along f alone, which
+  /// is found without it: the tolerance, the peak, the stop time or the transmitted acceleration.
+  std::optional<double> searched;
+  std::optional<double> bracketed;
 };
 
 }  // namespace stillpoint::design

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What a report says of a pulse.
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+void add_pulse_region(Document& document, const design::DesignResult& result,
+                      const Physical& physical) {
+  const design::Region& region = result.region;
+  Section& section = document.detail("Admissible region");
+  section.row("found by", "the forced motion itself, from rest, for each f");
+  if (region.feasible) {
+    section.row("amplitude",
+                format("f >= {:.6g}{}", region.f2, region.f2 == 0 ? "  (does not bind)" : ""));
+  }
+  section.row("return", format("f <= {:.6g}", region.f3));
+  section.row("start", "f below the peak load; nothing bounds delta, the mass starts from rest");
+  section.row("smallest beta", length_text(physical, region.beta_min));
+  for (const auto& [low, high] : result.intervals) {
+    section.row("admissible f", format("{:.6g} to {:.6g}", low, high));
+  }
+  if (region.feasible) {
+    section.row("feasible f", format("{:.6g} to {:.6g}", *region.f_lower, *region.f_upper));
+  }
+}
+
+DeltaNeeds delta_needs(const design::DesignResult& result) {
+  const auto& [problem, limits, search, pulse] = result.request;
+  const double f = result.finding->point.f;
+  if (!pulse) {
+    return {design::delta1_published(problem, f), design::delta1_exact(problem, f)};
+  }
+  const auto least = [&, of = *pulse, p = problem.p,
+                      beta = problem.beta](design::Criterion criterion) {
+    return design::least_delta({of, p, beta, criterion}, f);
+  };
+  return {least(design::Criterion::published).value_or(0), least(design::Criterion::exact)};
+}
+
+}  // namespace stillpoint::report
