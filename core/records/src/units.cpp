@@ -132,19 +132,6 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
   return scanned.value;
 }
 
-Range range_value(const Option& option, std::string_view low, std::string_view high) {
-  if (high.find(':') != std::string_view::npos) {
-    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
-                     "must be a number, or a range LOW:HIGH");
-  }
-  const Range range{parse_value(option, low), parse_value(option, high)};
-  if (!(range.low <= range.high && range.low >= 0)) {
-    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
-                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH");
-  }
-  return range;
-}
-
 bool has_unit(std::string_view text) {
   const auto parts = divided(text);
   return parts && !parts->unit.empty();

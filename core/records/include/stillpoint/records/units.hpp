@@ -40,9 +40,6 @@ struct Unit {
 [[nodiscard]] double parse_value(std::string_view field, Dimension dimension, std::string_view text,
                                  std::string_view instead = "");
 
-/// Two numbers as a range. Throws InputError.
-[[nodiscard]] Range range_value(const Option& option, std::string_view low, std::string_view high);
-
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
 
