@@ -11,8 +11,8 @@ namespace stillpoint::design {
 
 namespace {
 
-/// More than the rounding of a motion in other units, and less than anything that can be built.
-constexpr double rounding = 1e-13;
+/// More than the edge_rounding of a motion in other units, and less than anything that can be built.
+constexpr double edge_rounding = 1e-13;
 
 double ratio_of_box(double tolerance) {
   return (1 + tolerance) / (1 - tolerance);
@@ -26,10 +26,10 @@ PulseRegion::PulseRegion(std::shared_ptr<const PulseProfile> profile, const Puls
       criterion_(problem.criterion),
       k_(peak_load(problem.pulse)),
       length_(k_ / problem.p / problem.p),
-      beta_(problem.beta / length_ * (1 - rounding)),
-      f_max_(limits.f_max.value_or(HUGE_VAL) / k_ * (1 - rounding)),
-      delta_max_(limits.delta_max.value_or(HUGE_VAL) / length_ / k_ * (1 - rounding)),
-      acceleration_max_(limits.acceleration_max.value_or(HUGE_VAL) / k_ * (1 - rounding)),
+      beta_(problem.beta / length_ * (1 - edge_rounding)),
+      f_max_(limits.f_max.value_or(HUGE_VAL) / k_ * (1 - edge_rounding)),
+      delta_max_(limits.delta_max.value_or(HUGE_VAL) / length_ / k_ * (1 - edge_rounding)),
+      acceleration_max_(limits.acceleration_max.value_or(HUGE_VAL) / k_ * (1 - edge_rounding)),
       asked_(limits.tolerance) {
   find_islands();
 }
@@ -77,8 +77,8 @@ void PulseRegion::find_islands() {
       ++i;
     }
     const double high = i + 1 == points.size() ? points[i].f : edge(points[i].f, points[i + 1].f);
-    if (low * (1 + rounding) <= high * (1 - rounding)) {
-      islands_.push_back({low * (1 + rounding), high * (1 - rounding)});
+    if (low * (1 + edge_rounding) <= high * (1 - edge_rounding)) {
+      islands_.push_back({low * (1 + edge_rounding), high * (1 - edge_rounding)});
     }
   }
 }
@@ -154,7 +154,7 @@ DesignPoint PulseRegion::with_best_delta(const Island& island, double f) const {
                              std::min(island.high, inside * (1 + tolerance)), criterion_);
   // An arrival at rest needs a notch as well, of any size.
   const double least = std::max(need, std::numeric_limits<double>::epsilon() * at(inside).peak);
-  const double delta = std::min(least / (1 - std::max(tolerance, reserve)) * (1 + rounding),
+  const double delta = std::min(least / (1 - std::max(tolerance, reserve)) * (1 + edge_rounding),
                                 delta_max_ / (1 + tolerance));
   return {inside, delta, tolerance};
 }
