@@ -11,7 +11,8 @@ namespace stillpoint::design {
 
 namespace {
 
-/// More than the edge_rounding of a motion in other units, and less than anything that can be built.
+/// More than the rounding of a motion in other units, and less than anything that can be
+/// built.
 constexpr double edge_rounding = 1e-13;
 
 double ratio_of_box(double tolerance) {

@@ -108,8 +108,8 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
 
 BOOST_AUTO_TEST_CASE(real_notches_are_compared_too) {
   const Arguments motion{"accuracy", "--v0", "1", "--p", "1", "--f", "0.05", "--delta", "0.05"};
-  const json wide = report_of(
-      *this, joined(motion, {"--notch-width", "0.1", "--friction-zones", "0.3:0.1"}));
+  const json wide =
+      report_of(*this, joined(motion, {"--notch-width", "0.1", "--friction-zones", "0.3:0.1"}));
   BOOST_TEST(wide["input"]["notch_width"] == 0.1);
   BOOST_TEST(wide["input"]["friction_zones"][0]["f"] == 0.1);
   BOOST_TEST(wide["reference"]["outcome"] == "stopped_in_notch");

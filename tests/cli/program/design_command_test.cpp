@@ -109,7 +109,9 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
                          {"algorithm", "LN_COBYLA"},
                          {"pulse", nullptr},
                          {"k", nullptr},
-                         {"lambda", nullptr}};
+                         {"lambda", nullptr},
+                         {"catalogue", nullptr},
+                         {"trade_off", nullptr}};
   BOOST_TEST(report["input"] == expected);
   BOOST_TEST(report["search"]["algorithm"] == "LN_COBYLA");
 }
