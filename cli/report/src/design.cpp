@@ -211,6 +211,10 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
                                                        : ""));
   }
   answer.row("acceleration", felt(finding, response, physical));
+  if (problem.p_high) {  // the motion shown is that of the softest spring
+    const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
+    answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
+  }
   answer.row("tolerance", limits.shape == design::BoxShape{}
                               ? format("f and delta may both be off by +-{:.4g} %", 100 * tolerance)
                               : box_text(limits, tolerance));

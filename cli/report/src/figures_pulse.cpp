@@ -91,8 +91,10 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "above the curve stops it there. ",
       region.f3);
   figure.caption = intervals.empty() ? "No f returns and keeps the limits."
-                                     : "A damper in the clear area is admissible: nothing bounds Δ "
-                                       "from above, because the mass starts from rest.";
+                   : limits.delta_max
+                       ? "A damper in the clear area is admissible."
+                       : "A damper in the clear area is admissible: nothing bounds Δ from "
+                         "above, because the mass starts from rest.";
   const double cap = std::min(top, limits.delta_max.value_or(HUGE_VAL) * unit);
   double from = 0;
   for (const auto& interval : intervals) {

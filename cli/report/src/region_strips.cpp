@@ -50,7 +50,7 @@ std::vector<FigurePoint> way_outline(const DrawnRegion& drawn, std::int64_t arri
 
 std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t arrival,
                                        double unit) {
-  const double n = static_cast<double>(arrival);
+  const auto n = static_cast<double>(arrival);
   if (!is_plain(drawn.problem, {})) {
     return way_outline(drawn, arrival, unit);
   }

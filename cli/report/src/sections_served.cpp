@@ -13,8 +13,13 @@ using fmt::format;
 namespace {
 
 std::string interval_text(const design::ServedInterval& interval) {
-  return interval.high ? interval_digits(interval.low, *interval.high)
-                       : format("at least {}", limit_digits(interval.low, true));
+  if (!interval.high) {
+    return format("at least {}", limit_digits(interval.low, true));
+  }
+  constexpr double nothing = 1e-6;  // of the high end
+  const std::string ends = interval_digits(interval.low, *interval.high);
+  return interval.low > nothing * *interval.high ? ends
+                                                 : "up to " + ends.substr(ends.rfind(' ') + 1);
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ struct Best {
 
 /// The middle of the largest box that fits: boxes only get better as they shrink.
 double middle_of_largest_box(const Task& task) {
-  const auto& [region, objective, island] = task;
+  const PulseRegion& region = task.region;
+  const auto& island = task.island;
   const auto fits = [&](double tolerance) { return region.box_in(island, tolerance).has_value(); };
   const double by_edges = (island.high - island.low) / (island.high + island.low);
   const double most = std::min(by_edges, std::max(widest_tolerance, region.asked()));

@@ -88,11 +88,13 @@ PassingSpeeds passing_speeds(const Problem& problem, int n, double f, double del
 }
 
 StripTask::StripTask(const Problem& what, const Limits& allowed, int arrival)
-    : problem(what), limits(allowed), n(arrival), edge(edges(what, allowed)) {
-  a2 = scaled(edge.f2);
-  a_cap = std::min(scaled(edge.f_cap), unit::strip_tip(n));
-  d_cap = limits.delta_max ? *limits.delta_max / problem.v0 / problem.v0 : HUGE_VAL;
-}
+    : problem(what),
+      limits(allowed),
+      n(arrival),
+      edge(edges(what, allowed)),
+      a2(scaled(edge.f2)),
+      a_cap(std::min(scaled(edge.f_cap), unit::strip_tip(n))),
+      d_cap(limits.delta_max ? *limits.delta_max / problem.v0 / problem.v0 : HUGE_VAL) {}
 
 bool admissible(const StripTask& task, double f, double delta) {
   const auto& [problem, limits, n, edge, a2, a_cap, d_cap] = task;

@@ -66,7 +66,7 @@ class Integration {
               (record.values[i + 1] - record.values[i]) / (end - begin)});
     }
     const double over = record.values.empty() ? 0 : time(record.values.size() - 1);
-    rest_in_peace({over, never, 0, 0});
+    rest_after_the_load({over, never, 0, 0});
     return result_;
   }
 
@@ -79,10 +79,10 @@ class Integration {
   /// The next s x at which the law changes.
   [[nodiscard]] double edge(double s) const {
     const double y = s * state_[0];
-    if (half_width_ > 0) {
-      return y < -half_width_ ? -half_width_ : y < half_width_ ? half_width_ : never;
+    if (half_width_ > 0 && y < half_width_) {
+      return y < -half_width_ ? -half_width_ : half_width_;
     }
-    return notch_ > 0 && y < 0 ? 0 : never;
+    return half_width_ == 0 && notch_ > 0 && y < 0 ? 0 : never;
   }
 
   /// Up to the end of the stretch, or of the motion after it.
@@ -96,7 +96,7 @@ class Integration {
     }
   }
 
-  void rest_in_peace(const Stretch& stretch) {
+  void rest_after_the_load(const Stretch& stretch) {
     t_ = stretch.begin;
     for (std::int64_t piece = 0; piece < most_pieces_after_the_record; ++piece) {
       if (resting_ && (locked_ || std::abs(stiffness_ * state_[0]) <= capacity(-state_[0]))) {

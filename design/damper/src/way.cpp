@@ -85,14 +85,16 @@ EdgeStart stop_start(const Way& way, double a) {
 }  // namespace
 
 Way::Way(const Problem& what, const Limits& allowed, int arrival)
-    : problem(what), limits(allowed), n(arrival) {
+    : problem(what),
+      limits(allowed),
+      n(arrival),
+      v_low(what.v0_low.value_or(what.v0) / what.v0),
+      p_ratio(what.stiffest_p() / what.p),
+      q(residual_of(what) * what.p / what.v0) {
   const Edges edge = edges(what, allowed);
   f2 = edge.f2;
   delta_cap = edge.delta_cap;
   f_cap = std::min(edge.f4, allowed.f_max.value_or(HUGE_VAL));
-  v_low = what.v0_low.value_or(what.v0) / what.v0;
-  p_ratio = what.stiffest_p() / what.p;
-  q = residual_of(what) * what.p / what.v0;
   if (n == 0) {
     f_cap = std::min(f_cap, largest_f_at_rest(what));
   }
@@ -500,9 +502,15 @@ std::optional<Ends> feasible_f(const Way& way) {
 }
 
 DesignPoint with_best_delta(const Way& way, double f, BestDelta choice) {
-  const double t = choice == BestDelta::middle ? std::max(0.0, tolerance_at(way, way.scaled(f)))
-                                               : way.limits.tolerance;
-  const auto [low, high] = centre_range(way.with_box(t), f).value_or(Ends{0, 0});
+  double t = choice == BestDelta::middle ? std::max(0.0, tolerance_at(way, way.scaled(f)))
+                                         : way.limits.tolerance;
+  auto range = centre_range(way.with_box(t), f);
+  // As in largest_tolerance.
+  for (double step = std::numeric_limits<double>::epsilon(); !range && t > 0; step *= 2) {
+    t = std::max(0.0, t - step);
+    range = centre_range(way.with_box(t), f);
+  }
+  const auto [low, high] = range.value_or(Ends{0, 0});
   double d = low + (high - low) / 2;
   if (choice == BestDelta::least) {
     d = std::min(low * (1 + way_inset), high);

@@ -148,7 +148,7 @@ double longest(const Scene& scene) {
 
 Scene comparison_scene(const SimulationRequest& request) {
   const double t_end = request.t_end ? *request.t_end : far_enough(request);
-  const Scene scene{request.oscillator, request.start, request.excitation, t_end, request.surface};
+  Scene scene{request.oscillator, request.start, request.excitation, t_end, request.surface};
   if (!is_free(scene) && scene.t_end > longest(scene)) {
     throw InputError(
         "t-end", scene.t_end,

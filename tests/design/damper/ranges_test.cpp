@@ -308,6 +308,28 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_scan_is_better) {
   BOOST_TEST(empty > 3);
 }
 
+BOOST_AUTO_TEST_CASE(the_strips_have_the_tolerance_of_the_best_design) {
+  RandomSource random(1206);
+  // Ranges whose best damper has its box between amplitude and return, both to rounding.
+  Task task{{.v0 = 0.3096579750154308,
+             .p = 0.3096579750154308,
+             .beta = 0.8257123548396179,
+             .criterion = Criterion::exact,
+             .v0_low = 0.2533565250126252,
+             .p_high = 0.3422535513328445},
+            {}};
+  constexpr double found_by_nlopt = 1e-6;
+  for (int i = 0; i < 60; ++i, task = random_task(random)) {
+    task.limits.tolerance = 0;
+    const auto best = search(task.problem, task.limits);
+    double largest = 0;
+    for (const Strip& strip : strips(task.problem, task.limits)) {
+      largest = std::max(largest, strip.tolerance);
+    }
+    BOOST_TEST(largest >= (best ? best->point.tolerance : 0) * (1 - found_by_nlopt), "task " << i);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_tolerance_of_a_point_is_its_largest) {
   RandomSource random(1203);
   constexpr double more = 0.01;
