@@ -25,7 +25,12 @@ namespace stillpoint::bench {
 
 namespace {
 
-using namespace stillpoint::design;
+using design::Criterion;
+using design::Limits;
+using design::Objective;
+using design::Part;
+using design::Problem;
+using design::SearchOptions;
 
 constexpr int tasks = 40;
 
@@ -56,9 +61,14 @@ void measure(Case& one) {
 }
 
 std::vector<Part> thousand_parts() {
+  constexpr int sizes_of_f = 40;
+  constexpr int sizes_of_delta = 25;
   std::vector<Part> parts;
-  for (int i = 0; i < 1000; ++i) {
-    parts.push_back({"part " + std::to_string(i), 0.01 * (i % 40), 0.02 * (i / 40)});
+  parts.reserve(sizes_of_f * sizes_of_delta);
+  for (int i = 0; i < sizes_of_f; ++i) {
+    for (int j = 0; j < sizes_of_delta; ++j) {
+      parts.push_back({fmt::format("part {}-{}", i, j), 0.01 * i, 0.02 * j});
+    }
   }
   return parts;
 }
@@ -73,23 +83,24 @@ std::vector<Case> cases() {
     const SearchOptions options{.objective = objective};
     const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
     for (const std::int64_t arrivals : {1, 2, 4, 10}) {
-      all.push_back({fmt::format("search, {}, arrivals {}", name(objective), arrivals),
-                     [=](double beta) { (void)search(problem(beta, arrivals), limits, options); }});
+      all.push_back(
+          {fmt::format("search, {}, arrivals {}", name(objective), arrivals),
+           [=](double beta) { (void)design::search(problem(beta, arrivals), limits, options); }});
     }
   }
   all.push_back({"search, robust, arrivals 4, f_max 0.1",
-                 [](double beta) { (void)search(problem(beta, 4), {.f_max = 0.1}); }});
+                 [](double beta) { (void)design::search(problem(beta, 4), {.f_max = 0.1}); }});
   for (const std::int64_t arrivals : {1, 4}) {
     all.push_back({fmt::format("region, arrivals {}", arrivals),
-                   [=](double beta) { (void)admissible_region(problem(beta, arrivals)); }});
+                   [=](double beta) { (void)design::admissible_region(problem(beta, arrivals)); }});
     all.push_back({fmt::format("whole design with its checks, arrivals {}", arrivals),
                    [=](double beta) { (void)design::design({problem(beta, arrivals)}); }});
     all.push_back({fmt::format("1000 parts ranked, arrivals {}", arrivals), [=](double beta) {
-                     (void)ranked(problem(beta, arrivals), within_10_percent, Objective::robust,
-                                  parts);
+                     (void)design::ranked(problem(beta, arrivals), within_10_percent,
+                                          Objective::robust, parts);
                    }});
     all.push_back({fmt::format("front of 25, arrivals {}", arrivals),
-                   [=](double beta) { (void)trade_off(problem(beta, arrivals), {}, 25); }});
+                   [=](double beta) { (void)design::trade_off(problem(beta, arrivals), {}, 25); }});
   }
   return all;
 }

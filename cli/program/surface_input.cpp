@@ -51,8 +51,8 @@ std::string zones_text(const nlohmann::json& list) {
     const nlohmann::json to = value("to");
     const nlohmann::json f = value("f");
     const std::string with_unit = to.is_string() ? to.get<std::string>() : "";
-    const bool is_edge =
-        to.is_number() || (has_unit(with_unit) && with_unit.find_first_of(":,") == with_unit.npos);
+    const bool is_edge = to.is_number() || (has_unit(with_unit) &&
+                                            with_unit.find_first_of(":,") == std::string::npos);
     if (zone.size() != 2 || !is_edge || !f.is_number()) {
       throw InputError(std::string(zones_name), zone.dump(),
                        R"(each zone must be {"to": X, "f": F})");

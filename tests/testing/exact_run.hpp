@@ -32,7 +32,7 @@ namespace boost::multiprecision {
 inline stillpoint::test::Exact sqrt(const stillpoint::test::Exact& square) {
   using stillpoint::test::Exact;
   if (!(square > 0)) {
-    return Exact(std::sqrt(static_cast<double>(square)));
+    return {std::sqrt(static_cast<double>(square))};
   }
   int exponent = 0;
   Exact part = frexp(square, &exponent);
