@@ -142,6 +142,7 @@ BOOST_AUTO_TEST_CASE(the_order_is_that_of_the_objective) {
         }
       }
       std::vector<std::string> names;
+      names.reserve(parts.size());
       for (const RatedPart& rated : parts) {
         names.push_back(rated.part.name);
       }
@@ -161,6 +162,7 @@ BOOST_AUTO_TEST_CASE(equals_keep_their_order_and_the_nearest_miss_is_first_of_th
                                 {"too strong", 0.36, 0.45}};
   const auto all = ranked({1, 1, 0.9}, {}, Objective::acceleration, parts);
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const RatedPart& rated : all) {
     names.push_back(rated.part.name);
   }
@@ -274,16 +276,16 @@ BOOST_AUTO_TEST_CASE(without_a_part_that_fits_the_reason_says_so) {
 
 BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_judge) {
   const std::vector<Part> one{{"one", 0.2, 0.45}};
-  BOOST_CHECK_THROW(choose({{1, 1, 0.9}}, {}), InputError);
+  BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, {}), InputError);
   DesignRequest pulse{{0, 1, 0.9}};
   pulse.pulse = HalfSine{0.5, 20};
-  BOOST_CHECK_THROW(choose(pulse, one), InputError);
+  BOOST_CHECK_THROW((void)choose(pulse, one), InputError);
   const std::vector<Part> negative{{"negative", -0.2, 0.45}};
-  BOOST_CHECK_THROW(choose({{1, 1, 0.9}}, negative), InputError);
+  BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, negative), InputError);
   const std::vector<Part> strong{{"strong", 1e200, 0.45}};
-  BOOST_CHECK_THROW(choose({{1, 1, 0.9}}, strong), InputError);
+  BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, strong), InputError);
   const std::vector<Part> huge{{"huge", 0.2, HUGE_VAL}};
-  BOOST_CHECK_THROW(choose({{1, 1, 0.9}}, huge), InputError);
+  BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, huge), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
