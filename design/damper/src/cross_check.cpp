@@ -131,6 +131,15 @@ void judge(CheckMethod& method, const Quality& quality, const Prediction& predic
   method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
 }
 
+void take(CheckMethod& method, const IntegratedMotion& motion) {
+  method.peak_amplitude = motion.peak_amplitude;
+  method.peak_acceleration = motion.peak_acceleration;
+  method.stop_time = motion.stop_time;
+  method.arrival_speed = motion.arrival_speed;
+  method.half_cycles = static_cast<double>(motion.half_cycles);
+  method.stop_position = motion.stop_position;
+}
+
 CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
                        double delta) {
   require_within("delta", delta, std::numeric_limits<double>::min(), largest_square);
@@ -152,14 +161,7 @@ CrossCheck cross_check(const Prediction& prediction, const Problem& problem, dou
 
   CheckMethod integrated;
   integrated.wall_time_s = timed([&] {
-    const IntegratedMotion motion =
-        integrate_free_motion(oscillator, problem.v0, integrator_tolerance);
-    integrated.peak_amplitude = motion.peak_amplitude;
-    integrated.peak_acceleration = motion.peak_acceleration;
-    integrated.stop_time = motion.stop_time;
-    integrated.arrival_speed = motion.arrival_speed;
-    integrated.half_cycles = static_cast<double>(motion.half_cycles);
-    integrated.stop_position = motion.stop_position;
+    take(integrated, integrate_free_motion(oscillator, problem.v0, integrator_tolerance));
   });
   judge(integrated, runge_kutta_quality, prediction, problem, f, delta, margin);
 

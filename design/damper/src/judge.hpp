@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "runge_kutta.hpp"
+
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/problem.hpp>
 
@@ -22,6 +24,9 @@ struct Quality {
 /// predicted motion.
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
            const Problem& problem, double f, double delta, double margin);
+
+/// Takes over the figures of a motion.
+void take(CheckMethod& method, const IntegratedMotion& motion);
 
 /// Runs it and returns how long that took, in seconds.
 template <class Run>

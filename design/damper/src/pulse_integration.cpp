@@ -5,7 +5,8 @@
 
 #include "pulse_integration.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include "bracketed_root.hpp"
+
 #include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
@@ -35,20 +36,6 @@ Load load_of(const Pulse& pulse, double p) {
   return {lambda, angle * std::numbers::pi / lambda, std::holds_alternative<Rectangle>(pulse)};
 }
 
-template <class Function>
-double root(const Function& function, double from, double to) {
-  const double at_from = function(from);
-  const double at_to = function(to);
-  if (at_from == 0 || (at_from > 0) == (at_to > 0)) {
-    return at_to == 0 ? to : from;
-  }
-  std::uintmax_t most_evaluations = 200;
-  return boost::math::tools::toms748_solve(function, from, to, at_from, at_to,
-                                           boost::math::tools::eps_tolerance<double>(),
-                                           most_evaluations)
-      .first;
-}
-
 enum class SlideEnd { turn, arrival, pulse_ends };
 
 class Run {
@@ -70,7 +57,7 @@ class Run {
         return true;
       }
       const double next = std::min(load_.ends, time + load_.ends / looks);
-      time = excess(next) > 0 && next < load_.ends ? root(excess, time, next) : next;
+      time = excess(next) > 0 && next < load_.ends ? bracketed_root(excess, time, next) : next;
       if (next < load_.ends && excess(next) > 0) {
         return true;
       }
@@ -107,10 +94,11 @@ class Run {
       acceleration = std::max(acceleration, std::abs(rate[1]));
       const bool turned = at(last)[1] * direction <= 0;
       const double turn =
-          turned ? root([&](double t) { return at(t)[1] * direction; }, from, last) : last;
+          turned ? bracketed_root([&](double t) { return at(t)[1] * direction; }, from, last)
+                 : last;
       time = turn;
       if (inward && at(turn)[0] * direction >= 0) {
-        time = root([&](double t) { return at(t)[0]; }, from, turn);
+        time = bracketed_root([&](double t) { return at(t)[0]; }, from, turn);
         state = at(time);
         return SlideEnd::arrival;
       }

@@ -5,9 +5,10 @@
 
 #include "runge_kutta.hpp"
 
+#include "bracketed_root.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
@@ -56,9 +57,9 @@ class Integrator {
       // A graze dips below x = 0 and is back before the step ends, so where the motion turns, the
       // position at the turn decides, not the one at the end of the step.
       const bool turned = at(to)[1] * direction <= 0;
-      const double last = turned ? root(velocity, from, to) : to;
+      const double last = turned ? bracketed_root(velocity, from, to) : to;
       if (inward && at(last)[0] * direction >= 0) {
-        const double passage = root(position, from, last);
+        const double passage = bracketed_root(position, from, last);
         return {passage, at(passage), false};
       }
       if (turned) {
@@ -68,20 +69,6 @@ class Integrator {
   }
 
  private:
-  template <class Function>
-  static double root(const Function& function, double from, double to) {
-    const double at_from = function(from);
-    const double at_to = function(to);
-    if (at_from == 0 || (at_from > 0) == (at_to > 0)) {
-      return at_to == 0 ? to : from;
-    }
-    std::uintmax_t most_evaluations = 200;
-    return boost::math::tools::toms748_solve(function, from, to, at_from, at_to,
-                                             boost::math::tools::eps_tolerance<double>(),
-                                             most_evaluations)
-        .first;
-  }
-
   double a_;
   double tolerance_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "strip_space.hpp"
 
+#include "scaled_point.hpp"
 #include "search_space.hpp"
 
 #include <algorithm>
@@ -11,24 +12,6 @@
 namespace stillpoint::design {
 
 namespace {
-
-/// x stays above it: at a = 0 the slopes of a half-cycle without any speed have no limit.
-constexpr double least_x = 1e-12;
-
-/// In (a, d, t) at (x, y, t), with the slopes as NLopt wants them.
-struct Scaled {
-  double a_cap;
-  double d_cap;
-  double tolerance;
-
-  [[nodiscard]] double box(const Eigen::VectorXd& point) const {
-    return point.size() == 3 ? point[2] : tolerance;
-  }
-  void slopes(Eigen::VectorXd& gradient, double by_a, double by_d, double by_t) const {
-    const Eigen::Vector3d all(by_a * a_cap, by_d * d_cap, by_t);
-    gradient = all.head(gradient.size()).eval();
-  }
-};
 
 std::vector<Function> conditions_of(const StripTask& task, const Scaled& scaled) {
   std::vector<Function> list;

@@ -113,14 +113,8 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   CheckMethod integrated;
   integrated.name = "runge_kutta";
   integrated.wall_time_s = timed([&] {
-    const IntegratedMotion motion = integrate_under_pulse(
-        oscillator, problem.pulse, response.peak_amplitude, integrator_tolerance);
-    integrated.peak_amplitude = motion.peak_amplitude;
-    integrated.peak_acceleration = motion.peak_acceleration;
-    integrated.stop_time = motion.stop_time;
-    integrated.arrival_speed = motion.arrival_speed;
-    integrated.half_cycles = static_cast<double>(motion.half_cycles);
-    integrated.stop_position = motion.stop_position;
+    take(integrated, integrate_under_pulse(oscillator, problem.pulse, response.peak_amplitude,
+                                           integrator_tolerance));
   });
   compare(integrated, runge_kutta_tolerance, runge_kutta_resolution, expected, problem, margin);
 

@@ -2,6 +2,7 @@
 #include "way_space.hpp"
 
 #include "rest.hpp"
+#include "scaled_point.hpp"
 #include "search_space.hpp"
 
 #include <algorithm>
@@ -13,27 +14,10 @@ namespace stillpoint::design {
 
 namespace {
 
-/// x stays above it: at a = 0 the slopes of a half-cycle without any speed have no limit.
-constexpr double nearly_none = 1e-12;
 /// t stays below 1, as in search_space.cpp.
 constexpr double almost_all = 1 - 1e-6;
 
-/// In (a, d, t) at (x, y, t), with the slopes as NLopt wants them.
-struct Scale {
-  double a_cap;
-  double d_cap;
-  double tolerance;
-
-  [[nodiscard]] double box(const Eigen::VectorXd& point) const {
-    return point.size() == 3 ? point[2] : tolerance;
-  }
-  void slopes(Eigen::VectorXd& gradient, double by_a, double by_d, double by_t) const {
-    const Eigen::Vector3d all(by_a * a_cap, by_d * d_cap, by_t);
-    gradient = all.head(gradient.size()).eval();
-  }
-};
-
-std::vector<Function> conditions_of(const Way& way, const Scale& scale) {
+std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
   const BoxShape shape = way.limits.shape;
   std::vector<Function> list;
   if (way.a2 > 0) {
@@ -111,14 +95,14 @@ double way_cost(const Way& way, Objective objective, const DesignPoint& point) {
 
 NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective objective,
                        const DesignPoint& start, Tried& tried) {
-  const Scale scale{way.a_cap, way.d_cap, way.limits.tolerance};
+  const Scaled scale{way.a_cap, way.d_cap, way.limits.tolerance};
   const bool robust = objective == Objective::robust;
   const bool by_box = robust && support == ConstraintSupport::yes;
   const Eigen::Vector3d from(way.scaled(start.f) / scale.a_cap,
                              start.delta / way.square() / scale.d_cap, scale.tolerance);
   const Eigen::Index size = by_box ? 3 : 2;
   NloptProblem posed;
-  posed.lower = Eigen::Vector3d(nearly_none, 0, scale.tolerance).head(size);
+  posed.lower = Eigen::Vector3d(least_x, 0, scale.tolerance).head(size);
   posed.upper = Eigen::Vector3d(1, 1, std::max(almost_all, scale.tolerance)).head(size);
   posed.start = from.head(size);
   const auto cost = [&way, &tried, scale, objective](const Eigen::VectorXd& at,

@@ -21,15 +21,6 @@ constexpr std::size_t lines_at_most = 16;  ///< some ten, with title, blank line
 /// Parts or a trade-off were asked for: 20 rows and what stands around them.
 constexpr std::size_t lines_of_a_table = 26;
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
-
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }

@@ -33,15 +33,6 @@ Surroundings of_width(const char* columns) {
   return surroundings;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
-
 /// The words of a text, whatever is between them; of an example a line's end is no word.
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);

@@ -284,13 +284,17 @@ void check_reports(const Sandbox& sandbox, const Arguments& arguments, const Pro
 
 }  // namespace
 
-std::vector<std::string> ProgramRun::err_lines() const {
+std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
-  std::istringstream stream(err);
+  std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
     lines.push_back(line);
   }
   return lines;
+}
+
+std::vector<std::string> ProgramRun::err_lines() const {
+  return lines_of(err);
 }
 
 Sandbox::Sandbox() {

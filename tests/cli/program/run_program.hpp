@@ -84,4 +84,7 @@ class Sandbox {
 /// A double as the program reads it back to the last bit.
 [[nodiscard]] std::string in_full(double value);
 
+/// Without their ends.
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+
 }  // namespace stillpoint::cli_test
