@@ -21,14 +21,14 @@ using fmt::format;
 
 namespace {
 
-constexpr int steps = 200;
+constexpr int curve_steps = 200;
 constexpr double margin = 1.15;
 
 /// The least Delta over f, in strokes that end where the mass does not return.
 FigureCurve needs(const DrawnPulseRegion& drawn, double last, const FigureUnits& units) {
   FigureCurve curve{"least Δ that stops it", {{}}, Ink::purple};
-  for (int i = 1; i <= steps; ++i) {
-    const double f = last * i / steps;
+  for (int i = 1; i <= curve_steps; ++i) {
+    const double f = last * i / curve_steps;
     if (const auto least = design::least_delta(drawn.problem, f)) {
       curve.strokes.back().push_back({f, *least * units.length});
     } else if (!curve.strokes.back().empty()) {
@@ -46,8 +46,8 @@ std::vector<FigurePoint> above_the_curve(const DrawnPulseRegion& drawn,
                                          const design::FrictionInterval& interval, double top,
                                          double unit) {
   std::vector<FigurePoint> outline;
-  for (int i = 0; i <= steps; ++i) {
-    const double f = interval.low + (interval.high - interval.low) * i / steps;
+  for (int i = 0; i <= curve_steps; ++i) {
+    const double f = interval.low + (interval.high - interval.low) * i / curve_steps;
     const auto least = design::least_delta(drawn.problem, f);
     outline.push_back({f, std::min(least ? *least * unit : 0, top)});
   }

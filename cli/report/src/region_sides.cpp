@@ -17,7 +17,7 @@ using figures::Ink;
 
 namespace {
 
-constexpr int steps = 100;
+constexpr int edge_steps = 100;
 using Level = std::function<double(double)>;
 
 /// Between two levels of Delta over f; empty where the upper is never above the lower.
@@ -25,8 +25,8 @@ std::vector<FigurePoint> between(double from, double to, const Level& lower, con
   std::vector<FigurePoint> below;
   std::vector<FigurePoint> above;
   bool something = false;
-  for (int i = 0; i <= steps; ++i) {
-    const double f = from + (to - from) * i / steps;
+  for (int i = 0; i <= edge_steps; ++i) {
+    const double f = from + (to - from) * i / edge_steps;
     const double low = lower(f);
     const double high = std::max(low, upper(f));
     something = something || high > low;

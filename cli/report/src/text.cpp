@@ -44,7 +44,7 @@ std::vector<std::string_view> lines_of(std::string_view text, std::size_t width)
   return lines;
 }
 
-fmt::text_style look_of(Tone tone) {
+fmt::text_style style_of(Tone tone) {
   switch (tone) {
     case Tone::plain:
       break;
@@ -66,7 +66,7 @@ class Text {
   explicit Text(bool coloured) : coloured_(coloured) {}
 
   [[nodiscard]] std::string styled(Tone tone, std::string_view text) const {
-    return coloured_ && tone != Tone::plain ? fmt::format("{}", fmt::styled(text, look_of(tone)))
+    return coloured_ && tone != Tone::plain ? fmt::format("{}", fmt::styled(text, style_of(tone)))
                                             : std::string(text);
   }
 

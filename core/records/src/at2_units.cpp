@@ -55,7 +55,7 @@ std::string normal(string_view line) {
   return text;
 }
 
-std::optional<RecordUnits> acceleration(string_view word) {
+std::optional<RecordUnits> acceleration_units(string_view word) {
   const auto* const found =
       std::ranges::find(accelerations, word, &std::pair<string_view, RecordUnits>::first);
   return found == accelerations.end() ? std::nullopt : std::optional(found->second);
@@ -81,7 +81,7 @@ std::optional<string_view> units_word(const std::vector<string_view>& words) {
   }
   for (const string_view word : words) {
     const string_view units = without_stop(word);
-    if (acceleration(units) || std::ranges::count(velocities, units) > 0) {
+    if (acceleration_units(units) || std::ranges::count(velocities, units) > 0) {
       return units;
     }
   }
@@ -112,7 +112,7 @@ std::optional<RecordUnits> at2_units(const RecordReader& reader) {
   if (!word) {
     return std::nullopt;
   }
-  if (const auto units = acceleration(*word)) {
+  if (const auto units = acceleration_units(*word)) {
     return units;
   }
   const string_view fault = std::ranges::count(velocities, *word) > 0 ? "are those of a velocity"

@@ -41,7 +41,7 @@ double grazing_factor(const Prediction& prediction, const Problem& problem, doub
   return phi > w ? phi / w : 1;
 }
 
-double relative(double value, double expected) {
+double error_of(double value, double expected) {
   return std::abs(value - expected) / expected;
 }
 
@@ -114,12 +114,12 @@ void judge(CheckMethod& method, const Quality& quality, const Prediction& predic
   method.tolerance =
       quality.tolerance * grazing_factor(prediction, problem, f, delta, quality.tolerance);
   method.decided = same_end || margin > quality.resolution * prediction.half_cycles;
-  method.relative_error = relative(method.peak_amplitude, prediction.peak_amplitude);
+  method.relative_error = error_of(method.peak_amplitude, prediction.peak_amplitude);
   if (method.decided) {
     const double acceleration =
-        quality.acceleration ? relative(method.peak_acceleration, prediction.peak_acceleration) : 0;
+        quality.acceleration ? error_of(method.peak_acceleration, prediction.peak_acceleration) : 0;
     for (const double error :
-         {acceleration, relative(method.stop_time, prediction.stop_time),
+         {acceleration, error_of(method.stop_time, prediction.stop_time),
           std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
           std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude}) {
       // Not std::max: that may pass over a NaN.

@@ -20,38 +20,38 @@ constexpr double slowest_mended = 10;
 /// Six decades of any input are more than any design can use, and keep it valid.
 constexpr double far = 1e6;
 
-struct Case {
+struct PulseCase {
   PulseProblem problem;
   Limits limits;
   std::shared_ptr<const PulseProfile> profile;  ///< of lambda and p alone, in units of k
 };
 
-void set_k(Case& now, double k) {
+void set_k(PulseCase& now, double k) {
   std::visit([k](auto& kind) { kind.k = k; }, now.problem.pulse);
 }
 
-void set_lambda(Case& now, double lambda) {
+void set_lambda(PulseCase& now, double lambda) {
   std::visit([lambda](auto& kind) { kind.lambda = lambda; }, now.problem.pulse);
   now.profile = std::make_shared<PulseProfile>(now.problem.pulse, now.problem.p);
 }
 
-void set_p(Case& now, double p) {
+void set_p(PulseCase& now, double p) {
   now.problem.p = p;
   now.profile = std::make_shared<PulseProfile>(now.problem.pulse, p);
 }
 
-bool fits(const Case& now) {
+bool fits(const PulseCase& now) {
   return PulseRegion(now.profile, now.problem, now.limits).feasible();
 }
 
 /// Where an input does not always help or always harm: the nearest value on either side that fits,
 /// of those that steps of growing size find.
-std::optional<double> nearest_either_way(const Case& base, double from, double least, double most,
-                                         void (*set)(Case&, double)) {
+std::optional<double> nearest_either_way(const PulseCase& base, double from, double least,
+                                         double most, void (*set)(PulseCase&, double)) {
   constexpr double first_step = 1.02;
   constexpr double growth = 1.12;
   const auto fits_at = [&](double value) {
-    Case changed = base;
+    PulseCase changed = base;
     set(changed, value);
     return fits(changed);
   };
@@ -78,14 +78,14 @@ std::optional<double> nearest_either_way(const Case& base, double from, double l
 }  // namespace
 
 std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
-  const Case base{problem, limits, std::make_shared<PulseProfile>(problem.pulse, problem.p)};
+  const PulseCase base{problem, limits, std::make_shared<PulseProfile>(problem.pulse, problem.p)};
   std::vector<Mend> list;
   if (fits(base)) {
     return list;
   }
   // In units of k a weaker pulse is a larger beta and larger limits: it can only help.
   const double k = peak_load(problem.pulse);
-  add_mend(list, base, fits, Input<Case>{"k", k, k / far, set_k});
+  add_mend(list, base, fits, Input<PulseCase>{"k", k, k / far, set_k});
   const double p = problem.p;
   const double lambda = angular_frequency(problem.pulse);
   if (const auto value = nearest_either_way(
@@ -99,9 +99,9 @@ std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
     list.push_back({"p", *value, *value > p});
   }
   add_mend(list, base, fits,
-           Input<Case>{"beta", problem.beta, problem.beta * far,
-                       [](Case& now, double value) { now.problem.beta = value; }});
-  for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
+           Input<PulseCase>{"beta", problem.beta, problem.beta * far,
+                            [](PulseCase& now, double value) { now.problem.beta = value; }});
+  for (const Input<PulseCase>& limit : limit_inputs<PulseCase>(limits)) {
     add_mend(list, base, fits, limit);
   }
   return list;

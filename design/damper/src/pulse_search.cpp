@@ -21,12 +21,12 @@ namespace {
 
 /// One island, kept a relative 1e-9 from its edges where it is wide enough: an edge is a graze, or
 /// a peak that is beta to the last digit.
-struct Task {
+struct PulseTask {
   const PulseRegion& region;
   Objective objective;
   Island island;
 
-  Task(const PulseRegion& of, Objective what, const Island& whole)
+  PulseTask(const PulseRegion& of, Objective what, const Island& whole)
       : region(of), objective(what), island(whole) {
     constexpr double inset = 1e-9;
     const Island inner{whole.low * (1 + inset), whole.high * (1 - inset)};
@@ -61,11 +61,11 @@ struct Task {
 };
 
 /// The best f of those that fit.
-struct Best {
+struct PulseBest {
   std::optional<double> f;
   double cost{HUGE_VAL};
 
-  void consider(const Task& task, double f_new) {
+  void consider(const PulseTask& task, double f_new) {
     const double inside = std::clamp(f_new, task.island.low, task.island.high);
     if (std::isnan(inside) || !task.fits(inside)) {
       return;
@@ -79,7 +79,7 @@ struct Best {
 };
 
 /// The middle of the largest box that fits: boxes only get better as they shrink.
-double middle_of_largest_box(const Task& task) {
+double middle_of_largest_box(const PulseTask& task) {
   const PulseRegion& region = task.region;
   const auto& island = task.island;
   const auto fits = [&](double tolerance) { return region.box_in(island, tolerance).has_value(); };
@@ -93,8 +93,8 @@ double middle_of_largest_box(const Task& task) {
   return region.box_in(island, tolerance).value_or(island.low) / (1 - tolerance);
 }
 
-Best bracketed(const Task& task) {
-  Best best;
+PulseBest bracketed(const PulseTask& task) {
+  PulseBest best;
   const double tolerance = task.region.asked();
   const double low = task.island.low / (1 - tolerance);
   const double high = task.island.high / (1 + tolerance);
@@ -133,8 +133,8 @@ Best bracketed(const Task& task) {
 }
 
 /// The best f of the samples, a start for NLopt; the middle for `robust`, or where none fits.
-double start_of(const Task& task) {
-  Best best;
+double start_of(const PulseTask& task) {
+  PulseBest best;
   if (task.objective != Objective::robust) {
     for (const FirstReturn& now : task.region.profile()->samples()) {
       if (task.island.low <= now.f && now.f <= task.island.high) {
@@ -157,7 +157,8 @@ double slope(const Value& value, double at, const Island& within) {
 /// x = f / high of the island and, for `robust`, t: the least -t or cost with
 ///   low / high - x (1 - t) <= 0,  x (1 + t) - 1 <= 0,  need (1 + t) / ((1 - t) delta_max) - 1 <=
 ///   0.
-NloptProblem constrained(const Task& task, double scale, const std::function<void(double)>& visit) {
+NloptProblem constrained(const PulseTask& task, double scale,
+                         const std::function<void(double)>& visit) {
   const double high = task.island.high;
   const double low = task.island.low;
   const bool robust = task.objective == Objective::robust;
@@ -216,7 +217,8 @@ NloptProblem constrained(const Task& task, double scale, const std::function<voi
 }
 
 /// For algorithms that know only bounds: what does not fit costs more than all that does.
-NloptProblem penalised(const Task& task, double scale, const std::function<void(double)>& visit) {
+NloptProblem penalised(const PulseTask& task, double scale,
+                       const std::function<void(double)>& visit) {
   const double asked = task.region.asked();
   NloptProblem posed;
   posed.lower = Eigen::VectorXd::Constant(1, task.island.low / (1 - asked));
@@ -236,8 +238,9 @@ NloptProblem penalised(const Task& task, double scale, const std::function<void(
   return posed;
 }
 
-Best searched(const Task& task, double scale, const SearchOptions& options, SearchRecord& record) {
-  Best best;
+PulseBest searched(const PulseTask& task, double scale, const SearchOptions& options,
+                   SearchRecord& record) {
+  PulseBest best;
   const auto visit = [&](double f) { best.consider(task, f); };
   const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
   const bool takes_constraints = algorithm.constraints == ConstraintSupport::yes;
@@ -271,15 +274,15 @@ std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOption
     if (!region.box_in(whole, region.asked())) {
       continue;
     }
-    const Task task(region, options.objective, whole);
-    const Best along = bracketed(task);
+    const PulseTask task(region, options.objective, whole);
+    const PulseBest along = bracketed(task);
     const double scale = along.f && along.cost > 0 ? along.cost : 1;
-    const Best by_nlopt = searched(task, scale, options, record);
+    const PulseBest by_nlopt = searched(task, scale, options, record);
     searched_least = std::min(searched_least, by_nlopt.cost);
     bracketed_least = std::min(bracketed_least, along.cost);
     // Of equal tolerances the one along f has the largest f, and so the least peak and Delta.
     constexpr double better_by = 1e-12;
-    const Best& better =
+    const PulseBest& better =
         by_nlopt.cost < along.cost - better_by * std::abs(along.cost) ? by_nlopt : along;
     if (better.f && better.cost < least) {
       least = better.cost;

@@ -23,7 +23,7 @@ using records::printable;
 using records::trimmed;
 
 using enum Quantity;
-constexpr std::array inputs{v0, p, x0, beta, f, delta, hold, notch_width};
+constexpr std::array listed_inputs{v0, p, x0, beta, f, delta, hold, notch_width};
 
 /// The input of that name; '-' and '_' are the same.
 std::optional<Quantity> find_input(std::string_view written,
@@ -31,15 +31,15 @@ std::optional<Quantity> find_input(std::string_view written,
   std::string underscored(written);
   std::ranges::replace(underscored, '-', '_');
   const auto* const found = std::ranges::find_if(
-      inputs, [&](Quantity input) { return name(input, units) == underscored; });
-  return found == inputs.end() ? std::nullopt : std::optional(*found);
+      listed_inputs, [&](Quantity input) { return name(input, units) == underscored; });
+  return found == listed_inputs.end() ? std::nullopt : std::optional(*found);
 }
 
 std::string not_a(std::string_view what, std::string_view found,
                   const std::optional<SweepUnits>& units) {
   std::vector<std::string_view> names;
-  names.reserve(inputs.size());
-  for (const Quantity input : inputs) {
+  names.reserve(listed_inputs.size());
+  for (const Quantity input : listed_inputs) {
     names.push_back(name(input, units));
   }
   return fmt::format("\"{}\" is not a {} of a list, which may have {}",
