@@ -2,10 +2,10 @@
 #include "browser.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "embedded.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
-#include "starter_scenes.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/design/doubtful_values.hpp>
