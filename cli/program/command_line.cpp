@@ -3,8 +3,9 @@
 
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/report/wrapped.hpp>
 #include "embedded.hpp"
-#include "terminal_text.hpp"
+#include "output.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -192,7 +193,7 @@ std::string short_help() {
   for (const CommandHelp& help : command_helps) {
     commands += fmt::format("  {:<10}{}\n", name(help.command), help.summary);
   }
-  return wrapped(embedded("help/short.txt", {{"commands", commands}}), help_width());
+  return report::wrapped(embedded("help/short.txt", {{"commands", commands}}), help_width());
 }
 
 Invocation parse_command_line(int argc, const char* const* argv) {
@@ -215,7 +216,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& asked) {
     invocation.reply = dynamic_cast<const CLI::CallForVersion*>(&asked) != nullptr
                            ? fmt::format("{}\n", asked.what())
-                           : wrapped(app.help(), help_width());
+                           : report::wrapped(app.help(), help_width());
     return invocation;
   } catch (const CLI::ParseError& error) {
     throw UsageError(records::shortened(error.what(), records::longest_path));
