@@ -44,6 +44,16 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
     const std::string full = run({"design", entry.path().string(), "--verbose"}).out;
     BOOST_TEST(lines_of(full).size() > lines.size());
     BOOST_TEST(!contains(full, "--verbose"));
+    // Where a scene is not for region or simulate, these print nothing.
+    const std::string region = run({"region", entry.path().string(), "--verbose"}).out;
+    const std::string motion = run({"simulate", entry.path().string(), "--verbose", "--f", "0.02",
+                                    contains(full, " mm") ? "--delta-m" : "--delta", "0.001"})
+                                   .out;
+    for (const std::string& text_of_all : {full, region, motion}) {
+      for (const std::string& line : lines_of(text_of_all)) {
+        BOOST_TEST(line.size() <= columns, entry.path() << ": " << line);
+      }
+    }
   }
 }
 
