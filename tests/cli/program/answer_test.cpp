@@ -76,6 +76,23 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_begins_with_that, Sandbox) {
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked at x = 0 from "), answer.out);
 }
 
+/// In the first line and as a warning, like one that locks.
+BOOST_FIXTURE_TEST_CASE(of_a_hit_that_the_notch_holds_begins_with_that, Sandbox) {
+  const Arguments held{"simulate", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.1"};
+  const ProgramRun answer = run(held);
+  BOOST_TEST(lines_of(answer.out).at(1).starts_with("  It never starts: "), answer.out);
+  BOOST_TEST(answer.err == "stillpoint: never starts: v0^2 < 2 delta, the notch holds it\n");
+  BOOST_TEST(run(joined(held, {"--quiet"})).err.empty());
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_load_below_friction_says_that_nothing_moves, Sandbox) {
+  const std::string text =
+      run({"simulate", "--p", "1", "--f", "0.5", "--delta", "0.1", "--excitation", "harmonic",
+           "--k", "0.2", "--lambda", "1", "--t-end", "20"})
+          .out;
+  BOOST_TEST(lines_of(text).at(1).starts_with("  It never moves: "), text);
+}
+
 BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_near_it_is_to_another, Sandbox) {
   const Arguments near{"simulate", "--v0", "1", "--p", "1", "--f", "0", "--delta", "0.4999"};
   BOOST_TEST(contains(run(near).out, "of another count or outcome"));
