@@ -3,8 +3,9 @@
 
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/version.hpp>
-#include "starter_scenes.hpp"
-#include "terminal_text.hpp"
+#include <stillpoint/report/wrapped.hpp>
+#include "embedded.hpp"
+#include "output.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,75 +21,31 @@ namespace stillpoint::cli {
 
 namespace {
 
+/// What stands below the options of a command, "stillpoint" that of the program.
+std::string_view footer(std::string_view name) {
+  const std::string_view text = embedded(fmt::format("help/{}.txt", name));
+  return text.substr(0, text.size() - 1);  // a file ends in a line's end
+}
+
+CommandHelp command_row(Command command, std::string_view summary,
+                        std::vector<std::string_view> words = {}) {
+  return {command, summary, footer(name(command)), std::move(words)};
+}
+
 const std::array command_helps{
-    CommandHelp{
-        Command::design, "design a damper that stops at x = 0 on the first return",
-        "Examples:\n"
-        "  stillpoint design --velocity 400mm/s --period 2.8s --max-displacement 150mm --mass "
-        "1200t\n"
-        "  stillpoint design --pulse half-sine --k 0.5g --pulse-duration 70ms --period 2.8s "
-        "--max-displacement 100mm\n"
-        "  stillpoint design data/scenes/isolator.json --objective time --tolerance 0.1 --open\n"
-        "  stillpoint design --v0 1 --p 1 --beta 0.8\n"
-        "  stillpoint design scene.json --json | jq .design\n"
-        "Exit codes: 0 done, 2 wrong input, 3 no admissible design, 4 cross-check failed."},
-    CommandHelp{Command::region, "the admissible region of f and delta, without a search",
-                "Examples:\n"
-                "  stillpoint region --velocity 400mm/s --period 2.8s --max-displacement 150mm\n"
-                "  stillpoint region --v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.4\n"
-                "Exit codes: 0 done, 2 wrong input, 3 the region is empty."},
-    CommandHelp{Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory",
-                "Examples:\n"
-                "  stillpoint simulate --velocity 400mm/s --period 3s --f 0.02 --delta-m 10mm "
-                "--trajectory motion.csv\n"
-                "  stillpoint simulate --natural-frequency 0.36Hz --f 0.02 --delta-m 1mm "
-                "--excitation harmonic --k 0.1g --excitation-frequency 0.5Hz --end-time 40s\n"
-                "  stillpoint simulate --period 2.8s --f 0.02 --delta-m 1mm --record "
-                "data/records/near_fault_pulse.txt\n"
-                "  stillpoint simulate --v0 1 --p 1 --f 0.02 --delta 0.02\n"
-                "  stillpoint simulate --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k "
-                "0.2 --lambda 0.35 --t-end 200\n"
-                "Exit codes: 0 done, 2 wrong input, 130 interrupted."},
-    CommandHelp{
-        Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy",
-        "AXIS is a number, first:last:count, first:last:count:log, or numbers a,b,c. The "
-        "entries are all combinations. With --beta a damper is designed for each entry; "
-        "without it each motion is simulated.\n"
-        "Examples:\n"
-        "  stillpoint sweep --v0 1 --p 1 --f 0.001:0.35:50 --delta 0:0.5:50\n"
-        "  stillpoint sweep --v0 1 --p 1 --f 1e-3:0.3:200:log --delta 0.01 --times --output s.npy\n"
-        "  stillpoint sweep --v0 1 --p 1 --beta 0.75:0.95:5 --tolerance 0.05\n"
-        "  stillpoint sweep --p 1 --f 0.05:0.2:16 --delta 0 --excitation harmonic --k 0.2 --lambda "
-        "0.35 --t-end 200\n"
-        "  stillpoint sweep --v0 1 --p 1 --list dampers.csv --output s.csv --resume\n"
-        "Exit codes: 0 done, 2 wrong input, 130 interrupted; continue with --resume."},
-    CommandHelp{Command::accuracy, "time and error of each method on one motion, against 50 digits",
-                "Examples:\n"
-                "  stillpoint accuracy --v0 1 --p 1 --f 0.02 --delta 0.02\n"
-                "  stillpoint accuracy --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k "
-                "0.2 --lambda 0.35 --t-end 200\n"
-                "Exit codes: 0 done, 2 wrong input."},
-    CommandHelp{Command::init, "print a commented scene to start from",
-                "Examples:\n"
-                "  stillpoint init > scene.json\n"
-                "  stillpoint init machine | stillpoint design -\n"
-                "Exit codes: 0 done, 2 wrong input.",
-                starter_names()},
+    command_row(Command::design, "design a damper that stops at x = 0 on the first return"),
+    command_row(Command::region, "the admissible region of f and delta, without a search"),
+    command_row(Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory"),
+    command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
+    command_row(Command::accuracy,
+                "time and error of each method on one motion, against 50 digits"),
+    command_row(Command::init, "print a commented scene to start from", starter_names()),
 };
 
 constexpr std::string_view about =
     "Designs friction dampers. A linear oscillator with constant friction f and point friction "
     "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move further than "
     "beta.";
-
-constexpr std::string_view epilogue =
-    "Examples:\n"
-    "  stillpoint design --velocity 400mm/s --period 2.8s --max-displacement 150mm\n"
-    "  stillpoint init building > scene.json\n"
-    "  stillpoint design scene.json --open\n\n"
-    "A scene is a JSON file, which may have comments; its keys are the names of the options, and a "
-    "flag overrides it. \"-\" reads it from standard input. \"stillpoint help COMMAND\" lists the "
-    "options of a command.";
 
 /// What CLI11 collects for one subcommand; texts, which are converted once the command is known.
 struct Collected {
@@ -232,18 +189,11 @@ std::string_view program_about() {
 }
 
 std::string short_help() {
-  std::string text =
-      "stillpoint designs friction dampers that stop a mass after a hit, centred and within its "
-      "stroke.\n\nCommands:\n";
+  std::string commands;
   for (const CommandHelp& help : command_helps) {
-    text += fmt::format("  {:<10}{}\n", name(help.command), help.summary);
+    commands += fmt::format("  {:<10}{}\n", name(help.command), help.summary);
   }
-  text +=
-      "\nExamples:\n"
-      "  stillpoint design --velocity 400mm/s --period 2.8s --max-displacement 150mm\n"
-      "  stillpoint init building > scene.json\n\n"
-      "\"stillpoint help COMMAND\" lists the options of a command.\n";
-  return wrapped(text, help_width());
+  return report::wrapped(embedded("help/short.txt", {{"commands", commands}}), help_width());
 }
 
 Invocation parse_command_line(int argc, const char* const* argv) {
@@ -251,7 +201,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   app.set_help_flag("-h,--help", "print this text");
   app.set_version_flag("--version", report::version_line())->description("print the version");
   app.allow_extras();
-  app.footer(std::string(epilogue));
+  app.footer(std::string(footer("stillpoint")));
   std::array<Collected, command_helps.size()> collected;
   for (std::size_t i = 0; i < command_helps.size(); ++i) {
     const CommandHelp& help = command_helps[i];
@@ -266,7 +216,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& asked) {
     invocation.reply = dynamic_cast<const CLI::CallForVersion*>(&asked) != nullptr
                            ? fmt::format("{}\n", asked.what())
-                           : wrapped(app.help(), help_width());
+                           : report::wrapped(app.help(), help_width());
     return invocation;
   } catch (const CLI::ParseError& error) {
     throw UsageError(records::shortened(error.what(), records::longest_path));

@@ -6,12 +6,11 @@
 #include "request.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/sweep/catalogue_file.hpp>
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace stillpoint::cli {
 
@@ -38,44 +37,13 @@ double stroke(const Settings& settings, MotionInput& motion) {
   return displacement / motion.physical->scales.length_m;
 }
 
-/// How far a friction may fall and rise, as parts of it: R, or LOW:HIGH as factors.
-struct Spread {
-  double below;
-  double above;
-};
-
-std::optional<Spread> spread(const Settings& settings, std::string_view name) {
+/// R, or LOW:HIGH as factors.
+std::optional<design::Spread> spread(const Settings& settings, const char* name) {
   if (const auto range = settings.range(name)) {
-    if (!(range->low > 0 && range->low <= 1 && range->high >= 1 && range->high < 2)) {
-      throw InputError(std::string(name), fmt::format("{}:{}", range->low, range->high),
-                       "must be factors LOW:HIGH with 0 < LOW <= 1 <= HIGH < 2");
-    }
-    return Spread{1 - range->low, range->high - 1};
+    return design::spread_of_factors(name, range->low, range->high);
   }
   const auto value = settings.number(name);
-  if (value && !(*value >= 0 && *value < 1)) {
-    throw InputError(std::string(name), *value, "must be at least 0 and less than 1");
-  }
-  return value ? std::optional(Spread{*value, *value}) : std::nullopt;
-}
-
-/// A box whose sides differ; what is not given is as --tolerance.
-void shape_box(design::Limits& limits, const Settings& settings) {
-  const auto of_f = spread(settings, "tolerance-f");
-  const auto of_delta = spread(settings, "tolerance-delta");
-  if (!of_f && !of_delta) {
-    return;
-  }
-  const Spread both{limits.tolerance, limits.tolerance};
-  const Spread f = of_f.value_or(both);
-  const Spread delta = of_delta.value_or(both);
-  const double most = std::max({f.below, f.above, delta.below, delta.above});
-  if (!(most > 0)) {
-    throw InputError(of_f ? "tolerance-f" : "tolerance-delta", 0.0,
-                     "must be above 0 where no other tolerance is");
-  }
-  limits.tolerance = most;
-  limits.shape = {f.below / most, f.above / most, delta.below / most, delta.above / most};
+  return value ? std::optional(design::spread_of_tolerance(name, *value)) : std::nullopt;
 }
 
 /// With a pulse, without a velocity.
@@ -95,7 +63,7 @@ Task task(const Settings& settings, Command command, bool pulse) {
   task.problem.v0_low = motion.v0_low;
   task.problem.p_high = motion.p_high;
   task.problem.residual = point_friction(settings, "residual", "residual-m", motion.physical);
-  shape_box(task.limits, settings);
+  shape_box(task.limits, spread(settings, "tolerance-f"), spread(settings, "tolerance-delta"));
   return task;
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "browser.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "embedded.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "scene.hpp"
-#include "starter_scenes.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/design/doubtful_values.hpp>
+#include <stillpoint/report/browser.hpp>
 
 #include <fmt/format.h>
 
@@ -99,8 +99,8 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   }
   // What --open needs, before anything long is done: a browser, and a page for it.
   const bool opens = settings.flag("open") && find_option("open")->serves(invocation.command);
-  const std::vector<std::string> opener = opens ? browser() : std::vector<std::string>();
-  std::optional<TemporaryPage> temporary;
+  const std::vector<std::string> opener = opens ? report::browser() : std::vector<std::string>();
+  std::optional<report::TemporaryPage> temporary;
   if (opens && !settings.has("html")) {
     settings.set(*find_option("html"), temporary.emplace().path());
   }
@@ -110,7 +110,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   warn_of_doubtful_values(settings, invocation.command);
   note_unused(scene, settings, invocation.command);
   if (opens) {
-    open_page(opener, *settings.text("html"));
+    report::open_page(opener, *settings.text("html"));
   }
   return code;
 }

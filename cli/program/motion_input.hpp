@@ -10,10 +10,8 @@
 
 namespace stillpoint::cli {
 
-/// Of anything that is built, in SI units, with room to spare; as for the isolator's own figures.
-/// What these make dimensionless is then valid as well.
-inline constexpr double smallest_physical = 1e-30;
-inline constexpr double largest_physical = 1e30;
+using design::largest_physical;
+using design::smallest_physical;
 
 /// v0, p and x0 of a motion, however they were given.
 struct MotionInput {

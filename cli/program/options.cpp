@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -76,6 +75,20 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
   return {name, kind, placeholder, group, std::move(help), commands, std::move(traits)};
 }
 
+/// What a sweep varies, without a unit and with one, and what has a unit and is one number.
+OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
+  return {.sweeps = true, .rivals = rivals, .units = dimensionless, .range = range};
+}
+OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none) {
+  return {.rivals = rivals, .units = si, .dimension = dimension};
+}
+OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = RangeEnd::none) {
+  OptionTraits traits = in_si(dimension, rivals);
+  traits.sweeps = true;
+  traits.range = range;
+  return traits;
+}
+
 /// In `help`, {} stands for the values.
 std::vector<Option> rows() {
   const auto algorithms = design::algorithm_names();
@@ -83,76 +96,49 @@ std::vector<Option> rows() {
   return {
       // name, kind, placeholder, group, help, commands, traits
       row("v0", number, "V", motion, "initial velocity", every,
-          {.sweeps = true, .rivals = Rivals::hit, .units = dimensionless, .range = RangeEnd::high}),
+          plain_axis(Rivals::hit, RangeEnd::high)),
       row("p", number, "P", motion, "square root of the stiffness", every,
-          {.sweeps = true,
-           .rivals = Rivals::stiffness,
-           .units = dimensionless,
-           .range = RangeEnd::low}),
+          plain_axis(Rivals::stiffness, RangeEnd::low)),
       row("beta", number, "B", motion, "largest admissible displacement", of_designs,
-          {.sweeps = true, .rivals = Rivals::stroke, .units = dimensionless}),
+          plain_axis(Rivals::stroke)),
       row("pulse", text, "TYPE", motion,
           "{}, with --k and --pulse-duration or --lambda: the hit instead of an initial velocity",
           design, {.rivals = Rivals::hit, .values = pulse_names()}),
       row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
-          {.sweeps = true, .rivals = Rivals::start, .units = dimensionless}),
+          plain_axis(Rivals::start)),
 
       row("velocity", number, "M/S", physical, "initial velocity in m/s", in_metres,
-          {.sweeps = true,
-           .rivals = Rivals::hit,
-           .units = si,
-           .dimension = Dimension::velocity,
-           .range = RangeEnd::high}),
+          axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
-          of_designs,
-          {.sweeps = true, .rivals = Rivals::stroke, .units = si, .dimension = Dimension::length}),
+          of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
       row("period", number, "S", physical, "natural period without friction in s", in_metres,
-          {.sweeps = true,
-           .rivals = Rivals::stiffness,
-           .units = si,
-           .dimension = Dimension::time,
-           .range = RangeEnd::high}),
+          axis_in_si(Rivals::stiffness, Dimension::time, RangeEnd::high)),
       row("natural-frequency", number, "HZ", physical, "instead of the period, in Hz", in_metres,
-          {.sweeps = true,
-           .rivals = Rivals::stiffness,
-           .units = si,
-           .dimension = Dimension::frequency,
-           .range = RangeEnd::low}),
+          axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low)),
       row("stiffness", number, "N/M", physical, "instead of the period, in N/m; needs --mass",
-          in_metres,
-          {.sweeps = true,
-           .rivals = Rivals::stiffness,
-           .units = si,
-           .dimension = Dimension::stiffness,
-           .range = RangeEnd::low}),
+          in_metres, axis_in_si(Rivals::stiffness, Dimension::stiffness, RangeEnd::low)),
       row("mass", number, "KG", physical, "in kg; adds forces and energies to the report",
-          in_metres, {.units = si, .dimension = Dimension::mass}),
+          in_metres, in_si(Dimension::mass)),
       row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres,
-          {.units = si, .dimension = Dimension::acceleration}),
+          in_si(Dimension::acceleration)),
       row("x0-m", number, "M", physical, "initial displacement in m", motions | sweep,
-          {.sweeps = true, .rivals = Rivals::start, .units = si, .dimension = Dimension::length}),
+          axis_in_si(Rivals::start, Dimension::length)),
 
       row("f", number, "F", damper, "constant friction coefficient", region | motions | sweep,
           {.sweeps = true}),
       row("delta", number, "D", damper, "point friction", region | motions | sweep,
           {.sweeps = true, .rivals = Rivals::point_friction}),
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
-          region | motions | sweep,
-          {.sweeps = true,
-           .rivals = Rivals::point_friction,
-           .units = si,
-           .dimension = Dimension::length}),
+          region | motions | sweep, axis_in_si(Rivals::point_friction, Dimension::length)),
       row("hold", number, "H", damper,
           "what the notch holds at x = 0 besides f, in g; default: any load",
           design | of_excitations,
           {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
-          design | of_excitations,
-          {.sweeps = true, .rivals = Rivals::notch, .units = dimensionless}),
+          design | of_excitations, plain_axis(Rivals::notch)),
       row("notch-width-m", number, "M", damper, "the same in m, with physical input",
-          design | of_excitations,
-          {.sweeps = true, .rivals = Rivals::notch, .units = si, .dimension = Dimension::length}),
+          design | of_excitations, axis_in_si(Rivals::notch, Dimension::length)),
       row("friction-zones", text, "X:F,...", damper,
           "friction that steps with |x|: F up to X, f beyond the last; with physical input X is in "
           "m or has a unit",
@@ -164,7 +150,7 @@ std::vector<Option> rows() {
       row("residual", number, "R", damper, "a rest with |x| up to R is admissible too",
           design | region, {.rivals = Rivals::residual, .units = dimensionless}),
       row("residual-m", number, "M", damper, "the same in m, with physical input", design | region,
-          {.rivals = Rivals::residual, .units = si, .dimension = Dimension::length}),
+          in_si(Dimension::length, Rivals::residual)),
       row("tolerance", number, "R", damper,
           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
       row("tolerance-f", number, "R", damper,
@@ -177,7 +163,7 @@ std::vector<Option> rows() {
       row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
           {.rivals = Rivals::point_friction_limit}),
       row("delta-max-m", number, "M", damper, "the same in m, with physical input", of_designs,
-          {.rivals = Rivals::point_friction_limit, .units = si, .dimension = Dimension::length}),
+          in_si(Dimension::length, Rivals::point_friction_limit)),
       row("acceleration-max", number, "A", damper,
           "largest acceleration in g that the mass may feel outside the notch", of_designs,
           {.dimension = Dimension::gravities}),
@@ -199,10 +185,10 @@ std::vector<Option> rows() {
           "under records: where f is searched; default: from 0 to the largest load", design),
       row("search-delta-m", text, "LOW:HIGH", searching,
           "under records: where delta is searched, in m; default: from 0 to (p beta)^2", design,
-          {.units = si, .dimension = Dimension::length}),
+          in_si(Dimension::length)),
       row("search-period", text, "LOW:HIGH", searching,
           "under records: the period is searched as well, here, in s", design,
-          {.units = si, .dimension = Dimension::time}),
+          in_si(Dimension::time)),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           {.values = {algorithms.begin(), algorithms.end()}}),
 
@@ -212,10 +198,10 @@ std::vector<Option> rows() {
           design | of_excitations, {.dimension = Dimension::gravities}),
       row("excitation-frequency", number, "HZ", shaking,
           "with physical input: in Hz; of a pulse, that of its sine", in_hertz,
-          {.rivals = Rivals::frequency, .units = si, .dimension = Dimension::frequency}),
+          in_si(Dimension::frequency, Rivals::frequency)),
       row("pulse-duration", number, "S", shaking,
           "with physical input: how long half-sine, full-sine or rectangle last, in s", in_hertz,
-          {.rivals = Rivals::frequency, .units = si, .dimension = Dimension::time}),
+          in_si(Dimension::time, Rivals::frequency)),
       row("lambda", number, "L", shaking,
           "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
           "last pi/L, full-sine 2 pi/L",
@@ -224,7 +210,7 @@ std::vector<Option> rows() {
           of_excitations),
       row("excitation-duration", number, "S", shaking,
           "with physical input: of a harmonic, in s, 0 or more; default for ever", of_excitations,
-          {.rivals = Rivals::duration, .units = si, .dimension = Dimension::time}),
+          in_si(Dimension::time, Rivals::duration)),
       row("duration", number, "TAU", shaking, "of a harmonic, in tau, 0 or more; default for ever",
           of_excitations, {.rivals = Rivals::duration}),
       row("record", text, "FILE", shaking,
@@ -242,7 +228,7 @@ std::vector<Option> rows() {
       row("end-time", number, "S", shaking,
           "with physical input: end of the run in s (default: end of the motion); a harmonic "
           "without a duration needs it",
-          of_excitations, {.rivals = Rivals::end, .units = si, .dimension = Dimension::time}),
+          of_excitations, in_si(Dimension::time, Rivals::end)),
       row("t-end", number, "TAU", shaking,
           "end of the run in tau (default: end of the motion); a harmonic without a duration "
           "needs it",
@@ -313,22 +299,6 @@ const std::vector<Option>& table() {
   return table;
 }
 
-/// Levenshtein's distance.
-std::size_t slips(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
 
 std::string_view name(Command command) noexcept {
@@ -359,12 +329,15 @@ const Option* find_option(std::string_view name) {
   return found == table().end() ? nullptr : &*found;
 }
 
-std::string suggestion(std::string_view wrong, std::span<const std::string_view> names) {
-  const auto nearest = std::ranges::min_element(
-      names, {}, [&](std::string_view name) { return slips(wrong, name); });
-  const std::size_t distance = slips(wrong, *nearest);
-  return distance <= 2 && distance < wrong.size() ? fmt::format("; did you mean {}?", *nearest)
-                                                  : "";
+std::vector<const Option*> physical_rivals(const Option& option) {
+  std::vector<const Option*> rivals;
+  for (const Option& other : table()) {
+    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
+        other.traits.dimension != Dimension::none) {
+      rivals.push_back(&other);
+    }
+  }
+  return rivals;
 }
 
 std::string suggestion(std::string_view wrong, std::optional<Command> command) {
@@ -374,7 +347,7 @@ std::string suggestion(std::string_view wrong, std::optional<Command> command) {
       names.push_back(option.name);
     }
   }
-  return suggestion(wrong, names);
+  return records::suggestion(wrong, names);
 }
 
 }  // namespace stillpoint::cli

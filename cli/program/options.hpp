@@ -69,6 +69,7 @@ enum class Rivals {
 
 using records::Dimension;
 using records::listed;
+using records::suggestion;
 
 /// A task is given either dimensionless or in metres and seconds, not in both.
 enum class Units { any, dimensionless, physical };
@@ -127,13 +128,12 @@ struct Option {
 /// The option of that name, whatever its command; null where there is none.
 [[nodiscard]] const Option* find_option(std::string_view name);
 
+/// The options that can stand in place of it and have a unit.
+[[nodiscard]] std::vector<const Option*> physical_rivals(const Option& option);
+
 /// "; did you mean NAME?" for an option that is one or two slips away, else "". Options of
 /// `command` come first.
 [[nodiscard]] std::string suggestion(std::string_view wrong,
                                      std::optional<Command> command = std::nullopt);
-
-/// The same among `names`.
-[[nodiscard]] std::string suggestion(std::string_view wrong,
-                                     std::span<const std::string_view> names);
 
 }  // namespace stillpoint::cli

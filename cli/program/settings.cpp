@@ -13,15 +13,12 @@ namespace stillpoint::cli {
 namespace {
 
 /// "; with a unit give --period or --stiffness", for an option that has such rivals.
-std::string physical_rivals(const Option& option) {
+std::string with_a_unit(const Option& option) {
   std::string found;
-  for (const Option& other : options()) {
-    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
-        other.traits.dimension != Dimension::none) {
-      found += fmt::format("{}--{}", found.empty() ? "" : " or ", other.name);
-    }
+  for (const Option* other : physical_rivals(option)) {
+    found += fmt::format("{}--{}", found.empty() ? "; with a unit give " : " or ", other->name);
   }
-  return found.empty() ? "" : fmt::format("; with a unit give {}", found);
+  return found;
 }
 
 }  // namespace
@@ -29,7 +26,7 @@ std::string physical_rivals(const Option& option) {
 double parse_value(const Option& option, std::string_view text) {
   const Dimension dimension = option.traits.dimension;
   return records::parse_value(option.name, dimension, text,
-                              dimension == Dimension::none ? physical_rivals(option) : "");
+                              dimension == Dimension::none ? with_a_unit(option) : "");
 }
 
 Range range_value(const Option& option, std::string_view low, std::string_view high) {

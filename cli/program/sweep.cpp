@@ -33,19 +33,6 @@ Progress::Line progress_in_rows(std::int64_t begun_with, std::optional<std::int6
   };
 }
 
-/// "149 rows are kept in rows.csv.part"
-std::string kept(const sweep::LeftRows& left) {
-  if (left.count == 0) {
-    return "nothing is written";
-  }
-  if (left.file.empty()) {
-    return "the rows before it are written";
-  }
-  return fmt::format("{} kept in {}",
-                     left.count == 1 ? "1 row is" : fmt::format("{} rows are", left.count),
-                     left.file);
-}
-
 /// What the user can do about an error, now that `left` is there.
 std::string advice(const std::exception& error, const sweep::LeftRows& left) {
   const auto* const file = dynamic_cast<const records::FileError*>(&error);
@@ -74,7 +61,7 @@ SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::Swe
     if (left.count == 0) {
       throw;
     }
-    throw UsageError(fmt::format("{}; {}{}", error.what(), kept(left), advice(error, left)));
+    throw UsageError(fmt::format("{}; {}{}", error.what(), description(left), advice(error, left)));
   }
 }
 
@@ -82,7 +69,7 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
   if (summary.end == SweepEnd::stopped) {
     const sweep::LeftRows left = sink.leave();
     throw Interrupted(
-        fmt::format("interrupted: {}{}", kept(left),
+        fmt::format("interrupted: {}{}", description(left),
                     left.file.empty() ? "" : ", continue with the same command and --resume"));
   }
   if (summary.end == SweepEnd::stopped_in_map) {

@@ -53,15 +53,15 @@ bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
   return settings.has(option_name(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
 }
 
-/// What is dimensionless by a length that a physical sweep does not have.
+/// What is dimensionless by a length that a physical sweep does not have, and has a rival in
+/// metres, seconds or hertz.
 void refuse_dimensionless(const Settings& settings) {
-  for (const auto& [plain, physical] :
-       {std::pair{"delta", "delta-m"}, std::pair{"delta-max", "delta-max-m"},
-        std::pair{"lambda", "excitation-frequency"}, std::pair{"duration", "excitation-duration"},
-        std::pair{"t-end", "end-time"}}) {
-    if (settings.has(plain)) {
-      throw UsageError(
-          fmt::format("{} is dimensionless: with physical input give --{}", plain, physical));
+  for (const Option& plain : options()) {
+    const auto rivals = physical_rivals(plain);
+    if (plain.kind == OptionKind::number && plain.traits.dimension == Dimension::none &&
+        !rivals.empty() && settings.has(plain.name)) {
+      throw UsageError(fmt::format("{} is dimensionless: with physical input give --{}", plain.name,
+                                   rivals.front()->name));
     }
   }
 }
@@ -137,40 +137,16 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   }
 }
 
-/// "velocity = -1 m/s: must be from 1e-30 to 1e+30 m/s"
-void require_in_units(const std::string& option, double value, double least) {
-  if (value >= least && value <= largest_physical) {
-    return;
-  }
-  const auto units = records::units_of(find_option(option)->traits.dimension);
-  throw InputError(
-      option, fmt::format("{} {}", value, units.front().name),
-      fmt::format("must be from {} to {} {}", least, largest_physical, units.front().name));
-}
-
-/// What has a unit, in it: core would name dimensionless numbers.
-void require_physical(const std::string& option, const Axis& axis, Quantity input,
-                      const SweepSpec& spec) {
-  if (!spec.units || find_option(option)->traits.units != Units::physical) {
-    return;
-  }
-  const bool may_be_negative =
-      input == Quantity::x0 || (input == Quantity::v0 && spec.kind != SweepKind::design);
-  const double least = may_be_negative            ? -largest_physical
-                       : input == Quantity::delta ? 0
-                                                  : smallest_physical;
-  require_in_units(option, axis.ends().first, least);
-  require_in_units(option, axis.ends().second, least);
-}
-
 /// What is wrong with the time or the frequency of a load, by the option that gave it.
 InputError of_physical_option(const InputError& error, const Settings& settings) {
-  for (const auto& [field, option] :
-       {std::pair{"lambda", "excitation-frequency"}, std::pair{"lambda", "pulse-duration"},
-        std::pair{"duration", "excitation-duration"}, std::pair{"t_end", "end-time"}}) {
-    if (error.field() == field && settings.has(option)) {
-      const auto unit = records::units_of(find_option(option)->traits.dimension).front().name;
-      return {option, fmt::format("{} {}", *settings.number(option), unit),
+  std::string field = error.field();
+  std::ranges::replace(field, '_', '-');
+  const Option* const plain = find_option(field);
+  for (const Option* option :
+       plain == nullptr ? std::vector<const Option*>() : physical_rivals(*plain)) {
+    if (settings.has(option->name) && !option->traits.sweeps) {
+      const auto unit = records::units_of(option->traits.dimension).front().name;
+      return {std::string(option->name), fmt::format("{} {}", *settings.number(option->name), unit),
               fmt::format("makes {}", error.what())};
     }
   }
@@ -185,7 +161,6 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
   for (const Quantity input : sweep::inputs(spec.kind)) {
     const std::string option = option_name(input, spec.units);
     if (const auto axis = settings.axis(option)) {
-      require_physical(option, *axis, input, spec);
       spec.axes.push_back({input, *axis});
     } else if (!given(settings, spec, input) &&
                (input == Quantity::x0 || (input == Quantity::v0 && may_rest))) {
@@ -211,9 +186,6 @@ void add_design(const Settings& settings, SweepSpec& spec) {
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");
   spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
-  if (spec.units && spec.limits.delta_max) {
-    require_in_units("delta-max-m", *spec.limits.delta_max, smallest_physical);
-  }
   spec.limits.acceleration_max = settings.number("acceleration-max");
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
   spec.parts = catalogue_input(settings, spec.units);
@@ -236,27 +208,6 @@ sweep::RowFormat row_format(const Settings& settings) {
   return npy ? sweep::RowFormat::npy : sweep::RowFormat::csv;
 }
 
-/// The file of a record may change, so its values count.
-std::uint64_t record_digest(const Excitation& excitation) {
-  sweep::Digest digest;
-  if (const auto* const record = std::get_if<Record>(&excitation)) {
-    digest.add(record->step);
-    std::ranges::for_each(record->values, [&](double value) { digest.add(value); });
-    std::ranges::for_each(record->times, [&](double time) { digest.add(time); });
-  }
-  return digest.value();
-}
-
-/// The same of a catalogue.
-std::uint64_t catalogue_digest(const std::vector<design::Part>& parts) {
-  sweep::Digest digest;
-  for (const design::Part& part : parts) {
-    digest.add(part.f);
-    digest.add(part.delta);
-  }
-  return digest.value();
-}
-
 /// SweepSpec::identity: the options that decide the rows, as they were given.
 std::string identity(const Settings& settings, const SweepSpec& spec) {
   nlohmann::ordered_json result;
@@ -273,9 +224,9 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
       result[std::string(option)] = as_json(value);
     }
   }
-  result["record_digest"] = record_digest(spec.excitation);
+  result["record_digest"] = sweep::digest(spec.excitation);
   if (!spec.parts.empty()) {
-    result["catalogue_digest"] = catalogue_digest(spec.parts);
+    result["catalogue_digest"] = sweep::digest(spec.parts);
   }
   return result.dump();
 }

@@ -7,14 +7,7 @@
 
 #include <fmt/format.h>
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -22,9 +15,9 @@ namespace stillpoint::cli {
 
 namespace {
 
-using sweep::behind_links;
 using sweep::is_special_file;
 using sweep::is_standard_output;
+using sweep::same_file;
 
 struct NamedFile {
   std::string field;
@@ -77,33 +70,9 @@ bool may_be_a_file(const std::string& path) {
   return !path.empty() && path != "-" && !is_special_file(path);
 }
 
-std::filesystem::path place(const std::string& path) {
-  std::error_code unreachable;
-  const auto whole = std::filesystem::absolute(behind_links(path), unreachable);
-  auto resolved = std::filesystem::weakly_canonical(whole, unreachable);
-  return unreachable ? whole.lexically_normal() : resolved;
-}
-
-/// By name as well, for what is not there yet.
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code not_there;
-  return std::filesystem::equivalent(a, b, not_there) || place(a) == place(b);
-}
-
-/// A sweep that is alive holds a lock on its FILE.part, and beside that stands FILE.part.json.
+/// A sweep that is alive writes FILE.part, and FILE.part.json beside it.
 void refuse_part_of_a_sweep(const NamedFile& file) {
-  std::string part = behind_links(file.path).string();
-  if (part.ends_with(".part.json")) {
-    part.resize(part.size() - std::string_view(".json").size());
-  }
-  const int descriptor =
-      part.ends_with(".part") ? ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK) : -1;
-  if (descriptor < 0) {
-    return;
-  }
-  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(descriptor);
-  if (locked) {
+  if (sweep::is_being_swept(file.path)) {
     throw UsageError(
         fmt::format("{}: a sweep is writing it: let it end, or give another file", shown(file)));
   }

@@ -12,6 +12,24 @@
 
 namespace stillpoint::cli {
 
+/// One text after another, of every option and of every command.
+template <class TextOf>
+[[nodiscard]] std::string for_options(TextOf text_of) {
+  std::string all;
+  for (const Option& option : options()) {
+    all += text_of(option);
+  }
+  return all;
+}
+template <class TextOf>
+[[nodiscard]] std::string for_commands(TextOf text_of) {
+  std::string all;
+  for (const CommandHelp& help : all_commands()) {
+    all += text_of(help);
+  }
+  return all;
+}
+
 /// The names of the commands that the option serves, or of all (null), with `separator` between
 /// them.
 [[nodiscard]] inline std::string command_names(const Option* option, std::string_view separator) {

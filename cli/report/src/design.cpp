@@ -118,6 +118,13 @@ std::string judgement(const design::CheckMethod& method) {
   return method.decided ? "agrees" : "agrees in the peak; too near a tie to tell more";
 }
 
+/// In eight characters.
+std::string duration_text(double seconds) {
+  return seconds < 1e-3 ? format("{:.1f} us", 1e6 * seconds)
+         : seconds < 1  ? format("{:.1f} ms", 1e3 * seconds)
+                        : format("{:.1f} s", seconds);
+}
+
 void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
   const FigureUnits units(physical);
   const auto in = [](const std::string& name, const std::string& unit) {
@@ -134,8 +141,7 @@ void add_checks(Document& document, const design::CrossCheck& check, const Physi
     table.rows.push_back(
         {{std::string(method.name), digits(method.peak_amplitude * units.length), digits(stop_time),
           format("{:.0f}", method.half_cycles), format("{:.1e}", method.relative_error),
-          format("{:.1e}", method.tolerance), format("{:.1f} us", 1e6 * method.wall_time_s),
-          judgement(method)},
+          format("{:.1e}", method.tolerance), duration_text(method.wall_time_s), judgement(method)},
          method.passed ? Tone::good : Tone::bad});
   }
   Section& section = check.passed ? document.detail("Cross-check: agrees")

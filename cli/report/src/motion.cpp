@@ -73,7 +73,8 @@ double load_end(const SimulationRequest& request) {
 std::string lock_sentence(const MotionReport& report) {
   const auto& forced = report.answer.forced;
   if (!forced || !forced->locked_from) {
-    return {};
+    const Outcome outcome = report.answer.response.outcome;
+    return outcome == Outcome::caught_at_start ? outcome_phrase(outcome) : "";
   }
   const double end = load_end(report.request);
   const std::string when =
@@ -90,9 +91,14 @@ namespace {
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
-  if (std::string locked = lock_sentence(report); !locked.empty()) {
+  if (report.answer.forced && report.answer.forced->locked_from) {
+    std::string locked = lock_sentence(report);
     locked.front() = 'L';
     return locked + ".";
+  }
+  if (report.answer.forced && response.outcome == Outcome::stopped_at_zero &&
+      response.peak_amplitude == 0) {
+    return "It never moves: friction holds it under the whole load.";
   }
   std::string text = format("It {}", outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {

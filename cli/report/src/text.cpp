@@ -97,32 +97,26 @@ class Text {
   }
 
   /// Columns as wide as their widest cell, the first and the last one to the left, the others to
-  /// the right.
+  /// the right. A table that is too wide gets its heads in two lines, of units alone where that
+  /// will do; the columns for which there is still no room come below, again with the first.
   std::string operator()(const Table& table) const {
-    std::vector<std::size_t> widths(table.head.size());
-    const auto widen = [&](const std::vector<std::string>& cells) {
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        widths[i] = std::max(widths[i], cells[i].size());
-      }
-    };
-    std::ranges::for_each(table.rows, widen, &TableRow::cells);
-    const std::vector<std::size_t> narrow = widths;
-    widen(table.head);
-    std::vector<std::vector<std::string>> heads{table.head};
-    if (width(widths, usual_gap) > page_width) {
-      heads = units_below(table.head);
-      widths = narrow;
-      std::ranges::for_each(heads, widen);
-    }
-    const std::size_t gap = width(widths, usual_gap) > page_width ? narrow_gap : usual_gap;
-    std::string text;
-    for (const std::vector<std::string>& head : heads) {
-      text += aligned({head}, widths, gap);
-    }
+    std::vector<std::size_t> cells(table.head.size());
     for (const TableRow& row : table.rows) {
-      text += aligned(row, widths, gap);
+      widen(cells, row.cells);
     }
-    return text;
+    for (const HeadBreak breaks : {HeadBreak::none, HeadBreak::units, HeadBreak::words}) {
+      const auto heads = heads_of(table.head, breaks);
+      std::vector<std::size_t> widths = cells;
+      std::ranges::for_each(heads, [&](const auto& head) { widen(widths, head); });
+      if (width(widths, usual_gap) <= page_width) {
+        return in_blocks(heads, table.rows, widths, usual_gap);
+      }
+      if (breaks == HeadBreak::words ||
+          (breaks == HeadBreak::units && width(widths, narrow_gap) <= page_width)) {
+        return in_blocks(heads, table.rows, widths, narrow_gap);
+      }
+    }
+    return {};  // not reached
   }
 
  private:
@@ -133,18 +127,65 @@ class Text {
     return std::accumulate(columns.begin(), columns.end(), 2 + (columns.size() - 1) * gap);
   }
 
-  /// "peak, mm" in two lines; one line where no head has a unit.
-  static std::vector<std::vector<std::string>> units_below(const std::vector<std::string>& heads) {
-    std::vector<std::vector<std::string>> lines(2);
-    bool any = false;
-    for (const std::string& head : heads) {
-      const std::size_t comma = head.find(", ");
-      any = any || comma != std::string::npos;
-      lines[0].push_back(head.substr(0, comma));
-      lines[1].push_back(comma == std::string::npos ? "" : head.substr(comma + 2));
+  enum class HeadBreak { none, units, words };
+
+  static void widen(std::vector<std::size_t>& widths, const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      widths[i] = std::max(widths[i], cells[i].size());
     }
+  }
+
+  /// "peak, mm" and "stop time" in two lines; one line where no head has a unit, or words.
+  static std::vector<std::vector<std::string>> heads_of(const std::vector<std::string>& heads,
+                                                        HeadBreak breaks) {
+    if (breaks == HeadBreak::none) {
+      return {heads};
+    }
+    std::vector<std::vector<std::string>> lines(2);
+    for (const std::string& head : heads) {
+      const std::size_t end = std::min(
+          breaks == HeadBreak::words ? head.find_first_of(", -") : head.find(", "), head.size());
+      lines[0].push_back(head.substr(0, end) + (head[end] == '-' ? "-" : ""));
+      lines[1].push_back(head.substr(std::min(head.find_first_not_of(", -", end), head.size())));
+    }
+    const bool any = std::ranges::any_of(lines[1], [](const auto& line) { return !line.empty(); });
     lines.resize(any ? 2 : 1);
     return lines;
+  }
+
+  [[nodiscard]] std::string in_blocks(const std::vector<std::vector<std::string>>& heads,
+                                      const std::vector<TableRow>& rows,
+                                      const std::vector<std::size_t>& widths,
+                                      std::size_t gap) const {
+    std::string text;
+    std::size_t begin = 1;
+    do {
+      std::size_t end = begin;
+      for (std::size_t used = 2 + widths[0]; end < widths.size(); ++end) {
+        used += gap + widths[end];
+        if (used > page_width && end > begin) {
+          break;
+        }
+      }
+      // The first column, and those of the block.
+      const auto part = [begin, end](auto all) {
+        const auto at = [&all](std::size_t i) {
+          return all.begin() + static_cast<std::ptrdiff_t>(std::min(i, all.size()));
+        };
+        all.erase(at(end), all.end());
+        all.erase(at(1), at(begin));
+        return all;
+      };
+      for (const std::vector<std::string>& head : heads) {
+        text += aligned({part(head)}, part(widths), gap);
+      }
+      for (const TableRow& row : rows) {
+        text += aligned({part(row.cells), end < widths.size() ? Tone::plain : row.tone},
+                        part(widths), gap);
+      }
+      begin = end;
+    } while (begin < widths.size());
+    return text;
   }
 
   [[nodiscard]] std::string aligned(const TableRow& row, const std::vector<std::size_t>& widths,
@@ -172,7 +213,10 @@ std::string text(const Document& document, const TextOptions& options) {
   const std::string title = options.title.empty()
                                 ? document.title
                                 : fmt::format("{}: {}", document.title, spelled_out(options.title));
-  std::string text = rendered.styled(Tone::heading, title) + "\n";
+  std::string text;
+  for (const auto line : lines_of(title, page_width)) {
+    text += rendered.styled(Tone::heading, line) + "\n";
+  }
   if (!document.verdict.empty()) {
     text += rendered(Line{document.verdict, document.tone});
   }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace stillpoint::records {
@@ -53,6 +54,22 @@ bool is_utf8(std::string_view text) {
     text.remove_prefix(length);
   }
   return true;
+}
+
+/// Levenshtein's distance.
+std::size_t slips(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
 }
 
 }  // namespace
@@ -126,6 +143,14 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 std::string listed(std::span<const std::string_view> words) {
   return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
+}
+
+std::string suggestion(std::string_view wrong, std::span<const std::string_view> names) {
+  const auto nearest = std::ranges::min_element(
+      names, {}, [&](std::string_view name) { return slips(wrong, name); });
+  const std::size_t distance = slips(wrong, *nearest);
+  return distance <= 2 && distance < wrong.size() ? fmt::format("; did you mean {}?", *nearest)
+                                                  : "";
 }
 
 std::string quoted(std::string_view text) {

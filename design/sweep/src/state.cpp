@@ -17,6 +17,25 @@ void SweepBlock::cut(Eigen::Index count) {
   size = count;
 }
 
+std::uint64_t digest(const Excitation& excitation) {
+  Digest digest;
+  if (const auto* const record = std::get_if<Record>(&excitation)) {
+    digest.add(record->step);
+    std::ranges::for_each(record->values, [&](double value) { digest.add(value); });
+    std::ranges::for_each(record->times, [&](double time) { digest.add(time); });
+  }
+  return digest.value();
+}
+
+std::uint64_t digest(const std::vector<design::Part>& parts) {
+  Digest digest;
+  for (const design::Part& part : parts) {
+    digest.add(part.f);
+    digest.add(part.delta);
+  }
+  return digest.value();
+}
+
 void SweepState::add(const SweepBlock& block) {
   rows += block.size;
   digest = block.digest();

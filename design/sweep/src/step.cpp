@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <exception>
 #include <limits>
 #include <span>
 #include <utility>
@@ -120,6 +121,17 @@ void SweepStep::run_physical(SweepBlock& block) {
   for (const Quantity input : inputs(spec_.kind)) {
     plain_[input] =
         block[input].unaryExpr([&units, input](double value) { return units.plain(input, value); });
+  }
+  for (Index i = 0; i < block.size; ++i) {
+    try {
+      for (const Quantity input : inputs(spec_.kind)) {
+        if (block[input].size() > 0) {
+          require_in_units(spec_, input, block[input][i]);
+        }
+      }
+    } catch (const InputError&) {
+      throw EntryError(i, std::current_exception());
+    }
   }
   run(plain_);
   for (const Quantity result : results(spec_.kind)) {

@@ -2,6 +2,7 @@
 #include <stillpoint/sweep/units.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -10,17 +11,52 @@ namespace stillpoint::sweep {
 
 namespace {
 
-std::string_view restoring_name(Restoring restoring) {
+using records::Dimension;
+
+/// What a quantity is called in metres and seconds; what is not here has no unit.
+struct PhysicalForm {
+  Quantity quantity;
+  std::string_view name;
+  Dimension dimension;
+};
+
+constexpr std::array physical_forms{
+    PhysicalForm{Quantity::v0, "velocity", Dimension::velocity},
+    PhysicalForm{Quantity::x0, "x0_m", Dimension::length},
+    PhysicalForm{Quantity::beta, "max_displacement", Dimension::length},
+    PhysicalForm{Quantity::delta, "delta_m", Dimension::length},
+    PhysicalForm{Quantity::notch_width, "notch_width_m", Dimension::length},
+    PhysicalForm{Quantity::peak_amplitude, "peak_m", Dimension::length},
+    PhysicalForm{Quantity::stop_position, "stop_position_m", Dimension::length},
+    PhysicalForm{Quantity::stop_time, "stop_time_s", Dimension::time},
+    PhysicalForm{Quantity::end_time, "end_time_s", Dimension::time},
+    PhysicalForm{Quantity::final_position, "final_position_m", Dimension::length},
+    PhysicalForm{Quantity::final_velocity, "final_velocity_m_per_s", Dimension::velocity},
+    PhysicalForm{Quantity::stick_time, "stick_time_s", Dimension::time},
+};
+
+PhysicalForm restoring_form(Restoring restoring) {
   switch (restoring) {
     case Restoring::period:
-      return "period";
+      return {Quantity::p, "period", Dimension::time};
     case Restoring::natural_frequency:
-      return "natural_frequency";
+      return {Quantity::p, "natural_frequency", Dimension::frequency};
     case Restoring::stiffness:
-      return "stiffness";
+      return {Quantity::p, "stiffness", Dimension::stiffness};
   }
   assert(false && "a Restoring outside its enumeration");
-  return "";
+  return {};
+}
+
+/// Dimensionless where there are no units.
+PhysicalForm form_of(Quantity quantity, const std::optional<SweepUnits>& units) {
+  if (units && quantity == Quantity::p) {
+    return restoring_form(units->restoring);
+  }
+  const auto* const found = std::ranges::find(physical_forms, quantity, &PhysicalForm::quantity);
+  return units && found != physical_forms.end()
+             ? *found
+             : PhysicalForm{quantity, name(quantity), Dimension::none};
 }
 
 double omega(Restoring restoring, double value, double mass_kg) {
@@ -58,52 +94,22 @@ double SweepUnits::plain(Quantity input, double value) const {
 }
 
 double SweepUnits::unit(Quantity result) const {
-  switch (result) {
-    case Quantity::stop_time:
-    case Quantity::end_time:
-    case Quantity::stick_time:
+  switch (form_of(result, *this).dimension) {
+    case Dimension::time:
       return time_s();
-    case Quantity::final_velocity:
+    case Dimension::velocity:
       return velocity_m_per_s();
     default:
-      return 1;
+      return 1;  // a length, or without a unit
   }
 }
 
 std::string_view name(Quantity quantity, const std::optional<SweepUnits>& units) {
-  if (units) {
-    switch (quantity) {
-      case Quantity::v0:
-        return "velocity";
-      case Quantity::p:
-        return restoring_name(units->restoring);
-      case Quantity::x0:
-        return "x0_m";
-      case Quantity::beta:
-        return "max_displacement";
-      case Quantity::delta:
-        return "delta_m";
-      case Quantity::notch_width:
-        return "notch_width_m";
-      case Quantity::peak_amplitude:
-        return "peak_m";
-      case Quantity::stop_position:
-        return "stop_position_m";
-      case Quantity::stop_time:
-        return "stop_time_s";
-      case Quantity::end_time:
-        return "end_time_s";
-      case Quantity::final_position:
-        return "final_position_m";
-      case Quantity::final_velocity:
-        return "final_velocity_m_per_s";
-      case Quantity::stick_time:
-        return "stick_time_s";
-      default:
-        break;  // has no unit
-    }
-  }
-  return name(quantity);
+  return form_of(quantity, units).name;
+}
+
+records::Dimension dimension(Quantity quantity, const std::optional<SweepUnits>& units) {
+  return form_of(quantity, units).dimension;
 }
 
 std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units) {

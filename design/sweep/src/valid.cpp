@@ -5,6 +5,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/surface.hpp>
+#include <stillpoint/design/physical.hpp>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,30 @@ namespace {
 
 bool contains(std::span<const Quantity> quantities, Quantity quantity) {
   return std::ranges::find(quantities, quantity) != quantities.end();
+}
+
+/// What has a unit, in it: the kernel would name dimensionless numbers.
+void require_in_units(const std::string& field, records::Dimension dimension, double value,
+                      double least) {
+  const auto units = records::units_of(dimension);
+  if (!units.empty() && !(value >= least && value <= design::largest_physical)) {
+    const std::string_view unit = units.front().name;
+    throw InputError(
+        field, fmt::format("{} {}", value, unit),
+        fmt::format("must be from {} to {} {}", least, design::largest_physical, unit));
+  }
+}
+
+void require_in_units(const SweepSpec& spec) {
+  for (const SweepAxis& swept : spec.axes) {
+    const auto [least, most] = swept.axis.ends();
+    require_in_units(spec, swept.quantity, least);
+    require_in_units(spec, swept.quantity, most);
+  }
+  if (spec.units && spec.limits.delta_max) {
+    require_in_units("delta-max-m", records::Dimension::length, *spec.limits.delta_max,
+                     design::smallest_physical);
+  }
 }
 
 /// Each input has one axis, or is a column of the list.
@@ -113,7 +138,17 @@ void check_corners(const SweepSpec& spec) {
 
 }  // namespace
 
+void require_in_units(const SweepSpec& spec, Quantity input, double value) {
+  const bool may_be_negative =
+      input == Quantity::x0 || (input == Quantity::v0 && spec.kind != SweepKind::design);
+  require_in_units(option_name(input, spec.units), dimension(input, spec.units), value,
+                   may_be_negative            ? -design::largest_physical
+                   : input == Quantity::delta ? 0
+                                              : design::smallest_physical);
+}
+
 void require_valid(const SweepSpec& spec) {
+  require_in_units(spec);
   require_inputs(spec);
   require_columns(spec);
   if (spec.threads < 1) {

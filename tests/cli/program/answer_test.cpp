@@ -44,6 +44,16 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
     const std::string full = run({"design", entry.path().string(), "--verbose"}).out;
     BOOST_TEST(lines_of(full).size() > lines.size());
     BOOST_TEST(!contains(full, "--verbose"));
+    // Where a scene is not for region or simulate, these print nothing.
+    const std::string region = run({"region", entry.path().string(), "--verbose"}).out;
+    const std::string motion = run({"simulate", entry.path().string(), "--verbose", "--f", "0.02",
+                                    contains(full, " mm") ? "--delta-m" : "--delta", "0.001"})
+                                   .out;
+    for (const std::string& text_of_all : {full, region, motion}) {
+      for (const std::string& line : lines_of(text_of_all)) {
+        BOOST_TEST(line.size() <= columns, entry.path() << ": " << line);
+      }
+    }
   }
 }
 
@@ -64,6 +74,23 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_begins_with_that, Sandbox) {
       run({"simulate", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.1", "--excitation",
            "harmonic", "--k", "0.3", "--lambda", "1", "--t-end", "20"});
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked at x = 0 from "), answer.out);
+}
+
+/// In the first line and as a warning, like one that locks.
+BOOST_FIXTURE_TEST_CASE(of_a_hit_that_the_notch_holds_begins_with_that, Sandbox) {
+  const Arguments held{"simulate", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.1"};
+  const ProgramRun answer = run(held);
+  BOOST_TEST(lines_of(answer.out).at(1).starts_with("  It never starts: "), answer.out);
+  BOOST_TEST(answer.err == "stillpoint: never starts: v0^2 < 2 delta, the notch holds it\n");
+  BOOST_TEST(run(joined(held, {"--quiet"})).err.empty());
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_load_below_friction_says_that_nothing_moves, Sandbox) {
+  const std::string text =
+      run({"simulate", "--p", "1", "--f", "0.5", "--delta", "0.1", "--excitation", "harmonic",
+           "--k", "0.2", "--lambda", "1", "--t-end", "20"})
+          .out;
+  BOOST_TEST(lines_of(text).at(1).starts_with("  It never moves: "), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_near_it_is_to_another, Sandbox) {

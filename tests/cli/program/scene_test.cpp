@@ -214,7 +214,9 @@ BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
       }
       const ProgramRun region = run({"region", entry.path().string()});
       BOOST_TEST(region.exit_code == (infeasible ? 3 : 0));
-      BOOST_TEST(region.out.find(text.value("title", "no title")) != std::string::npos);
+      std::string heading = region.out.substr(0, region.out.find("\n  "));
+      std::ranges::replace(heading, '\n', ' ');  // of a long title
+      BOOST_TEST(heading.ends_with(text.value("title", "no title")), heading);
     }
   }
   BOOST_TEST(scenes >= 6);

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(as_text_is_aligned_columns) {
 
 BOOST_AUTO_TEST_CASE(a_wide_table_has_its_units_below) {
   Document document;
-  const std::string wide(34, 'x');
+  const std::string wide(28, 'x');
   document.section("Wide").parts.emplace_back(
       Table{{"", "starts, s", wide, wide, "peak, mm"}, {{{"1", "0", "2", "3", "4"}}}});
   const std::string written = text(document, {});
@@ -61,6 +61,32 @@ BOOST_AUTO_TEST_CASE(a_wide_table_has_its_units_below) {
   BOOST_TEST(written.substr(next, written.find('\n', next) + 1 - next).find(" s ") !=
              std::string::npos);
   BOOST_TEST(written.find("starts, s") == std::string::npos);
+}
+
+/// However many columns there are: the words of their heads in two lines, then columns below.
+BOOST_AUTO_TEST_CASE(no_table_is_wider_than_80_columns) {
+  Document document;
+  document.title = std::string(50, 't') + " " + std::string(50, 't');
+  Table table{{""}, {{{"first"}, Tone::good}}};
+  for (int i = 0; i < 12; ++i) {
+    table.head.push_back(i % 3 == 0   ? "relative error"
+                         : i % 3 == 1 ? "stop time, s"
+                                      : "half-cycles");
+    table.rows[0].cells.push_back("1.23456");
+    document.section("Wide").parts.emplace_back(table);
+  }
+  std::istringstream lines(text(document));
+  std::size_t values = 0;
+  std::size_t words = 0;
+  for (std::string line; std::getline(lines, line);) {
+    BOOST_TEST(line.size() <= 80U, line);
+    for (std::size_t at = 0; (at = line.find("1.23456", at)) != std::string::npos; ++at) {
+      ++values;
+    }
+    words += contains(line, "half-") && !contains(line, "half-cycles") ? 1U : 0U;
+  }
+  BOOST_TEST(values == 12U * 13U / 2U);
+  BOOST_TEST(words > 0U);
 }
 
 BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +16,17 @@
 #include <system_error>
 
 namespace stillpoint::sweep {
+
+namespace {
+
+std::filesystem::path resolved_place(const std::string& path) {
+  std::error_code unreachable;
+  const auto whole = std::filesystem::absolute(behind_links(path), unreachable);
+  auto resolved = std::filesystem::weakly_canonical(whole, unreachable);
+  return unreachable ? whole.lexically_normal() : resolved;
+}
+
+}  // namespace
 
 void refuse_writing(std::string_view field, const std::string& path, int error) {
   throw records::FileError({.kind = std::string(field), .path = path},
@@ -66,6 +79,26 @@ std::filesystem::path behind_links(std::filesystem::path path) {
     path = path.parent_path() / std::filesystem::read_symlink(path, none);
   }
   return path;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code not_there;
+  return std::filesystem::equivalent(a, b, not_there) || resolved_place(a) == resolved_place(b);
+}
+
+bool is_being_swept(const std::string& path) {
+  std::string part = behind_links(path).string();
+  if (part.ends_with(".part.json")) {
+    part.resize(part.size() - std::string_view(".json").size());
+  }
+  const int descriptor =
+      part.ends_with(".part") ? ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK) : -1;
+  if (descriptor < 0) {
+    return false;
+  }
+  const bool locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return locked;
 }
 
 }  // namespace stillpoint::sweep

@@ -83,4 +83,16 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
                                                 : begin_part(*spec.output, spec.identity));
 }
 
+std::string description(const LeftRows& left) {
+  if (left.count == 0) {
+    return "nothing is written";
+  }
+  if (left.file.empty()) {
+    return "the rows before it are written";
+  }
+  return fmt::format("{} kept in {}",
+                     left.count == 1 ? "1 row is" : fmt::format("{} rows are", left.count),
+                     left.file);
+}
+
 }  // namespace stillpoint::sweep

@@ -79,7 +79,7 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const AccuracyReport& report);
 
 /// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
-/// physical input; empty where the motion does not lock.
+/// physical input; of a hit that the notch holds that the motion never starts; else empty.
 [[nodiscard]] std::string lock_sentence(const MotionReport& report);
 
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does

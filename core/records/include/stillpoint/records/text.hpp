@@ -42,6 +42,10 @@ inline constexpr std::size_t longest_path = 300;
 /// "robust, amplitude, time or acceleration"; of at least two.
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
+/// "; did you mean NAME?" for the name that is at most two slips away, else "".
+[[nodiscard]] std::string suggestion(std::string_view wrong,
+                                     std::span<const std::string_view> names);
+
 /// A part of a file as messages quote it.
 [[nodiscard]] std::string quoted(std::string_view text);
 

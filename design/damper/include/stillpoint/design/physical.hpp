@@ -8,6 +8,11 @@
 
 namespace stillpoint::design {
 
+/// Of anything that is built, in SI units, with room to spare. What these make dimensionless is
+/// valid as well.
+inline constexpr double smallest_physical = 1e-30;
+inline constexpr double largest_physical = 1e30;
+
 /// The scales between metres, seconds and the paper's dimensionless numbers, its (5):
 ///   length H, time sqrt(H/g), velocity sqrt(g H), omega^2 = g p^2 / H.
 /// Any H > 0 works; with a velocity the program uses H = velocity / omega, the amplitude without

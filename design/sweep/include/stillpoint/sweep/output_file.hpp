@@ -25,4 +25,11 @@ void require_file_name(std::string_view field, const std::string& path);
 /// Where a chain of links leads; that file need not exist.
 [[nodiscard]] std::filesystem::path behind_links(std::filesystem::path path);
 
+/// Whether both lead to one file; by name as well, for what is not there yet.
+[[nodiscard]] bool same_file(const std::string& a, const std::string& b);
+
+/// Whether the path is FILE.part or FILE.part.json of a sweep that is alive and holds a lock on the
+/// former.
+[[nodiscard]] bool is_being_swept(const std::string& path);
+
 }  // namespace stillpoint::sweep

@@ -19,6 +19,9 @@ struct LeftRows {
   std::string file{};  ///< where they wait to be resumed; empty if they are written for good
 };
 
+/// "149 rows are kept in rows.csv.part"
+[[nodiscard]] std::string description(const LeftRows& left);
+
 /// Where the rows of a sweep go.
 class RowSink {
  public:

@@ -83,6 +83,10 @@ struct SweepSpec {
 /// checked: what is wrong with a grid mostly shows there, before hours of it are done.
 void require_valid(const SweepSpec& spec);
 
+/// Throws InputError for an input with a unit beyond what is built, as it was given: "velocity = -1
+/// m/s: must be from 1e-30 to 1e+30 m/s".
+void require_in_units(const SweepSpec& spec, Quantity input, double value);
+
 /// What an entry is made of, in the order of the columns. Of motions, hold and notch_width may be
 /// left out.
 [[nodiscard]] std::span<const Quantity> inputs(SweepKind kind);

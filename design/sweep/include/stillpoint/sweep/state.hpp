@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <vector>
 
 namespace stillpoint::sweep {
 
@@ -23,6 +26,10 @@ class Digest {
  private:
   std::uint64_t value_{0xCBF29CE484222325U};
 };
+
+/// Of the values of a record, whose file may change; of other loads that of nothing.
+[[nodiscard]] std::uint64_t digest(const Excitation& excitation);
+[[nodiscard]] std::uint64_t digest(const std::vector<design::Part>& parts);
 
 struct SweepBlock;
 

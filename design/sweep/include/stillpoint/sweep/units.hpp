@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <optional>
@@ -32,5 +33,9 @@ struct SweepUnits {
 
 /// The same as an option and in messages: "stop-time-s".
 [[nodiscard]] std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units);
+
+/// What the quantity measures; none without units.
+[[nodiscard]] records::Dimension dimension(Quantity quantity,
+                                           const std::optional<SweepUnits>& units);
 
 }  // namespace stillpoint::sweep

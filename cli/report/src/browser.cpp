@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "browser.hpp"
-
-#include "settings.hpp"
+#include <stillpoint/report/browser.hpp>
 
 #include <stillpoint/records/text.hpp>
 
@@ -20,7 +18,7 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
-namespace stillpoint::cli {
+namespace stillpoint::report {
 
 namespace {
 
@@ -64,7 +62,7 @@ std::vector<std::string> browser() {
       return {usual};
     }
   }
-  throw UsageError(
+  throw BrowserError(
       "open: no browser is found: set BROWSER to a program, or write the page with --html FILE");
 }
 
@@ -73,8 +71,9 @@ TemporaryPage::TemporaryPage() {
   const fs::path folder = fs::temp_directory_path(error);
   std::string made = (folder / "stillpoint-XXXXXX").string();
   if (error || ::mkdtemp(made.data()) == nullptr) {
-    throw UsageError(fmt::format("open: there is no room for a temporary page in {}: {}",
-                                 folder.string(), error ? error.message() : std::strerror(errno)));
+    throw BrowserError(fmt::format("open: there is no room for a temporary page in {}: {}",
+                                   folder.string(),
+                                   error ? error.message() : std::strerror(errno)));
   }
   folder_ = made;
 }
@@ -113,9 +112,9 @@ void open_page(std::vector<std::string> browser, const std::string& path) {
       ::posix_spawnp(&process, arguments.front(), &actions, nullptr, arguments.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
-    throw UsageError(
+    throw BrowserError(
         fmt::format("open: {} cannot be started: {}", arguments.front(), std::strerror(error)));
   }
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::report

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace stillpoint::cli {
+
+/// A file of data/help, data/shell or data/starters, which are part of the program:
+/// "help/design.txt".
+[[nodiscard]] std::string_view embedded(std::string_view file);
+
+/// The same with a text in place of each @name@.
+[[nodiscard]] std::string embedded(std::string_view file,
+                                   const std::map<std::string_view, std::string>& texts);
 
 /// The kinds of scene that `stillpoint init` prints, the default first.
 [[nodiscard]] std::vector<std::string_view> starter_names();

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "terminal_text.hpp"
-
-#include <stillpoint/records/text.hpp>
-
-#include <sys/ioctl.h>
-#include <unistd.h>
+#include <stillpoint/report/wrapped.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
 
-namespace stillpoint::cli {
+namespace stillpoint::report {
 
 namespace {
 
@@ -64,22 +57,6 @@ void add_line(std::string& text, std::string_view line, std::size_t width) {
 
 }  // namespace
 
-std::size_t help_width() {
-  constexpr std::size_t usual = 80;
-  constexpr std::size_t least = 50;
-  const char* const columns = std::getenv("COLUMNS");
-  const std::string_view given = columns == nullptr ? "" : columns;
-  std::size_t width = 0;
-  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), width);
-  if (error == std::errc() && end == given.data() + given.size() && width > 0) {
-    return std::max(width, least);
-  }
-  ::winsize size{};
-  const bool known = ::isatty(STDOUT_FILENO) == 1 &&
-                     ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? std::max<std::size_t>(size.ws_col, least) : usual;
-}
-
 std::string wrapped(std::string_view text, std::size_t width) {
   std::string result;
   while (!text.empty()) {
@@ -93,4 +70,4 @@ std::string wrapped(std::string_view text, std::size_t width) {
   return result;
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::report

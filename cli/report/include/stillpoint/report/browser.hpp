@@ -2,20 +2,27 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::report {
+
+/// There is no browser, it does not start, or there is no room for its page.
+class BrowserError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// What opens a page: $BROWSER, whose first command is taken, else xdg-open, else open. The words
-/// of its command line, in which %s stands for the page. Throws UsageError where there is none.
+/// of its command line, in which %s stands for the page. Throws BrowserError where there is none.
 [[nodiscard]] std::vector<std::string> browser();
 
 /// A name for a page that nobody asked for by name, in a new directory for temporary files. The
 /// directory goes if no page was written.
 class TemporaryPage {
  public:
-  /// Throws UsageError where there can be none.
+  /// Throws BrowserError where there can be none.
   TemporaryPage();
   TemporaryPage(const TemporaryPage&) = delete;
   TemporaryPage& operator=(const TemporaryPage&) = delete;
@@ -29,7 +36,7 @@ class TemporaryPage {
   std::filesystem::path folder_;
 };
 
-/// Starts the browser with a page and does not wait for it. Throws UsageError where that fails.
+/// Starts the browser with a page and does not wait for it. Throws BrowserError where that fails.
 void open_page(std::vector<std::string> browser, const std::string& path);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::report

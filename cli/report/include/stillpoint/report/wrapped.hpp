@@ -5,15 +5,11 @@
 #include <string>
 #include <string_view>
 
-namespace stillpoint::cli {
-
-/// How wide help may be: $COLUMNS, else the width of the terminal on standard output, else 80; at
-/// least 50.
-[[nodiscard]] std::size_t help_width();
+namespace stillpoint::report {
 
 /// The text with lines of at most `width` characters, broken at blanks. What follows a break is
 /// indented: in the list of options as the help above it, in a command behind a backslash. A word
 /// longer than the width stays whole.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::report

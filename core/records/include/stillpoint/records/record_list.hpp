@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stillpoint::records {
+
+/// A line of a list of records.
+struct ListedRecord {
+  std::string path;  ///< beside the list if a file is there, else from where the program runs
+  double scale{1};   ///< not 0
+};
+
+/// CSV with the header file,scale; blank lines and those that begin with # are passed over. Throws
+/// FileError, with the line, for what is wrong.
+[[nodiscard]] std::vector<ListedRecord> read_record_list(const std::string& path);
+
+}  // namespace stillpoint::records

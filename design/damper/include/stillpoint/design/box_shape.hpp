@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+
+#include <optional>
+#include <string>
+
+namespace stillpoint::design {
+
+/// How far a friction may fall and rise, as parts of it.
+struct Spread {
+  double below{0};
+  double above{0};
+};
+
+/// Each throws InputError, naming `field`: of R unless 0 <= R < 1, of the factors LOW:HIGH unless
+/// 0 < LOW <= 1 <= HIGH < 2.
+[[nodiscard]] Spread spread_of_tolerance(const std::string& field, double tolerance);
+[[nodiscard]] Spread spread_of_factors(const std::string& field, double low, double high);
+
+/// Gives the box of the limits these sides; one that is absent is as limits.tolerance. Throws
+/// InputError where all are 0.
+void shape_box(Limits& limits, const std::optional<Spread>& of_f,
+               const std::optional<Spread>& of_delta);
+
+}  // namespace stillpoint::design
