@@ -291,6 +291,10 @@ Settings parse_scene(std::string_view text, std::string_view source, Command com
     throw records::FileError({"scene", std::string(source)},
                              fmt::format("is a JSON {}, must be an object", scene.type_name()));
   }
+  return scene_settings(scene, command);
+}
+
+Settings scene_settings(const nlohmann::json& scene, Command command) {
   Settings settings;
   add_keys(settings, scene, "", command);
   return settings;
