@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// The commands that answer with a report: settings from keyword arguments, then what the program does.
+
+#include "arguments.hpp"
+#include "commands.hpp"
+#include "interruptible.hpp"
+#include "parts.hpp"
+#include "record_design_input.hpp"
+#include "result.hpp"
+#include "values.hpp"
+
+#include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace stillpoint::python {
+
+namespace py = pybind11;
+using cli::Command;
+using cli::Settings;
+
+namespace {
+
+using Answer = std::unique_ptr<Result>;
+
+template <class Report>
+Answer answer(Report report) {
+  return std::make_unique<ResultOf<Report>>(std::move(report));
+}
+
+Answer design(const Settings& settings) {
+  return cli::designs_under_records(settings) ? answer(cli::record_design_report(settings))
+                                              : answer(cli::design_report(settings));
+}
+
+Answer region(const Settings& settings) {
+  return answer(cli::region_report(settings));
+}
+
+/// With a trajectory, if samples or an end were asked for.
+class Motion final : public ResultOf<report::MotionReport> {
+ public:
+  using ResultOf::ResultOf;
+
+  /// The memory is that of the result.
+  [[nodiscard]] static py::object trajectory(const py::object& self) {
+    const std::vector<State>& states = self.cast<const Motion&>().made().answer.trajectory;
+    if (states.empty()) {
+      return py::none();
+    }
+    const py::array rows(py::dtype::of<State>(), states.size(), states.data(), self);
+    rows.attr("flags").attr("writeable") = false;
+    return rows;
+  }
+};
+
+Answer simulate(const Settings& settings) {
+  Settings wanted = settings;
+  const bool forced = settings.has("excitation") || settings.has("record");
+  if (settings.has("samples") ||
+      (!forced && (settings.has("t-end") || settings.has("end-time")))) {
+    wanted.set(*cli::find_option("trajectory"), std::string("-"));
+  }
+  return std::make_unique<Motion>(cli::motion_report(wanted));
+}
+
+/// A new command that answers with a report is a row.
+struct Row {
+  Command command;
+  Answer (*run)(const Settings& settings);
+};
+constexpr std::array rows{Row{Command::design, design}, Row{Command::region, region},
+                          Row{Command::simulate, simulate}};
+
+void warn(const Settings& settings, Command command) {
+  for (const std::string& doubt : cli::doubts(settings, command)) {
+    if (PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 2) != 0) {
+      throw py::error_already_set();
+    }
+  }
+}
+
+Answer run(const Row& row, const py::object& scene, const py::dict& options) {
+  const Settings given = settings(row.command, scene, options);
+  Answer found = interruptible([&](const std::stop_token& /*stop*/) { return row.run(given); });
+  warn(given, row.command);
+  return found;
+}
+
+/// The options of a command, in the order of --help.
+py::list options(const std::string& command) {
+  py::list all;
+  for (const Row& row : rows) {
+    for (const cli::Option& option : cli::options()) {
+      if (name(row.command) == command && takes(row.command, option)) {
+        std::string keyword(option.name);
+        std::ranges::replace(keyword, '-', '_');
+        all.append(py::make_tuple(keyword, option.help));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+void add_commands(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(State, tau, x, v);
+  py::class_<Motion, Result>(module, "Motion", "What simulate found.")
+      .def_property_readonly("trajectory", &Motion::trajectory,
+                             "a structured array of tau, x and v, read-only; None where neither "
+                             "samples nor the end of a free motion was given");
+  for (const Row& row : rows) {
+    module.def(std::string(name(row.command)).c_str(),
+               [&row](const py::object& scene, const py::kwargs& given) {
+                 return run(row, scene, given);
+               },
+               py::arg("scene") = py::none(), py::pos_only());
+  }
+  module.def("options", &options);
+}
+
+}  // namespace stillpoint::python
