@@ -4,11 +4,13 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "interruptible.hpp"
+#include "method.hpp"
 #include "parts.hpp"
 #include "record_design_input.hpp"
 #include "result.hpp"
 #include "values.hpp"
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -39,6 +41,31 @@ Answer design(const Settings& settings) {
 Answer region(const Settings& settings) {
   return answer(cli::region_report(settings));
 }
+
+/// The region of v0, p and beta alone, which is there at once: the rest of the report when someone
+/// looks.
+class Bounds final : public Result {
+ public:
+  explicit Bounds(const design::Problem& problem)
+      : request_{problem}, region_(admissible_region(problem)) {}
+
+  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(whole()); }
+  [[nodiscard]] report::Document document() const override { return report::document(whole()); }
+  [[nodiscard]] figures::HtmlPage page() const override { return report::page(whole()); }
+
+  [[nodiscard]] py::object region() const {
+    return to_python(report::region_fields(
+        region_.feasible ? design::RegionVerdict{region_} : design::answer(request_)));
+  }
+
+ private:
+  [[nodiscard]] report::RegionReport whole() const {
+    return {request_, design::answer(request_), {}, {}};
+  }
+
+  design::RegionRequest request_;
+  design::Region region_;
+};
 
 /// With a trajectory, if samples or an end were asked for.
 class Motion final : public ResultOf<report::MotionReport> {
@@ -74,6 +101,49 @@ struct Row {
 };
 constexpr std::array rows{Row{Command::design, design}, Row{Command::region, region},
                           Row{Command::simulate, simulate}};
+
+/// Those of v0, p and beta where nothing else is given, and these as floats.
+std::unique_ptr<Bounds> bounds(PyObject* const* values, Py_ssize_t count, PyObject* names) {
+  static const std::array<PyObject*, 3> keys{PyUnicode_InternFromString("v0"),
+                                             PyUnicode_InternFromString("p"),
+                                             PyUnicode_InternFromString("beta")};
+  if (count != 0 || names == nullptr || PyTuple_GET_SIZE(names) != std::ssize(keys)) {
+    return nullptr;
+  }
+  std::array<double, keys.size()> numbers{};
+  unsigned found = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (Py_ssize_t j = 0; j < std::ssize(keys); ++j) {
+      if (PyTuple_GET_ITEM(names, j) == keys[i] && PyFloat_CheckExact(values[j])) {
+        numbers[i] = PyFloat_AS_DOUBLE(values[j]);
+        ++found;
+      }
+    }
+  }
+  if (found != keys.size()) {
+    return nullptr;
+  }
+  design::Problem problem;
+  problem.v0 = numbers[0];
+  problem.p = numbers[1];
+  problem.beta = numbers[2];
+  return std::make_unique<Bounds>(problem);
+}
+
+PyObject* general_region = nullptr;
+
+/// region(v0=, p=, beta=) without settings; anything else, and what is wrong, goes to the general function.
+PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t count,
+                      PyObject* names) {
+  try {
+    if (auto found = bounds(values, count, names)) {
+      return py::cast(std::move(found)).release().ptr();
+    }
+  } catch (const InputError&) {
+    // which the general function throws again
+  }
+  return PyObject_Vectorcall(general_region, values, static_cast<std::size_t>(count), names);
+}
 
 void warn(const Settings& settings, Command command) {
   for (const std::string& doubt : cli::doubts(settings, command)) {
@@ -113,6 +183,8 @@ void add_commands(py::module_& module) {
       .def_property_readonly("trajectory", &Motion::trajectory,
                              "a structured array of tau, x and v, read-only; None where neither "
                              "samples nor the end of a free motion was given");
+  py::class_<Bounds, Result>(module, "Bounds", "What region found of v0, p and beta alone.")
+      .def_property_readonly("region", &Bounds::region);
   for (const Row& row : rows) {
     module.def(std::string(name(row.command)).c_str(),
                [&row](const py::object& scene, const py::kwargs& given) {
@@ -121,6 +193,10 @@ void add_commands(py::module_& module) {
                py::arg("scene") = py::none(), py::pos_only());
   }
   module.def("options", &options);
+  general_region = py::object(module.attr("region")).release().ptr();
+  static std::array<PyMethodDef, 2> methods{
+      {{"region", as_method(&fast_region), METH_FASTCALL | METH_KEYWORDS, nullptr}, {}}};
+  PyModule_AddFunctions(module.ptr(), methods.data());
 }
 
 }  // namespace stillpoint::python
