@@ -44,7 +44,10 @@ threads          of an array; 0: as many as the machine runs at once
 
 Returns a float, or an array of the common shape. Raises InputError, which names a wrong entry.)";
 
-constexpr const char* motions_doc = R"(The free motions from x = 0 of many dampers, dimensionless.
+constexpr const char* motions_doc = R"(motions(f, delta, v0, p, *, times=False, acceleration=False, half_cycle_limit=1e8, threads=0)
+--
+
+The free motions from x = 0 of many dampers, dimensionless.
 
 f, delta, v0, p   numbers or float64 arrays that broadcast together; arrays in C order are not copied
 times             stop_time as well

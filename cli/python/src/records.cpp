@@ -61,7 +61,10 @@ void add_records(py::module_& module) {
   module.def("read_record", &read_record, py::arg("record"), py::kw_only(),
              py::arg("record_units") = py::none(), py::arg("record_step") = py::none(),
              py::arg("record_scale") = 1.0, py::arg("gravity") = 9.80665,
-             R"(An acceleration record from a file, in any format that the program reads.
+             R"(read_record(record, *, record_units=None, record_step=None, record_scale=1, gravity=9.80665)
+--
+
+An acceleration record from a file, in any format that the program reads.
 
 record        path of the file
 record_units  of its values, "g", "m/s2" or "cm/s2"; default: what the file says, else g

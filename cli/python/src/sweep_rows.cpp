@@ -120,6 +120,7 @@ std::unique_ptr<Result> run(const py::object& scene, const py::kwargs& options) 
     const std::unique_ptr<sweep::RowSink> file = in_memory ? nullptr : sweep::open_rows(spec);
     return sweep::run(spec, file ? *file : memory, {stop, {}, map ? &*map : nullptr});
   });
+  warn_of_doubts(given, Command::sweep);
   py::object rows = py::none();
   if (in_memory) {
     auto bytes = std::make_unique<std::vector<char>>(memory.take());
@@ -137,7 +138,14 @@ void add_sweep(py::module_& module) {
       .def_property_readonly("rows", &Sweep::rows,
                              "a structured array with a field for each column; None where the rows "
                              "went to a file");
-  module.def("sweep", &run, py::arg("scene") = py::none(), py::pos_only());
+  module.def("sweep", &run, py::arg("scene") = py::none(), py::pos_only(),
+             documentation(Command::sweep,
+                           "Many motions, or with beta many designs, over a grid or a list. An axis "
+                           "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
+                           "\"a,b,c\". The result has rows, a structured array with a field for each "
+                           "column; outcome is an index in stillpoint.outcomes. With output the rows "
+                           "go to that file instead.")
+                 .c_str());
 }
 
 }  // namespace stillpoint::python

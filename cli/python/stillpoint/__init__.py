@@ -1,5 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Design of friction dampers."""
+"""Design of friction dampers for vibration and seismic isolation.
+
+design, region, simulate and sweep take the options of the program's commands as keyword arguments,
+with '_' for '-'. What they return has the fields of the JSON report as attributes, report, the whole
+of it as a dict, and figures in a notebook. peak and motions follow many free motions from arrays to
+arrays; read_record reads an acceleration record. What is wrong with the input is an InputError, a
+ValueError with the text that the program prints.
+"""
 
 
 class Fields(dict):
@@ -11,7 +18,7 @@ class Fields(dict):
         try:
             return self[name]
         except KeyError:
-            raise AttributeError(f"the report has no field '{name}'") from None
+            raise AttributeError(f"there is no field '{name}'") from None
 
     def __dir__(self):
         return [*super().__dir__(), *self]
@@ -20,4 +27,32 @@ class Fields(dict):
         return f"Fields({', '.join(f'{name}={value!r}' for name, value in self.items())})"
 
 
-from ._stillpoint import *  # noqa: E402,F403
+from ._stillpoint import (  # noqa: E402
+    InputError,
+    Result,
+    __version__,
+    design,
+    motions,
+    options,
+    outcomes,
+    peak,
+    read_record,
+    region,
+    simulate,
+    sweep,
+)
+
+__all__ = [
+    "Fields",
+    "InputError",
+    "Result",
+    "design",
+    "motions",
+    "options",
+    "outcomes",
+    "peak",
+    "read_record",
+    "region",
+    "simulate",
+    "sweep",
+]
