@@ -57,9 +57,9 @@ Settings from_scene(Command command, const py::object& scene) {
 }  // namespace
 
 bool takes(Command command, const Option& option) {
-  const bool of_rows = command == Command::sweep && (option.name == "output" ||
-                                                     option.name == "columns");
-  return option.serves(command) &&
+  const bool of_rows =
+      command == Command::sweep && (option.name == "output" || option.name == "columns");
+  return option.serves(command) && option.name != "title" &&
          (option.traits.role != cli::Role::output || option.name == "samples" || of_rows);
 }
 
@@ -70,9 +70,9 @@ std::string type_of(const Option& option, Command command) {
     case cli::OptionKind::axis:
       return "Axis";
     case cli::OptionKind::number:
-      return option.takes_range_in(command)                            ? "Range"
+      return option.takes_range_in(command)                        ? "Range"
              : option.traits.dimension != records::Dimension::none ? "Number"
-                                                                       : "float";
+                                                                   : "float";
     case cli::OptionKind::integer:
       return "int";
     case cli::OptionKind::flag:
@@ -89,8 +89,9 @@ std::string type_of(const Option& option, Command command) {
 
 /// In Python a trajectory is an array, not a file.
 std::string help_of(const Option& option) {
-  return option.name == "samples" ? "asks for the trajectory: evenly spaced instants besides every event"
-                                  : option.help;
+  return option.name == "samples"
+             ? "asks for the trajectory: evenly spaced instants besides every event"
+             : option.help;
 }
 
 }  // namespace
@@ -106,7 +107,8 @@ std::string documentation(Command command, std::string_view about) {
     }
   }
   return fmt::format(
-      "{})\n--\n\n{}\n\nscene is a path or a dict, as for the program; an option overrides its key. "
+      "{})\n--\n\n{}\n\nscene is a path or a dict, as for the program; an option overrides its "
+      "key. "
       "A value may be a text with its unit, \"150mm\".\nRaises InputError with the text of the "
       "program.\n\nOptions:{}",
       signature, about, list);
@@ -114,7 +116,8 @@ std::string documentation(Command command, std::string_view about) {
 
 py::list options(const std::string& command) {
   py::list all;
-  for (const Command known : {Command::design, Command::region, Command::simulate, Command::sweep}) {
+  for (const Command known :
+       {Command::design, Command::region, Command::simulate, Command::sweep}) {
     for (const Option& option : cli::options()) {
       if (name(known) == command && takes(known, option)) {
         all.append(py::make_tuple(keyword_of(option), type_of(option, known), help_of(option)));

@@ -44,7 +44,8 @@ threads          of an array; 0: as many as the machine runs at once
 
 Returns a float, or an array of the common shape. Raises InputError, which names a wrong entry.)";
 
-constexpr const char* motions_doc = R"(motions(f, delta, v0, p, *, times=False, acceleration=False, half_cycle_limit=1e8, threads=0)
+constexpr const char* motions_doc =
+    R"(motions(f, delta, v0, p, *, times=False, acceleration=False, half_cycle_limit=1e8, threads=0)
 --
 
 The free motions from x = 0 of many dampers, dimensionless.
@@ -172,8 +173,8 @@ Doubles peaks(const Dampers& given, int threads) {
 py::object peak(const py::object& f, const py::object& delta, const py::object& v0,
                 const py::object& p, int threads) {
   if (is_number(f) && is_number(delta) && is_number(v0) && is_number(p)) {
-    return py::float_(peak_of(f.cast<double>(), delta.cast<double>(), v0.cast<double>(),
-                              p.cast<double>()));
+    return py::float_(
+        peak_of(f.cast<double>(), delta.cast<double>(), v0.cast<double>(), p.cast<double>()));
   }
   const Dampers given = dampers({f, delta, v0, p});
   return peaks(given, threads);
@@ -181,7 +182,8 @@ py::object peak(const py::object& f, const py::object& delta, const py::object& 
 
 using Block = Eigen::Map<const Eigen::ArrayXd>;
 
-/// free_batch of the entries from `begin` to `end`. What takes a single number for v0 and p does so.
+/// free_batch of the entries from `begin` to `end`. What takes a single number for v0 and p does
+/// so.
 void run_block(const Dampers& given, py::ssize_t begin, py::ssize_t end,
                const BatchOptions& options, BatchResult& result) {
   const auto part = [&](Place place) {
@@ -234,10 +236,9 @@ class MotionsWriter {
     copy(block.stop_position, stop_position_);
     copy(block.stop_time, stop_time_);  // these two may be empty
     copy(block.peak_absolute_acceleration, acceleration_);
-    std::transform(block.outcome.data(), block.outcome.data() + block.outcome.size(),
-                   outcome_ + begin, [](Outcome outcome) {
-                     return static_cast<std::uint8_t>(sweep::sweep_outcome(outcome));
-                   });
+    std::transform(
+        block.outcome.data(), block.outcome.data() + block.outcome.size(), outcome_ + begin,
+        [](Outcome outcome) { return static_cast<std::uint8_t>(sweep::sweep_outcome(outcome)); });
   }
 
  private:
@@ -307,10 +308,9 @@ PyObject* fast_peak(PyObject* /*module*/, PyObject* const* values, Py_ssize_t co
   const auto is_float = [](PyObject* value) { return PyFloat_CheckExact(value) != 0; };
   if (count == places && names == nullptr && std::all_of(values, values + count, is_float)) {
     try {
-      return PyFloat_FromDouble(peak_of(PyFloat_AS_DOUBLE(values[at_f]),
-                                        PyFloat_AS_DOUBLE(values[at_delta]),
-                                        PyFloat_AS_DOUBLE(values[at_v0]),
-                                        PyFloat_AS_DOUBLE(values[at_p])));
+      return PyFloat_FromDouble(
+          peak_of(PyFloat_AS_DOUBLE(values[at_f]), PyFloat_AS_DOUBLE(values[at_delta]),
+                  PyFloat_AS_DOUBLE(values[at_v0]), PyFloat_AS_DOUBLE(values[at_p])));
     } catch (const std::exception&) {
       // which the general function throws again
     }
@@ -335,8 +335,8 @@ void add_arrays(py::module_& module) {
   module.attr("outcomes") = py::tuple(names);
   module.def("motions", &motions, py::arg("f"), py::arg("delta"), py::arg("v0"), py::arg("p"),
              py::kw_only(), py::arg("times") = false, py::arg("acceleration") = false,
-             py::arg("half_cycle_limit") = BatchOptions().half_cycle_limit,
-             py::arg("threads") = 0, motions_doc);
+             py::arg("half_cycle_limit") = BatchOptions().half_cycle_limit, py::arg("threads") = 0,
+             motions_doc);
 }
 
 }  // namespace stillpoint::python

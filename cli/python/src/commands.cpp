@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The commands that answer with a report: settings from keyword arguments, then what the program does.
+// The commands that answer with a report: settings from keyword arguments, then what the program
+// does.
 
-#include "arguments.hpp"
 #include "commands.hpp"
+#include "arguments.hpp"
 #include "interruptible.hpp"
 #include "method.hpp"
 #include "parts.hpp"
@@ -54,8 +55,8 @@ class Bounds final : public Result {
   [[nodiscard]] figures::HtmlPage page() const override { return report::page(whole()); }
 
   [[nodiscard]] py::object region() const {
-    return to_python(report::region_fields(
-        region_.feasible ? design::RegionVerdict{region_} : design::answer(request_)));
+    return to_python(report::region_fields(region_.feasible ? design::RegionVerdict{region_}
+                                                            : design::answer(request_)));
   }
 
  private:
@@ -87,8 +88,7 @@ class Motion final : public ResultOf<report::MotionReport> {
 Answer simulate(const Settings& settings) {
   Settings wanted = settings;
   const bool forced = settings.has("excitation") || settings.has("record");
-  if (settings.has("samples") ||
-      (!forced && (settings.has("t-end") || settings.has("end-time")))) {
+  if (settings.has("samples") || (!forced && (settings.has("t-end") || settings.has("end-time")))) {
     wanted.set(*cli::find_option("trajectory"), std::string("-"));
   }
   return std::make_unique<Motion>(cli::motion_report(wanted));
@@ -142,7 +142,8 @@ std::unique_ptr<Bounds> bounds(PyObject* const* values, Py_ssize_t count, PyObje
 
 PyObject* general_region = nullptr;
 
-/// region(v0=, p=, beta=) without settings; anything else, and what is wrong, goes to the general function.
+/// region(v0=, p=, beta=) without settings; anything else, and what is wrong, goes to the general
+/// function.
 PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t count,
                       PyObject* names) {
   try {

@@ -6,6 +6,8 @@
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
+#include <pybind11/stl.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -49,8 +51,8 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   found["description"] = file.description;
   found["units"] = py::str(std::string(name(file.units)));
   found["step"] = file.record.times.empty() ? py::object(py::float_(file.record.step)) : py::none();
-  found["times"] = to_array(file.record.times.empty() ? times_of(file.record)
-                                                      : std::move(file.record.times));
+  found["times"] =
+      to_array(file.record.times.empty() ? times_of(file.record) : std::move(file.record.times));
   found["values"] = to_array(std::move(file.record.values));
   return found;
 }
@@ -58,10 +60,11 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
 }  // namespace
 
 void add_records(py::module_& module) {
-  module.def("read_record", &read_record, py::arg("record"), py::kw_only(),
-             py::arg("record_units") = py::none(), py::arg("record_step") = py::none(),
-             py::arg("record_scale") = 1.0, py::arg("gravity") = 9.80665,
-             R"(read_record(record, *, record_units=None, record_step=None, record_scale=1, gravity=9.80665)
+  module.def(
+      "read_record", &read_record, py::arg("record"), py::kw_only(),
+      py::arg("record_units") = py::none(), py::arg("record_step") = py::none(),
+      py::arg("record_scale") = 1.0, py::arg("gravity") = 9.80665,
+      R"(read_record(record, *, record_units=None, record_step=None, record_scale=1, gravity=9.80665)
 --
 
 An acceleration record from a file, in any format that the program reads.

@@ -4,8 +4,8 @@
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 
-#include <nlohmann/json.hpp>
 #include <pybind11/numpy.h>
+#include <nlohmann/json.hpp>
 
 #include <string>
 #include <utility>

@@ -125,8 +125,8 @@ std::unique_ptr<Result> run(const py::object& scene, const py::kwargs& options) 
   if (in_memory) {
     auto bytes = std::make_unique<std::vector<char>>(memory.take());
     const void* const data = bytes->data();
-    rows = py::array(type, static_cast<py::ssize_t>(summary.state.rows), data,
-                     kept(std::move(bytes)));
+    rows =
+        py::array(type, static_cast<py::ssize_t>(summary.state.rows), data, kept(std::move(bytes)));
   }
   return std::make_unique<Sweep>(std::move(spec), summary, std::move(map), std::move(rows));
 }
@@ -138,14 +138,15 @@ void add_sweep(py::module_& module) {
       .def_property_readonly("rows", &Sweep::rows,
                              "a structured array with a field for each column; None where the rows "
                              "went to a file");
-  module.def("sweep", &run, py::arg("scene") = py::none(), py::pos_only(),
-             documentation(Command::sweep,
-                           "Many motions, or with beta many designs, over a grid or a list. An axis "
-                           "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
-                           "\"a,b,c\". The result has rows, a structured array with a field for each "
-                           "column; outcome is an index in stillpoint.outcomes. With output the rows "
-                           "go to that file instead.")
-                 .c_str());
+  module.def(
+      "sweep", &run, py::arg("scene") = py::none(), py::pos_only(),
+      documentation(Command::sweep,
+                    "Many motions, or with beta many designs, over a grid or a list. An axis "
+                    "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
+                    "\"a,b,c\". The result has rows, a structured array with a field for each "
+                    "column; outcome is an index in stillpoint.outcomes. With output the rows "
+                    "go to that file instead.")
+          .c_str());
 }
 
 }  // namespace stillpoint::python

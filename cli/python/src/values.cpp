@@ -2,6 +2,9 @@
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
+
+#include <cmath>
 
 namespace stillpoint::python {
 
@@ -19,6 +22,13 @@ json integer(const std::string& field, py::handle value) {
                      "must be a whole number of at most 18 digits");
   }
   return whole;
+}
+
+/// In the words of the command line, which takes no other.
+json number(const std::string& field, py::handle value) {
+  const double number = PyFloat_AS_DOUBLE(value.ptr());
+  return std::isfinite(number) ? number
+                               : records::parse_number(field, py::str(value).cast<std::string>());
 }
 
 json list(const std::string& field, py::handle values) {
@@ -48,7 +58,7 @@ json to_json(const std::string& field, py::handle value) {
     return value.ptr() == Py_True;
   }
   if (PyFloat_Check(value.ptr())) {
-    return PyFloat_AS_DOUBLE(value.ptr());
+    return number(field, value);
   }
   if (PyLong_Check(value.ptr())) {
     return integer(field, value);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <pybind11/numpy.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <utility>
