@@ -1,6 +1,7 @@
-# Installs two parts. "program": the program, its manual page, completions, schemas and scenes.
+# Installs its parts. "program": the program, its manual page, completions, schemas and scenes.
 # "development": the libraries of core and design, their headers, the CMake package "stillpoint" with
-# the targets stillpoint::core and stillpoint::design, and the same for pkg-config.
+# the targets stillpoint::core and stillpoint::design, and the same for pkg-config. "python", where it is
+# built: the package for import.
 
 include(CMakePackageConfigHelpers)
 
@@ -78,3 +79,28 @@ foreach(module IN ITEMS stillpoint-core stillpoint)
   install(FILES "${PROJECT_BINARY_DIR}/${module}.pc"
           DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
 endforeach()
+
+# Where Python looks: Debian's own packages have a folder for all versions, what is installed by hand one
+# for each.
+if(STILLPOINT_BUILD_PYTHON)
+  set(version "${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}")
+  execute_process(COMMAND "${Python_EXECUTABLE}" -c
+      "import sysconfig; print('deb_system' in sysconfig.get_scheme_names())"
+    OUTPUT_VARIABLE of_debian OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT of_debian STREQUAL "True")
+    set(python_dir "lib/python${version}/site-packages")
+  elseif(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+    set(python_dir "lib/python3/dist-packages")
+  else()
+    set(python_dir "lib/python${version}/dist-packages")
+  endif()
+  set(STILLPOINT_PYTHON_DIR "${python_dir}" CACHE STRING
+    "Where the Python package goes, below the prefix")
+  install(TARGETS stillpoint_python
+          DESTINATION "${STILLPOINT_PYTHON_DIR}/stillpoint" COMPONENT python)
+  install(FILES cli/python/stillpoint/__init__.py cli/python/stillpoint/py.typed
+                "${PROJECT_BINARY_DIR}/cli/python/stillpoint/__init__.pyi"
+          DESTINATION "${STILLPOINT_PYTHON_DIR}/stillpoint" COMPONENT python)
+  install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/python3-stillpoint"
+          RENAME copyright COMPONENT python)
+endif()

@@ -1,5 +1,5 @@
-# `cpack` in the build directory makes two Debian packages of the two installed parts: stillpoint,
-# the program, and libstillpoint-dev, the libraries. ./dev package does it with the paths that
+# `cpack` in the build directory makes a Debian package of each installed part: stillpoint, the program,
+# libstillpoint-dev, the libraries, and python3-stillpoint, where the module is built. ./dev package does it with the paths that
 # Debian has for packages; any other Release build gives packages that work as well.
 
 set(CPACK_GENERATOR DEB)
@@ -10,6 +10,9 @@ set(CPACK_PACKAGE_CONTACT "The stillpoint authors <stillpoint@users.noreply.inva
 set(CPACK_STRIP_FILES ON)
 
 set(CPACK_COMPONENTS_ALL program development)
+if(STILLPOINT_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -50,5 +53,21 @@ The exact motion of an oscillator with constant and point friction, free and
 forced, one at a time and in batches; the design of its damper. These are the
 headers and static libraries, for CMake (find_package) and pkg-config; they
 need C++20.")
+
+# The module is built for one version of Python.
+if(STILLPOINT_BUILD_PYTHON)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-stillpoint)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_python}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "stillpoint, python3-matplotlib")
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+"design of friction dampers, the Python module
+Designs, regions, motions and sweeps of friction dampers from keyword arguments,
+with the program's numbers, reports and figures, and arrays of NumPy for many
+dampers at once: import stillpoint.")
+endif()
 
 include(CPack)

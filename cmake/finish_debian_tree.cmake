@@ -1,6 +1,6 @@
 # cpack runs this between installing the parts and packing them. It gives each tree what Debian asks
-# of a package and a plain installation does without: compressed pages and changelogs, its own place
-# for completions of zsh.
+# of a package and a plain installation does without: compressed pages and changelogs, its own places
+# for completions of zsh and for modules of Python.
 
 # The date of the packages is SOURCE_DATE_EPOCH where that is set.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -36,7 +36,18 @@ endif()
 set(development "${CPACK_TEMPORARY_DIRECTORY}/development${CPACK_PACKAGING_INSTALL_PREFIX}")
 changelogs("${development}" libstillpoint-dev)
 
+set(trees "${CPACK_TEMPORARY_DIRECTORY}/program" "${CPACK_TEMPORARY_DIRECTORY}/development")
+set(python "${CPACK_TEMPORARY_DIRECTORY}/python${CPACK_PACKAGING_INSTALL_PREFIX}")
+if(EXISTS "${python}")
+  changelogs("${python}" python3-stillpoint)
+  file(GLOB by_hand "${python}/lib/python3.*")
+  if(by_hand)
+    file(RENAME "${by_hand}" "${python}/lib/python3")
+  endif()
+  list(APPEND trees "${CPACK_TEMPORARY_DIRECTORY}/python")
+endif()
+
 # Folders are open to all, whatever the umask.
-file(CHMOD_RECURSE "${CPACK_TEMPORARY_DIRECTORY}/program" "${CPACK_TEMPORARY_DIRECTORY}/development"
+file(CHMOD_RECURSE ${trees}
   DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
                         GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

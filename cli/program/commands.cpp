@@ -107,22 +107,12 @@ ExitCode exit_code(const design::RecordDesign& result) {
   return result.finding->check.passed ? exit_done : exit_check_failed;
 }
 
-namespace {
-
-ExitCode run_record_design(const Settings& settings, Output& output) {
-  report::RecordDesignInput input = record_design_input(settings);
-  const report::RecordDesignReport report{design::design(input.request), input.physical};
-  write_page_of(report, Command::design, settings, output);
-  print_report(report, settings, output);
-  return exit_code(report.result);
+report::RecordDesignReport record_design_report(const Settings& settings) {
+  const report::RecordDesignInput input = record_design_input(settings);
+  return {design::design(input.request), input.physical};
 }
 
-}  // namespace
-
-ExitCode run_design(const Settings& settings, Output& output) {
-  if (designs_under_records(settings)) {
-    return run_record_design(settings, output);
-  }
+report::DesignReport design_report(const Settings& settings) {
   require_no_record_options(settings);
   DesignInput input = design_input(settings);
   const std::optional<double> width = notch_width(settings, input.physical);
@@ -147,12 +137,20 @@ ExitCode run_design(const Settings& settings, Output& output) {
   if (width && report.result.finding) {
     report.built_notch = built_notch(report.result.request, report.result.finding->point, *width);
   }
-  write_page_of(report, Command::design, settings, output);
-  print_report(report, settings, output);
-  return exit_code(report.result);
+  return report;
 }
 
-ExitCode run_region(const Settings& settings, Output& output) {
+ExitCode run_design(const Settings& settings, Output& output) {
+  const auto show = [&](const auto& report) {
+    write_page_of(report, Command::design, settings, output);
+    print_report(report, settings, output);
+    return exit_code(report.result);
+  };
+  return designs_under_records(settings) ? show(record_design_report(settings))
+                                         : show(design_report(settings));
+}
+
+report::RegionReport region_report(const Settings& settings) {
   const RegionInput input = region_input(settings);
   report::RegionReport report{input.request, design::answer(input.request), input.physical, {}};
   if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
@@ -160,29 +158,38 @@ ExitCode run_region(const Settings& settings, Output& output) {
     report.catalogue = {*settings.text("catalogue"),
                         design::ranked(problem, limits, design::Objective::robust, *parts)};
   }
+  return report;
+}
+
+ExitCode run_region(const Settings& settings, Output& output) {
+  const report::RegionReport report = region_report(settings);
   write_page_of(report, Command::region, settings, output);
   print_report(report, settings, output);
   return report.answer.region.feasible ? exit_done : exit_infeasible;
 }
 
-ExitCode run_simulate(const Settings& settings, Output& output) {
+report::MotionReport motion_report(const Settings& settings) {
   SimulateInput input = simulate_input(settings);
   Simulation answer = watched(input.request);
-  const report::MotionReport report{std::move(input.request), std::move(answer), input.record,
-                                    input.physical};
+  return {std::move(input.request), std::move(answer), input.record, input.physical};
+}
+
+ExitCode run_simulate(const Settings& settings, Output& output) {
+  const report::MotionReport report = motion_report(settings);
   if (const std::string locked = report::lock_sentence(report); !locked.empty()) {
     remark(locked);
   }
-  if (input.trajectory) {
+  const auto trajectory = settings.text("trajectory");
+  if (trajectory) {
     const std::string rows = report::trajectory_csv(report.answer.trajectory, report.physical);
-    if (*input.trajectory == "-") {
+    if (*trajectory == "-") {
       output.print(rows);
     } else {
-      output.write_file("trajectory", *input.trajectory, rows);
+      output.write_file("trajectory", *trajectory, rows);
     }
   }
   write_page_of(report, Command::simulate, settings, output);
-  print_report(report, settings, output, input.trajectory != "-");
+  print_report(report, settings, output, trajectory != "-");
   return exit_done;
 }
 

@@ -6,6 +6,8 @@
 
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/record_design.hpp>
+#include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/report.hpp>
 
 namespace stillpoint::cli {
 
@@ -26,6 +28,13 @@ ExitCode run_region(const Settings& settings, Output& output);
 ExitCode run_simulate(const Settings& settings, Output& output);
 ExitCode run_sweep(const Settings& settings, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);
+
+/// What they have to say, before anything is shown. A design for a hit or under records, see
+/// designs_under_records.
+[[nodiscard]] report::DesignReport design_report(const Settings& settings);
+[[nodiscard]] report::RecordDesignReport record_design_report(const Settings& settings);
+[[nodiscard]] report::RegionReport region_report(const Settings& settings);
+[[nodiscard]] report::MotionReport motion_report(const Settings& settings);
 
 /// 3 without an admissible design, 4 where the cross-check failed, else 0.
 [[nodiscard]] ExitCode exit_code(const design::DesignResult& result);

@@ -7,7 +7,6 @@
 #include "scene.hpp"
 #include "written_files.hpp"
 
-#include <stillpoint/design/doubtful_values.hpp>
 #include <stillpoint/report/browser.hpp>
 
 #include <fmt/format.h>
@@ -29,23 +28,6 @@ void note_unused(const Settings& scene, const Settings& settings, Command comman
     if (!find_option(option)->serves(command) || !settings.has(option)) {
       remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
-  }
-}
-
-/// They are computed all the same.
-void warn_of_doubtful_values(const Settings& settings, Command command) {
-  design::GivenValues given;
-  for (const auto& [option, value] : settings.values()) {
-    const double* const number = std::get_if<double>(&value);
-    if (number != nullptr && find_option(option)->serves(command)) {
-      given[std::string(option)] = {*number, settings.with_unit(option).has_value()};
-    }
-  }
-  for (const auto& [text, meant] : design::doubtful_values(given)) {
-    remark(fmt::format(
-        "warning: {}{}", text,
-        meant ? fmt::format("; did you mean --{} {}{}?", meant->name, meant->value, meant->unit)
-              : ""));
   }
 }
 
@@ -107,7 +89,9 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run_command(invocation.command, settings, output);
   output.commit();
-  warn_of_doubtful_values(settings, invocation.command);
+  for (const std::string& doubt : doubts(settings, invocation.command)) {
+    remark(fmt::format("warning: {}", doubt));
+  }
   note_unused(scene, settings, invocation.command);
   if (opens) {
     report::open_page(opener, *settings.text("html"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "messages.hpp"
 
+#include "progress.hpp"
+
 #include <stillpoint/report/document.hpp>
 
 #include <fmt/format.h>
@@ -29,7 +31,7 @@ void say(const std::string& text) {
 }
 
 void remark(const std::string& text) {
-  if (!silent) {
+  if (!silent && !Hosted::here()) {
     say(text);
   }
 }

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace stillpoint::cli {
@@ -23,6 +24,8 @@ namespace {
 
 std::atomic<bool> interrupt_seen{false};  // without a lock, as a handler needs it
 static_assert(std::atomic<bool>::is_always_lock_free);
+
+thread_local std::optional<std::stop_token> host;
 
 double seconds_now() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -47,21 +50,36 @@ auto handle_interrupts() {
 
 }  // namespace
 
+Hosted::Hosted(std::stop_token stop) {
+  host = std::move(stop);
+}
+
+Hosted::~Hosted() {
+  host.reset();
+}
+
+bool Hosted::here() {
+  return host.has_value();
+}
+
 Progress::Progress(Line line, double end, double begun_with)
     : line_(std::move(line)),
       end_(end),
       begun_with_(begun_with),
-      shown_(::isatty(STDERR_FILENO) == 1 && !hushed()),
-      announced_(hushed()),
+      shown_(::isatty(STDERR_FILENO) == 1 && !hushed() && !host),
+      announced_(hushed() || host),
       started_s_(seconds_now()),
-      previous_(handle_interrupts()) {
+      host_(host),
+      previous_(host ? SIG_DFL : handle_interrupts()) {
   if (previous_ == SIG_IGN) {
     std::signal(SIGINT, SIG_IGN);  // as in the background of a script
   }
 }
 
 Progress::~Progress() {
-  std::signal(SIGINT, previous_);
+  if (!host_) {
+    std::signal(SIGINT, previous_);
+  }
   if (line_open_) {
     fmt::print(stderr, "\r\x1b[K");
   }
@@ -79,7 +97,7 @@ bool Progress::goes_on(double done) {
                end_ > 0 ? clock_text(seconds_left(done, seconds)) : "");
     std::fflush(stderr);
   }
-  return !interrupted();
+  return !(host_ ? host_->stop_requested() : interrupted());
 }
 
 double Progress::seconds_left(double done, double seconds) const {
@@ -108,10 +126,13 @@ void Progress::announce_minutes(double done) {
 }
 
 bool Progress::interrupted() {
-  return interrupt_seen;
+  return host ? host->stop_requested() : interrupt_seen.load();
 }
 
 std::stop_token Progress::stop_token() {
+  if (host_) {
+    return *host_;
+  }
   if (!watcher_.joinable()) {
     watcher_ = std::jthread([stop = stop_](const std::stop_token& ended) mutable {
       constexpr std::chrono::milliseconds between_looks{20};

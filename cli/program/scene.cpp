@@ -194,8 +194,12 @@ void add_keys(Settings& settings, const json& object, std::string_view within, C
 
 Settings parse_scene(std::string_view text, std::string_view source, Command command) {
   sweep::require_json_object(text, {"scene", std::string(source)});
+  return scene_settings(json::parse(text, nullptr, true, true), command);
+}
+
+Settings scene_settings(const nlohmann::json& scene, Command command) {
   Settings settings;
-  add_keys(settings, json::parse(text, nullptr, true, true), "", command);
+  add_keys(settings, scene, "", command);
   return settings;
 }
 

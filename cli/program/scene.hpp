@@ -18,6 +18,9 @@ namespace stillpoint::cli {
 /// The same from text; `source` names it in messages.
 [[nodiscard]] Settings parse_scene(std::string_view text, std::string_view source, Command command);
 
+/// The same from a JSON object. Throws InputError and UsageError.
+[[nodiscard]] Settings scene_settings(const nlohmann::json& scene, Command command);
+
 /// What `command` is to do: the flags, and what they leave of the scene. A flag overrides its own
 /// key and removes the keys that it excludes: --velocity removes v0 and pulse, --record an
 /// excitation. A pulse is the hit of a design and the excitation of a motion; other commands do not

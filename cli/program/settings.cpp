@@ -2,6 +2,7 @@
 #include "settings.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/doubtful_values.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -156,6 +157,24 @@ double Settings::required(std::string_view name, std::string_view hint) const {
     return *value;
   }
   throw InputError::missing(std::string(name), std::string(hint));
+}
+
+std::vector<std::string> doubts(const Settings& settings, Command command) {
+  design::GivenValues given;
+  for (const auto& [option, value] : settings.values()) {
+    const double* const number = std::get_if<double>(&value);
+    if (number != nullptr && find_option(option)->serves(command)) {
+      given[std::string(option)] = {*number, settings.with_unit(option).has_value()};
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [text, meant] : design::doubtful_values(given)) {
+    sentences.push_back(fmt::format(
+        "{}{}", text,
+        meant ? fmt::format("; did you mean --{} {}{}?", meant->name, meant->value, meant->unit)
+              : ""));
+  }
+  return sentences;
 }
 
 nlohmann::ordered_json as_json(const Settings::Value& value) {

@@ -98,6 +98,9 @@ class Settings {
   std::map<std::string_view, std::string> with_units_;
 };
 
+/// What is absurd about its values together, a sentence each; it is computed all the same.
+[[nodiscard]] std::vector<std::string> doubts(const Settings& settings, Command command);
+
 /// As a scene has it; an axis as its text.
 [[nodiscard]] nlohmann::ordered_json as_json(const Settings::Value& value);
 

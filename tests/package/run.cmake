@@ -55,6 +55,22 @@ check_package(libstillpoint-dev
   cmake/stillpoint/stillpointConfig.cmake cmake/stillpoint/FindNLopt.cmake
   pkgconfig/stillpoint.pc pkgconfig/stillpoint-core.pc)
 
+# The module, where it was built: the interpreter that it depends on finds it.
+file(GLOB module "${WORK_DIR}/python3-stillpoint_*.deb")
+if(module)
+  check_package(python3-stillpoint "libnlopt[^\n]*python3 .>= 3[^\n]*python3-numpy"
+    lib/python3/dist-packages/stillpoint/__init__.py lib/python3/dist-packages/stillpoint/__init__.pyi
+    lib/python3/dist-packages/stillpoint/py.typed
+    "lib/python3/dist-packages/stillpoint/_stillpoint[^/]*.so")
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${WORK_DIR}/root/usr/lib/python3/dist-packages"
+      /usr/bin/python3 -B -c "import stillpoint; print(stillpoint.design(v0=1, p=1, beta=0.9).design.f)"
+    OUTPUT_VARIABLE f COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT f MATCHES "^0[.]2593")
+    message(SEND_ERROR "the module designs f = ${f}")
+  endif()
+endif()
+
 execute_process(COMMAND file "${WORK_DIR}/root/usr/bin/stillpoint" OUTPUT_VARIABLE kind)
 if(NOT kind MATCHES ", stripped")
   message(SEND_ERROR "not stripped: ${kind}")

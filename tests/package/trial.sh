@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# trial.sh ROOT DEB...: installs the two packages in ROOT, uses them there, removes them, and fails
+# trial.sh ROOT DEB...: installs the packages in ROOT, uses them there, removes them, and fails
 # unless that leaves not a file behind. To be run as root; ROOT is a minimal Debian without them, which
 # keeps the compiler that the trial installs:
 #   debootstrap --variant=minbase bookworm ROOT
@@ -35,7 +35,8 @@ remove() {
 work=$root/tmp/trial
 rm -rf "$work" && mkdir -p "$work"
 cp "$@" "$work"
-cp -r "$here/../consumer" "$here/../../docs/tour" "$here/../../data/records" "$here/../tour/run.cmake" "$work"
+cp -r "$here/../consumer" "$here/../../docs/tour" "$here/../../data/records" "$here/../tour/run.cmake" \
+  "$here/../../data/scenes/isolator.json" "$work"
 [[ -e $root/etc/resolv.conf ]] || cp /etc/resolv.conf "$root/etc"
 apt update
 
@@ -47,6 +48,12 @@ inside stillpoint design /usr/share/doc/stillpoint/scenes/isolator.json | grep -
 inside zgrep -q '^.TH STILLPOINT 1' /usr/share/man/man1/stillpoint.1.gz
 inside bash -c '. /usr/share/bash-completion/completions/stillpoint && complete -p stillpoint'
 remove stillpoint "$before"
+
+# The module.
+before=$(files)
+apt install --no-install-recommends "/tmp/trial/$(cd "$work" && ls python3-stillpoint_*.deb)"
+inside python3 -B -c 'import stillpoint; print(stillpoint.design("/tmp/trial/isolator.json"))' | grep 'Build f'
+remove python3-stillpoint "$before"
 
 # The libraries, by CMake and by pkg-config.
 apt install --no-install-recommends g++ cmake make pkg-config

@@ -30,7 +30,6 @@ namespace stillpoint::report {
 /// The part of `input` that design and region share.
 [[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
                                                const design::Limits& limits);
-[[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 [[nodiscard]] nlohmann::ordered_json constraints_json(
     std::span<const design::Constraint> constraints);
 [[nodiscard]] nlohmann::ordered_json works_for_json(const std::optional<design::WorksFor>& served);

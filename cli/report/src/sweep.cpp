@@ -55,7 +55,7 @@ ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
   return {{"schema", "stillpoint/sweep-report/1"},
           {"program", program_json()},
           {"kind", name(spec.kind)},
-          {"output", {{"file", *spec.output}, {"format", name(spec.format)}, {"columns", columns}}},
+          {"output", {{"file", text_or_null(spec.output.value_or(""))}, {"format", name(spec.format)}, {"columns", columns}}},
           {"rows", state.rows},
           {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
           {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
@@ -70,7 +70,9 @@ Document document(const SweepSpec& spec, const SweepSummary& summary) {
   Document document;
   document.title = "Sweep";
   Section& rows = document.section("Rows");
-  rows.row("file", *spec.output);
+  if (spec.output) {
+    rows.row("file", *spec.output);
+  }
   rows.row("rows", fmt::format("{}", state.rows));
   if (summary.resumed_at > 0) {
     rows.row("resumed at", fmt::format("{}", summary.resumed_at));

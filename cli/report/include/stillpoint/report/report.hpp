@@ -88,6 +88,8 @@ struct AccuracyReport {
 [[nodiscard]] nlohmann::ordered_json json(const RegionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const MotionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const AccuracyReport& report);
+/// The field `region` of a report.
+[[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 
 /// The figures above the document. Whoever writes the page adds title, input and footer.
 [[nodiscard]] figures::HtmlPage page(const DesignReport& report);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "settings.hpp"
+
+#include <pybind11/pybind11.h>
+
+namespace stillpoint::python {
+
+/// Whether the command has the option in Python: files that show a report are the program's alone.
+[[nodiscard]] bool takes(cli::Command command, const cli::Option& option);
+
+/// What help() says: the signature as Python reads it, `about`, and the options in the order of
+/// --help.
+[[nodiscard]] std::string documentation(cli::Command command, std::string_view about);
+
+/// Of each option of a command its keyword, its type in a stub and its help.
+[[nodiscard]] pybind11::list options(const std::string& command);
+
+/// A UserWarning for each value that is absurd beside the others.
+void warn_of_doubts(const cli::Settings& settings, cli::Command command);
+
+/// What the program would make of a scene (a path, a dict or None) and flags of these names. None
+/// stands for an option that is not given. Throws InputError, UsageError and FileError.
+[[nodiscard]] cli::Settings settings(cli::Command command, const pybind11::object& scene,
+                                     const pybind11::dict& options);
+
+}  // namespace stillpoint::python

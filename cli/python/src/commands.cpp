@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// The commands that answer with a report: settings from keyword arguments, then what the program
+// does.
+
+#include "commands.hpp"
+#include "arguments.hpp"
+#include "interruptible.hpp"
+#include "method.hpp"
+#include "parts.hpp"
+#include "record_design_input.hpp"
+#include "result.hpp"
+#include "values.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace stillpoint::python {
+
+namespace py = pybind11;
+using cli::Command;
+using cli::Settings;
+
+namespace {
+
+using Answer = std::unique_ptr<Result>;
+
+template <class Report>
+Answer answer(Report report) {
+  return std::make_unique<ResultOf<Report>>(std::move(report));
+}
+
+Answer design(const Settings& settings) {
+  return cli::designs_under_records(settings) ? answer(cli::record_design_report(settings))
+                                              : answer(cli::design_report(settings));
+}
+
+Answer region(const Settings& settings) {
+  return answer(cli::region_report(settings));
+}
+
+/// The region of v0, p and beta alone, which is there at once: the rest of the report when someone
+/// looks.
+class Bounds final : public Result {
+ public:
+  explicit Bounds(const design::Problem& problem)
+      : request_{problem}, region_(admissible_region(problem)) {}
+
+  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(whole()); }
+  [[nodiscard]] report::Document document() const override { return report::document(whole()); }
+  [[nodiscard]] figures::HtmlPage page() const override { return report::page(whole()); }
+
+  [[nodiscard]] py::object region() const {
+    return to_python(report::region_fields(region_.feasible ? design::RegionVerdict{region_}
+                                                            : design::answer(request_)));
+  }
+
+ private:
+  [[nodiscard]] report::RegionReport whole() const {
+    return {request_, design::answer(request_), {}, {}};
+  }
+
+  design::RegionRequest request_;
+  design::Region region_;
+};
+
+/// With a trajectory, if samples or an end were asked for.
+class Motion final : public ResultOf<report::MotionReport> {
+ public:
+  using ResultOf::ResultOf;
+
+  /// The memory is that of the result.
+  [[nodiscard]] static py::object trajectory(const py::object& self) {
+    const std::vector<State>& states = self.cast<const Motion&>().made().answer.trajectory;
+    if (states.empty()) {
+      return py::none();
+    }
+    const py::array rows(py::dtype::of<State>(), states.size(), states.data(), self);
+    rows.attr("flags").attr("writeable") = false;
+    return rows;
+  }
+};
+
+Answer simulate(const Settings& settings) {
+  Settings wanted = settings;
+  const bool forced = settings.has("excitation") || settings.has("record");
+  if (settings.has("samples") || (!forced && (settings.has("t-end") || settings.has("end-time")))) {
+    wanted.set(*cli::find_option("trajectory"), std::string("-"));
+  }
+  return std::make_unique<Motion>(cli::motion_report(wanted));
+}
+
+/// A new command that answers with a report is a row.
+struct Row {
+  Command command;
+  Answer (*run)(const Settings& settings);
+  std::string_view about;
+};
+constexpr std::array rows{
+    Row{Command::design, design,
+        "Designs a damper: the admissible region, the search in it, its motion and its check; with "
+        "record, for a suite of acceleration records."},
+    Row{Command::region, region,
+        "The admissible region of f and delta, without a search; with f and delta, how this damper "
+        "stands in it. With v0, p and beta alone, as floats, it takes less than a microsecond."},
+    Row{Command::simulate, simulate,
+        "One motion, free or forced: metrics and half-cycles. With samples, or t_end of a free "
+        "motion, the result has a trajectory: an array of (tau, x, v)."},
+};
+
+/// Those of v0, p and beta where nothing else is given, and these as floats.
+std::unique_ptr<Bounds> bounds(PyObject* const* values, Py_ssize_t count, PyObject* names) {
+  static const std::array<PyObject*, 3> keys{PyUnicode_InternFromString("v0"),
+                                             PyUnicode_InternFromString("p"),
+                                             PyUnicode_InternFromString("beta")};
+  if (count != 0 || names == nullptr || PyTuple_GET_SIZE(names) != std::ssize(keys)) {
+    return nullptr;
+  }
+  std::array<double, keys.size()> numbers{};
+  unsigned found = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (Py_ssize_t j = 0; j < std::ssize(keys); ++j) {
+      if (PyTuple_GET_ITEM(names, j) == keys[i] && PyFloat_CheckExact(values[j])) {
+        numbers[i] = PyFloat_AS_DOUBLE(values[j]);
+        ++found;
+      }
+    }
+  }
+  if (found != keys.size()) {
+    return nullptr;
+  }
+  design::Problem problem;
+  problem.v0 = numbers[0];
+  problem.p = numbers[1];
+  problem.beta = numbers[2];
+  return std::make_unique<Bounds>(problem);
+}
+
+PyObject* general_region = nullptr;
+
+/// region(v0=, p=, beta=) without settings; anything else, and what is wrong, goes to the general
+/// function.
+PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t count,
+                      PyObject* names) {
+  try {
+    if (auto found = bounds(values, count, names)) {
+      return py::cast(std::move(found)).release().ptr();
+    }
+  } catch (const InputError&) {
+    // which the general function throws again
+  }
+  return PyObject_Vectorcall(general_region, values, static_cast<std::size_t>(count), names);
+}
+
+Answer run(const Row& row, const py::object& scene, const py::dict& options) {
+  const Settings given = settings(row.command, scene, options);
+  Answer found = interruptible([&](const std::stop_token& /*stop*/) { return row.run(given); });
+  warn_of_doubts(given, row.command);
+  return found;
+}
+
+}  // namespace
+
+void add_commands(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(State, tau, x, v);
+  py::class_<Motion, Result>(module, "Motion", "What simulate found.")
+      .def_property_readonly("trajectory", &Motion::trajectory,
+                             "a structured array of tau, x and v, read-only; None where neither "
+                             "samples nor the end of a free motion was given");
+  py::class_<Bounds, Result>(module, "Bounds", "What region found of v0, p and beta alone.")
+      .def_property_readonly("region", &Bounds::region);
+  for (const Row& row : rows) {
+    module.def(
+        std::string(name(row.command)).c_str(),
+        [&row](const py::object& scene, const py::kwargs& given) { return run(row, scene, given); },
+        py::arg("scene") = py::none(), py::pos_only(),
+        documentation(row.command, row.about).c_str());
+  }
+  module.def("options", &options, py::arg("command"),
+             "options(command)\n--\n\n(keyword, type, help) of each option of a command.");
+  general_region = py::object(module.attr("region")).release().ptr();
+  static const std::string doc = documentation(Command::region, rows[1].about);
+  static std::array<PyMethodDef, 2> methods{
+      {{"region", as_method(&fast_region), METH_FASTCALL | METH_KEYWORDS, doc.c_str()}, {}}};
+  PyModule_AddFunctions(module.ptr(), methods.data());
+}
+
+}  // namespace stillpoint::python

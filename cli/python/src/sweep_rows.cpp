@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The command sweep, with its rows in memory: what a file of the format npy holds, as an array.
+
+#include "arguments.hpp"
+#include "interruptible.hpp"
+#include "parts.hpp"
+#include "request.hpp"
+#include "result.hpp"
+#include "values.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/run.hpp>
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+namespace stillpoint::python {
+
+namespace py = pybind11;
+using cli::Command;
+using cli::Settings;
+using sweep::SweepSpec;
+
+namespace {
+
+/// The records of a .npy file.
+py::dtype dtype_of(const SweepSpec& spec) {
+  py::list columns;
+  for (const sweep::Quantity column : spec.columns) {
+    const sweep::Form form = sweep::form(column);
+    const char* const type = form == sweep::Form::number  ? "f8"
+                             : form == sweep::Form::truth ? "?"
+                                                          : "u1";
+    columns.append(py::make_tuple(std::string(name(column, spec.units)), type));
+  }
+  return py::dtype::from_args(columns);
+}
+
+/// The bytes of a file without its header.
+class RowsInMemory final : public sweep::RowSink {
+ public:
+  /// `size` is that of all rows where it is known.
+  explicit RowsInMemory(std::size_t size) { bytes_.reserve(size); }
+
+  [[nodiscard]] const sweep::SweepState& found() const override { return nothing_; }
+  void write(std::string_view bytes) override {
+    if (begun_) {
+      bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    }
+    begun_ = true;
+  }
+  void reached(const sweep::SweepState& /*state*/) override {}
+  void finish(const sweep::SweepState& /*state*/, std::string_view /*header*/) override {}
+  sweep::LeftRows leave() override { return {}; }
+
+  [[nodiscard]] std::vector<char> take() { return std::move(bytes_); }
+
+ private:
+  sweep::SweepState nothing_;
+  bool begun_{false};  ///< the header comes first
+  std::vector<char> bytes_;
+};
+
+class Sweep final : public Result {
+ public:
+  Sweep(SweepSpec spec, sweep::SweepSummary summary, std::optional<sweep::SweepMap> map,
+        py::object rows)
+      : spec_(std::move(spec)), summary_(summary), map_(std::move(map)), rows_(std::move(rows)) {}
+
+  [[nodiscard]] nlohmann::ordered_json json() const override {
+    return report::json(spec_, summary_);
+  }
+  [[nodiscard]] report::Document document() const override {
+    return report::document(spec_, summary_);
+  }
+  [[nodiscard]] figures::HtmlPage page() const override {
+    if (map_) {
+      return report::page(spec_, summary_, *map_);
+    }
+    figures::HtmlPage page;
+    page.title = "Sweep";
+    page.verdict = fmt::format("{} rows", summary_.state.rows);
+    return page;
+  }
+  [[nodiscard]] const py::object& rows() const { return rows_; }
+
+ private:
+  SweepSpec spec_;
+  sweep::SweepSummary summary_;
+  std::optional<sweep::SweepMap> map_;
+  py::object rows_;
+};
+
+/// Only a plane of f and delta has a map.
+std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
+  try {
+    return sweep::SweepMap(spec);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::unique_ptr<Result> run(const py::object& scene, const py::kwargs& options) {
+  Settings given = settings(Command::sweep, scene, options);
+  const bool in_memory = !given.has("output");
+  if (in_memory) {
+    given.set(*cli::find_option("format"), std::string("npy"));
+  }
+  SweepSpec spec = cli::sweep_request(given);
+  std::optional<sweep::SweepMap> map = map_of(spec);
+  const py::dtype type = dtype_of(spec);
+  RowsInMemory memory(in_memory ? static_cast<std::size_t>(sweep::entries(spec).value_or(0)) *
+                                      static_cast<std::size_t>(type.itemsize())
+                                : 0);
+  const sweep::SweepSummary summary = interruptible([&](const std::stop_token& stop) {
+    const std::unique_ptr<sweep::RowSink> file = in_memory ? nullptr : sweep::open_rows(spec);
+    return sweep::run(spec, file ? *file : memory, {stop, {}, map ? &*map : nullptr});
+  });
+  warn_of_doubts(given, Command::sweep);
+  py::object rows = py::none();
+  if (in_memory) {
+    auto bytes = std::make_unique<std::vector<char>>(memory.take());
+    const void* const data = bytes->data();
+    rows =
+        py::array(type, static_cast<py::ssize_t>(summary.state.rows), data, kept(std::move(bytes)));
+  }
+  return std::make_unique<Sweep>(std::move(spec), summary, std::move(map), std::move(rows));
+}
+
+}  // namespace
+
+void add_sweep(py::module_& module) {
+  py::class_<Sweep, Result>(module, "Sweep", "What sweep found.")
+      .def_property_readonly("rows", &Sweep::rows,
+                             "a structured array with a field for each column; None where the rows "
+                             "went to a file");
+  module.def(
+      "sweep", &run, py::arg("scene") = py::none(), py::pos_only(),
+      documentation(Command::sweep,
+                    "Many motions, or with beta many designs, over a grid or a list. An axis "
+                    "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
+                    "\"a,b,c\". The result has rows, a structured array with a field for each "
+                    "column; outcome is an index in stillpoint.outcomes. With output the rows "
+                    "go to that file instead.")
+          .c_str());
+}
+
+}  // namespace stillpoint::python

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "values.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
+
+#include <cmath>
+
+namespace stillpoint::python {
+
+namespace py = pybind11;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+json integer(const std::string& field, py::handle value) {
+  int overflow = 0;
+  const long long whole = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
+  if (overflow != 0) {
+    throw InputError(field, py::str(value).cast<std::string>(),
+                     "must be a whole number of at most 18 digits");
+  }
+  return whole;
+}
+
+/// In the words of the command line, which takes no other.
+json number(const std::string& field, py::handle value) {
+  const double number = PyFloat_AS_DOUBLE(value.ptr());
+  return std::isfinite(number) ? number
+                               : records::parse_number(field, py::str(value).cast<std::string>());
+}
+
+json list(const std::string& field, py::handle values) {
+  json all = json::array();
+  for (const py::handle value : values) {
+    all.push_back(to_json(field, value));
+  }
+  return all;
+}
+
+json object(py::handle values) {
+  json all = json::object();
+  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(values)) {
+    const std::string name = py::str(key).cast<std::string>();
+    all[name] = to_json(name, value);
+  }
+  return all;
+}
+
+}  // namespace
+
+json to_json(const std::string& field, py::handle value) {
+  if (value.is_none()) {
+    return nullptr;
+  }
+  if (PyBool_Check(value.ptr())) {
+    return value.ptr() == Py_True;
+  }
+  if (PyFloat_Check(value.ptr())) {
+    return number(field, value);
+  }
+  if (PyLong_Check(value.ptr())) {
+    return integer(field, value);
+  }
+  if (py::isinstance<py::str>(value)) {
+    return value.cast<std::string>();
+  }
+  if (py::isinstance<py::dict>(value)) {
+    return object(value);
+  }
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    return list(field, value);
+  }
+  if (py::hasattr(value, "__fspath__")) {
+    return to_json(field, value.attr("__fspath__")());
+  }
+  if (py::hasattr(value, "tolist")) {  // an array of NumPy, or one of its numbers
+    return to_json(field, value.attr("tolist")());
+  }
+  throw InputError(field, py::repr(value).cast<std::string>(),
+                   "must be a number, a text or a list of them");
+}
+
+py::dict fields() {
+  static PyObject* const type =
+      py::object(py::module_::import("stillpoint").attr("Fields")).release().ptr();
+  return py::reinterpret_steal<py::dict>(PyObject_CallNoArgs(type));
+}
+
+py::object to_python(const ordered_json& value) {
+  switch (value.type()) {
+    case ordered_json::value_t::boolean:
+      return py::bool_(value.get<bool>());
+    case ordered_json::value_t::number_integer:
+    case ordered_json::value_t::number_unsigned:
+      return py::int_(value.get<std::int64_t>());
+    case ordered_json::value_t::number_float:
+      return py::float_(value.get<double>());
+    case ordered_json::value_t::string:
+      return py::str(value.get_ref<const std::string&>());
+    case ordered_json::value_t::array: {
+      py::list all;
+      for (const ordered_json& entry : value) {
+        all.append(to_python(entry));
+      }
+      return all;
+    }
+    case ordered_json::value_t::object: {
+      py::dict all = fields();
+      for (const auto& [key, entry] : value.items()) {
+        all[py::str(key)] = to_python(entry);
+      }
+      return all;
+    }
+    default:
+      return py::none();
+  }
+}
+
+}  // namespace stillpoint::python

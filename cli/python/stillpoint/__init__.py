@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""Design of friction dampers for vibration and seismic isolation.
+
+design, region, simulate and sweep take the options of the program's commands as keyword arguments,
+with '_' for '-'. What they return has the fields of the JSON report as attributes, report, the whole
+of it as a dict, and figures in a notebook. peak and motions follow many free motions from arrays to
+arrays; read_record reads an acceleration record. What is wrong with the input is an InputError, a
+ValueError with the text that the program prints.
+"""
+
+
+class Fields(dict):
+    """A part of a report: its fields as attributes and as keys."""
+
+    __slots__ = ()
+
+    def __getattr__(self, name):
+        try:
+            return self[name]
+        except KeyError:
+            raise AttributeError(f"there is no field '{name}'") from None
+
+    def __dir__(self):
+        return [*super().__dir__(), *self]
+
+    def __repr__(self):
+        return f"Fields({', '.join(f'{name}={value!r}' for name, value in self.items())})"
+
+
+from ._stillpoint import (  # noqa: E402
+    InputError,
+    Result,
+    __version__,
+    design,
+    motions,
+    options,
+    outcomes,
+    peak,
+    read_record,
+    region,
+    simulate,
+    sweep,
+)
+
+__all__ = [
+    "Fields",
+    "InputError",
+    "Result",
+    "design",
+    "motions",
+    "options",
+    "outcomes",
+    "peak",
+    "read_record",
+    "region",
+    "simulate",
+    "sweep",
+]

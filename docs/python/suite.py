@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+"""suite.py RECORD...: one damper for a suite of acceleration records, and what each record does to it."""
+
+import sys
+
+import numpy as np
+
+import stillpoint
+
+files = sys.argv[1:]
+isolator = {"period": "2.8s", "hold": "0.1g"}
+
+for file in files:
+    record = stillpoint.read_record(file)
+    print(f"{file}: {record.times[-1]:.1f} s, up to {np.abs(record['values']).max():.3f} g")
+
+found = stillpoint.design(
+    record=files, max_displacement="400mm", residual_m="5mm", search_f="0:0.2",
+    search_delta_m="0:20mm", **isolator)
+print(found)
+
+# The same motions one by one, with their trajectories.
+design = found.design
+for row in found.records:
+    motion = stillpoint.simulate(
+        record=row.file, f=design.f, delta_m=design.delta_m, samples=200, **isolator)
+    metres = motion.physical.length_unit_m
+    peak = np.abs(motion.trajectory["x"]).max() * metres
+    print(f"{row.file}: peak {peak:.4f} m, rests at {motion.response.stop_position * metres:.4f} m")
+    assert abs(peak - row.peak_m) <= 1e-9 * row.peak_m

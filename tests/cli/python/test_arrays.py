@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+"""peak and motions: against the program, bit for bit, whatever the arrays, the threads, the blocks."""
+
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import stillpoint
+
+SEED = 20_261_122
+
+
+def dampers(count):
+    random = np.random.default_rng(SEED)
+    return random.uniform(0.01, 0.4, count), random.uniform(0, 0.6, count)
+
+
+def test_motions_are_those_of_a_sweep(program):
+    f, delta = dampers(300)
+    np.savetxt("list.csv", np.column_stack([f, delta]), "%.17g", ",", header="f,delta", comments="")
+    program.run("sweep", "--times", v0=1.25, p=0.75, list="list.csv", output="rows.npy")
+    wanted = np.load("rows.npy")
+    found = stillpoint.motions(f, delta, 1.25, 0.75, times=True)
+    assert [*found] == ["peak_amplitude", "half_cycles", "outcome", "stop_position", "stop_time"]
+    for name, values in found.items():
+        assert values.tobytes() == wanted[name].tobytes(), name
+    assert stillpoint.peak(f, delta, 1.25, 0.75).tobytes() == found.peak_amplitude.tobytes()
+
+
+def test_single_damper_is_that_of_simulate():
+    for f, delta in zip(*dampers(20)):
+        response = stillpoint.simulate(v0=1, p=1, f=f, delta=delta).response
+        found = stillpoint.motions(f, delta, 1, 1, times=True, acceleration=True)
+        assert stillpoint.peak(f, delta, 1.0, 1.0) == response.peak_amplitude
+        assert found.peak_amplitude.shape == ()
+        for name in found:
+            value = stillpoint.outcomes[found[name]] if name == "outcome" else found[name]
+            assert value == response[name], name
+
+
+def test_more_than_a_block_is_as_its_parts():
+    f, delta = dampers(600_000)  # a block has 262 144
+    whole = stillpoint.motions(f, delta, 1, 1)
+    part = stillpoint.motions(f[250_000:300_000], delta[250_000:300_000], 1, 1)
+    for name, values in part.items():
+        assert values.tobytes() == whole[name][250_000:300_000].tobytes(), name
+
+
+def test_arrays_broadcast():
+    f, delta = np.linspace(0.01, 0.3, 5), np.linspace(0, 0.4, 3)
+    plane = stillpoint.motions(f[:, None], delta, 1, 1)
+    assert plane.peak_amplitude.shape == plane.outcome.shape == (5, 3)
+    assert plane.peak_amplitude[4, 1] == stillpoint.peak(f[4], delta[1], 1, 1)
+    assert stillpoint.peak(f, 0.1, np.full(5, 2.0), 1).shape == (5,)
+    assert stillpoint.peak(np.array([0.1]), 0.1, 1, 1).shape == (1,)
+    assert stillpoint.peak(f[::2], 0.1, 1, 1).tolist() == stillpoint.peak(f, 0.1, 1, 1)[::2].tolist()
+    assert stillpoint.peak([], [], 1, 1).shape == (0,)
+    with pytest.raises(stillpoint.InputError, match="broadcast"):
+        stillpoint.peak(f, delta, 1, 1)
+
+
+def test_numbers_of_any_kind_are_taken():
+    wanted = stillpoint.peak(0.25, 0.5, 2.0, 1.0)
+    assert isinstance(wanted, float)
+    assert stillpoint.peak(f=0.25, delta=0.5, v0=2, p=1) == wanted
+    assert stillpoint.peak(np.float64(0.25), np.float32(0.5), np.int64(2), 1) == wanted
+    found = stillpoint.region(v0=np.int64(1), p=np.float64(1), beta=np.float32(0.75))
+    assert found.region == stillpoint.region(v0=1.0, p=1.0, beta=0.75).region
+
+
+@pytest.mark.parametrize("entries", [100, 600_000])
+def test_wrong_entry_is_named(entries):
+    f, delta = dampers(entries)
+    f[entries - 7] = -1
+    f[entries - 3] = np.nan
+    for function in stillpoint.peak, stillpoint.motions:
+        with pytest.raises(stillpoint.InputError, match=rf"^f\[{entries - 7}\] = -1: must be"):
+            function(f, delta, 1, 1)
+
+
+def test_wrong_arguments_are_refused():
+    for arguments in ("a", 0, 1, 1), (0, [0, "b"], 1, 1), (0, 0, 1j, 1):
+        with pytest.raises(stillpoint.InputError, match="must be a number or an array"):
+            stillpoint.peak(*arguments)
+    with pytest.raises(stillpoint.InputError, match="^p = 0: must be"):
+        stillpoint.peak(0.1, 0.1, 1.0, 0.0)
+    with pytest.raises(stillpoint.InputError, match="threads = -1"):
+        stillpoint.motions([0.1], 0.1, 1, 1, threads=-1)
+    with pytest.raises(TypeError):
+        stillpoint.peak(0.1, 0.1)
+
+
+def test_half_cycles_are_limited():
+    with pytest.raises(stillpoint.InputError, match="half-cycles"):
+        stillpoint.motions([0.1, 1e-5], 1e-9, 1, 1, half_cycle_limit=100)
+
+
+def test_no_result_depends_on_threads():
+    f, delta = dampers(100_000)
+    for function in stillpoint.peak, lambda *a, **k: stillpoint.motions(*a, **k).stop_position:
+        one, many = (function(f, delta, 1, 1, threads=n) for n in (1, 7))
+        assert one.tobytes() == many.tobytes()
+
+
+def test_python_threads_run_side_by_side():
+    f, delta = dampers(50_000)
+    wanted = stillpoint.motions(f, delta, 1, 1).peak_amplitude.tobytes()
+    design = stillpoint.design(v0=1, p=1, beta=0.9).design
+    with ThreadPoolExecutor(8) as pool:
+        peaks = [pool.submit(stillpoint.motions, f, delta, 1, 1) for _ in range(16)]
+        designs = [pool.submit(stillpoint.design, v0=1, p=1, beta=0.9) for _ in range(16)]
+        assert all(peak.result().peak_amplitude.tobytes() == wanted for peak in peaks)
+        assert all(one.result().design == design for one in designs)
+
+
+def references(function, objects):
+    """By how much `function`, run 50 times, changes the count of each object."""
+    def counts():
+        return [sys.getrefcount(one) for one in objects]
+
+    function()
+    before = counts()
+    for _ in range(50):
+        function()
+    return [after - count for after, count in zip(counts(), before)]
+
+
+def test_references_are_given_back():
+    f, delta = dampers(1000)
+    options = {"v0": 1.5, "p": 1.25, "beta": 2.5}
+    wrong = {"v0": "a", "p": 1.25, "beta": 2.5}
+
+    def refused():
+        with pytest.raises(stillpoint.InputError):
+            stillpoint.region(**wrong)
+
+    objects = [f, delta, options, wrong, *options.values(), stillpoint.Fields]
+    for function in (lambda: stillpoint.peak(f, delta, 1, 1), lambda: stillpoint.motions(f, delta, 1, 1),
+                     lambda: stillpoint.region(**options).region, lambda: stillpoint.design(options).report,
+                     lambda: stillpoint.sweep(v0=1, p=1, f=f, delta=0.1).rows, refused):
+        assert references(function, objects) == [0] * len(objects)
+
+
+def test_trajectory_keeps_its_memory():
+    result = stillpoint.simulate(v0=1, p=1, f=0.02, delta=0.02, samples=1000)
+    count = sys.getrefcount(result)
+    rows = result.trajectory
+    assert sys.getrefcount(result) == count + 1
+    first = rows.copy()
+    del result
+    junk = [stillpoint.simulate(v0=2, p=1, f=0.02, delta=0.02, samples=1000) for _ in range(20)]
+    assert len(junk) == 20 and rows.tobytes() == first.tobytes()
+    with pytest.raises(ValueError, match="read-only"):
+        rows["x"] = 0

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Wrong input has the program's text, doubtful input its warning; an interrupt ends a run."""
+
+import os
+import signal
+import threading
+
+import pytest
+
+import stillpoint
+
+SLOW = {"excitation": "harmonic", "k": 0.2, "lambda_": 0.35, "t_end": 1e12}
+
+
+@pytest.mark.parametrize("command,options", [
+    ("design", {"v0": -1, "p": 1, "beta": 0.9}),
+    ("design", {"v0": float("nan"), "p": 1, "beta": 0.9}),
+    ("design", {"v0": 1, "p": 1}),
+    ("design", {"v0": 1, "velocity": 1, "p": 1, "beta": 1}),
+    ("design", {"v0": 1, "p": 1, "beta": 0.9, "objective": "beauty"}),
+    ("design", {"v0": 1, "p": 1, "beta": 0.9, "algorithm": ""}),
+    ("design", {"v0": "1:0", "p": 1, "beta": 0.9}),
+    ("design", {"velocity": "3kg", "period": 1, "max_displacement": 1}),
+    ("design", {"record": "nowhere.at2", "period": 1, "max_displacement": 1}),
+    ("region", {"v0": 1.0, "p": 0.0, "beta": 0.9}),
+    ("region", {"v0": 1, "p": 1, "beta": 1, "delta": 0.1}),
+    ("simulate", {"v0": 1, "p": 1, "f": 1e-12, "delta": 1e-12}),
+    ("simulate", {"v0": 1, "p": 1, "f": 0.1, "delta": 0, "excitation": "harmonic", "k": 1}),
+    ("sweep", {"v0": 1, "p": 1, "f": "0:1", "delta": 0}),
+    ("sweep", {"v0": 1, "p": 1, "f": "-1:1:5", "delta": 0}),
+    ("sweep", {"v0": 1, "p": 1, "f": 0.1, "delta": 0, "columns": "colour"}),
+])
+def test_text_is_that_of_the_program(program, command, options):
+    with pytest.raises(stillpoint.InputError) as caught:
+        getattr(stillpoint, command)(**options)
+    assert str(caught.value) == program.error(command, **options)
+    assert isinstance(caught.value, ValueError)
+
+
+@pytest.mark.parametrize("options,text", [
+    ({"vo": 1}, "vo: unknown option; did you mean v0?"),
+    ({"f": 0.1}, "f: is not an option of design"),
+    ({"json": True}, "json: is not an option of design"),
+    ({"v0": "fast"}, 'v0 = "fast": must be a number'),
+    ({"v0": 1 + 1j}, "v0 = (1+1j): must be a number, a text or a list of them"),
+    ({"v0": 10**30}, "v0 = 1000000000000000000000000000000: must be a whole number of at most 18 digits"),
+    ({"arrivals": 1.5}, "arrivals = 1.5: must be a whole number"),
+    ({"beta": [1, 2]}, "beta = [1,2]: must be a number"),
+])
+def test_what_only_python_can_get_wrong_is_named(options, text):
+    with pytest.raises(stillpoint.InputError) as caught:
+        stillpoint.design(**options)
+    assert str(caught.value) == text
+
+
+def test_scene_is_refused_as_the_program_does(program):
+    (program.folder / "scene.json").write_text('{"v0": 1,\n "p": }')
+    with pytest.raises(stillpoint.InputError) as caught:
+        stillpoint.design("scene.json")
+    assert str(caught.value) == program.error("design", scene="scene.json")
+
+
+def test_doubtful_value_is_warned_of(program):
+    options = {"velocity": 0.4, "period": 2.8, "max_displacement": 150}
+    with pytest.warns(UserWarning) as caught:
+        stillpoint.design(**options)
+    said = program.run("design", **options).stderr
+    assert f"warning: {caught[0].message}" in said
+
+
+@pytest.fixture
+def interrupt():
+    """An interrupt from another thread, a moment from now."""
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    yield
+    timer.join()
+
+
+def test_interrupt_ends_a_motion(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.simulate(v0=0.5, p=1, f=0.18, delta=0, **SLOW)
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_interrupt_ends_a_sweep(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.sweep(v0=1, p=1, f="1e-7:1.1e-7:1000000", delta=0.001, columns="peak_amplitude")
+
+
+def test_interrupt_ends_arrays(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        while True:
+            stillpoint.motions([1e-6] * 1000, 1e-12, 1, 1)

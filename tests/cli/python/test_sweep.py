@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""The rows of a sweep in memory against those that the program writes."""
+
+import numpy as np
+import pytest
+from conftest import ROOT, timeless
+
+import stillpoint
+
+SWEEPS = [
+    {"v0": 1, "p": 1, "f": "0.001:0.35:50", "delta": "0:0.5:50"},
+    {"v0": 1, "p": 1, "f": "1e-3:0.3:200:log", "delta": 0.01, "times": ""},
+    {"v0": 1, "p": 1, "beta": "0.6:0.95:30"},
+    {"velocity": "300mm/s:500mm/s:3", "period": "2.8s", "f": "0.01,0.02", "delta_m": "5mm"},
+    {"p": 1, "f": "0.05:0.2:16", "delta": 0, "excitation": "harmonic", "k": 0.2, "lambda_": 0.35,
+     "t_end": 20},
+    {"v0": 1, "p": 1, "f": 0.1, "delta": "0:0.5:9", "columns": "delta,outcome"},
+]
+
+
+@pytest.mark.parametrize("options", SWEEPS)
+def test_rows_are_those_of_the_program(program, options):
+    flags = {key: value for key, value in options.items() if value != ""}
+    arguments = ["--times"] if "times" in options else []
+    program.run("sweep", *arguments, output="rows.npy", **flags)
+    wanted = np.load("rows.npy")
+    found = stillpoint.sweep(**{key: value if value != "" else True for key, value in options.items()})
+    assert found.rows.dtype == wanted.dtype
+    assert found.rows.tobytes() == wanted.tobytes()
+
+
+def test_axis_may_be_an_array():
+    f, delta = np.linspace(0.001, 0.35, 11), np.linspace(0, 0.5, 7)
+    found = stillpoint.sweep(v0=1, p=1, f=f, delta=delta)
+    wanted = stillpoint.sweep(v0=1, p=1, f="0.001:0.35:11", delta="0:0.5:7")
+    assert found.rows.tobytes() == wanted.rows.tobytes()
+    assert np.array_equal(found.rows["f"].reshape(11, 7)[:, 0], f)
+
+
+def test_list_is_read(program):
+    (program.folder / "list.csv").write_text("f,delta\n0.1,0.2\n0.2,0.1\n")
+    found = stillpoint.sweep(v0=1, p=1, list="list.csv")
+    assert found.rows["f"].tolist() == [0.1, 0.2]
+
+
+def test_report_is_that_of_the_program(program):
+    axes = {"v0": 1, "p": 1, "f": "0.001:0.35:20", "delta": "0:0.5:20"}
+    wanted = timeless(program.report("sweep", output="rows.npy", **axes))
+    found = timeless(stillpoint.sweep(**axes).report)
+    assert found.pop("output") == {**wanted.pop("output"), "file": None}
+    assert found == wanted
+
+
+def test_output_goes_to_a_file(program):
+    axes = {"v0": 1, "p": 1, "f": "0:0.35:20", "delta": 0.1}
+    found = stillpoint.sweep(output="here.csv", **axes)
+    program.run("sweep", output="there.csv", **axes)
+    assert found.rows is None
+    assert (program.folder / "here.csv").read_bytes() == (program.folder / "there.csv").read_bytes()
+
+
+def test_rows_outlive_the_result():
+    rows = stillpoint.sweep(v0=1, p=1, f="0:0.3:1000", delta=0.1).rows
+    copy = rows.copy()
+    junk = [stillpoint.sweep(v0=1, p=1, f="0:0.3:1000", delta=0.2) for _ in range(20)]
+    assert len(junk) == 20 and rows.tobytes() == copy.tobytes()
+
+
+def test_no_result_depends_on_threads():
+    axes = {"v0": 1, "p": 1, "f": "0:0.3:300", "delta": "0:0.4:100"}
+    one, many = (stillpoint.sweep(threads=n, **axes) for n in (1, 5))
+    assert one.rows.tobytes() == many.rows.tobytes()
+
+
+def test_record_is_what_the_program_follows():
+    found = stillpoint.read_record(ROOT / "data/records/near_fault_pulse.txt")
+    assert found.times.shape == found["values"].shape and found.times[0] == 0
+    assert found.times.dtype == found["values"].dtype == np.float64
+    half = stillpoint.read_record(ROOT / "data/records/near_fault_pulse.txt", record_scale=0.5)
+    assert np.array_equal(half["values"], found["values"] / 2)
