@@ -38,12 +38,7 @@ void check(const RecordOptions& options) {
   if (options.step && !options.clock.holds_step(*options.step)) {
     throw InputError("record-step", *options.step, step_bounds(options.clock));
   }
-  const double magnitude = std::abs(options.scale);
-  if (!(magnitude >= smallest_scale && magnitude <= largest_scale)) {
-    throw InputError(
-        "record-scale", options.scale,
-        fmt::format("must have a magnitude from {} to {}", smallest_scale, largest_scale));
-  }
+  require_scale(options.scale);
   require_within("gravity", options.gravity_m_per_s2, smallest_scale, largest_scale);
 }
 
@@ -65,6 +60,14 @@ std::string without_channel(const std::string& path, std::size_t& channel) {
 }
 
 }  // namespace
+
+void require_scale(double scale) {
+  if (!(std::abs(scale) >= smallest_scale && std::abs(scale) <= largest_scale)) {
+    throw InputError(
+        "record-scale", scale,
+        fmt::format("must have a magnitude from {} to {}", smallest_scale, largest_scale));
+  }
+}
 
 RecordFile parse_record(std::string_view text, const std::string& path,
                         const RecordOptions& options) {

@@ -80,7 +80,9 @@ RecordFile read_smc(RecordReader& reader) {
     skip(reader, 1);
     if (line <= 6) {
       const std::string title = single_spaced(reader.line());
-      description += title.empty() || title == "*" ? "" : title + "; ";
+      if (!title.empty() && title != "*") {
+        description += (description.empty() ? "" : "; ") + title;
+      }
     }
   }
   const SmcNumber comments = smc_number(reader, integer_lines, integer_width, 16);

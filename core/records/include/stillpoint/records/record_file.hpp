@@ -60,6 +60,9 @@ struct RecordFile {
   RecordUnits units{RecordUnits::g};
 };
 
+/// Throws InputError, "record-scale", unless 1e-100 <= |scale| <= 1e100.
+void require_scale(double scale);
+
 inline constexpr std::size_t largest_record_bytes = std::size_t{64} << 20U;
 
 /// Reads a record in any format of docs/records.md. FILE#2 is channel 2 of FILE, unless there is a
