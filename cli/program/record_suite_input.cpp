@@ -107,8 +107,10 @@ std::vector<ListedRecord> listed_records(const std::string& path) {
 }
 
 std::vector<ListedRecord> asked_records(const Settings& settings) {
+  std::vector<std::string> paths = settings.texts("record");
   std::vector<ListedRecord> asked;
-  for (std::string& path : settings.texts("record")) {
+  asked.reserve(paths.size());
+  for (std::string& path : paths) {
     asked.push_back({std::move(path)});
   }
   const RecordTarget target = record_target(settings);
@@ -142,8 +144,10 @@ std::vector<design::SuiteRecord> read_suite(const Settings& settings,
   const RecordScaling scaling(settings, clock, p);
   const double scale_of_all = settings.number("record-scale").value_or(1);
   records::require_scale(scale_of_all);
+  const std::vector<ListedRecord> asked = asked_records(settings);
   std::vector<design::SuiteRecord> suite;
-  for (const auto& [path, scale, target] : asked_records(settings)) {
+  suite.reserve(asked.size());
+  for (const auto& [path, scale, target] : asked) {
     Record record = records::read_record(path, options).record;
     const double factor = scale_of_all * scale * scaling.factor(record, path, target);
     suite.push_back({path, std::move(record), factor});

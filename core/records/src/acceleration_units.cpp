@@ -38,7 +38,7 @@ void replace_all(std::string& text, string_view old, string_view now) {
   }
 }
 
-std::optional<RecordUnits> acceleration(string_view word) {
+std::optional<RecordUnits> acceleration_named(string_view word) {
   const auto* const found =
       std::ranges::find(accelerations, word, &std::pair<string_view, RecordUnits>::first);
   return found == accelerations.end() ? std::nullopt : std::optional(found->second);
@@ -60,12 +60,12 @@ std::string normal_units(string_view line) {
 }
 
 bool must_be_units(string_view word) {
-  return acceleration(word) || std::ranges::count(velocities, word) > 0;
+  return acceleration_named(word) || std::ranges::count(velocities, word) > 0;
 }
 
 RecordUnits read_units(const RecordReader& reader, string_view word) {
   const std::string units = normal_units(word);
-  if (const auto found = acceleration(units)) {
+  if (const auto found = acceleration_named(units)) {
     return *found;
   }
   const string_view fault = std::ranges::count(velocities, units) > 0 ? "are those of a velocity"

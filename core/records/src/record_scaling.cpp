@@ -145,13 +145,12 @@ double spectral_acceleration(const Record& record, double p) {
         "record-spectrum-period", period,
         fmt::format("in tau must be at least {:.6g}, the mean time between two values", shortest));
   }
-  const auto time = [&record](std::size_t i) {
-    return record.times.empty() ? static_cast<double>(i) * record.step : record.times[i];
+  const auto interval = [&record](std::size_t i) {
+    return record.times.empty() ? record.step : record.times[i + 1] - record.times[i];
   };
   LinearOscillator oscillator;
   for (std::size_t i = 0; i + 1 < record.values.size(); ++i) {
-    oscillator.follow(record.values[i], record.values[i + 1] - record.values[i],
-                      p * (time(i + 1) - time(i)));
+    oscillator.follow(record.values[i], record.values[i + 1] - record.values[i], p * interval(i));
   }
   oscillator.follow(0, 0, 3.5);  // its first turn is at most pi/sqrt(1 - zeta^2) = 3.15 later
   return oscillator.most();

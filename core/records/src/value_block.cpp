@@ -111,8 +111,9 @@ std::vector<std::string_view> fields_of(std::string_view line, std::size_t width
 std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
                                double (*parse)(const RecordReader&, std::string_view)) {
   std::vector<double> values;
-  // The header may promise more than the file holds: a value takes at least one byte.
-  values.reserve(std::min(block.count, reader.bytes_left()));
+  // The header may promise more than the file holds: a value takes a field, or two bytes.
+  values.reserve(
+      std::min(block.count, reader.bytes_left() / std::max<std::size_t>(block.width, 2) + 1));
   while (values.size() < block.count && reader.next()) {
     const auto fields = fields_of(reader.line(), block.width);
     for (const std::string_view field : fields) {

@@ -30,7 +30,7 @@ constexpr double hand_tolerance = 1e-12;
 /// 0.4 g at 0 s, -0.2 g at 1 s, 0 at 2 s.
 constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
 /// 0.25 g for 5 s.
-constexpr const char* long_load = "0 0.25\n5 0.25\n";
+constexpr const char* long_load = "0 0.25\n1 0.25\n2 0.25\n3 0.25\n4 0.25\n5 0.25\n";
 
 /// What the displacement under a load that stays overshoots to.
 const double overshoot = 1 + std::exp(-std::numbers::pi * 0.05 / std::sqrt(1 - 0.05 * 0.05));
