@@ -3,6 +3,7 @@
 
 #include "excitation_kinds.hpp"
 #include "motion_input.hpp"
+#include "record_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -77,27 +78,26 @@ Harmonic wave(const Settings& settings, std::string_view what, const ExcitationK
 }
 
 ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
-                       double gravity) {
-  records::RecordOptions options;
-  options.step = settings.number("record-step");
-  if (const auto given = settings.with_unit("record-step"); given && clock.unit != "s") {
-    throw InputError("record-step", *given,
-                     "must be a number without a unit: without physical input times are in tau");
-  }
-  if (const auto units = settings.known("record-units")) {
-    options.units = records::parse_record_units(*units);
-  }
+                       std::optional<double> p) {
+  records::RecordOptions options = record_options(settings, clock);
   options.scale = settings.number("record-scale").value_or(1);
-  options.gravity_m_per_s2 = gravity;
-  options.clock = clock;
   const auto path = settings.text("record");
   if (!path) {
     throw InputError::missing("record", "give --record FILE");
   }
   records::RecordFile file = records::read_record(*path, options);
+  const RecordTarget target = record_target(settings);
+  const double factor = RecordScaling(settings, clock, p).factor(file.record, *path, target);
+  if (target.is_given()) {
+    for (double& value : file.record.values) {
+      value *= factor;
+    }
+  }
   return {std::move(file.record),
           report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
-                               settings.number("record-step"), settings.number("record-scale")}};
+                               settings.number("record-step"), settings.number("record-scale"),
+                               target.peak, target.spectrum,
+                               settings.number("record-spectrum-period"), options.scale * factor}};
 }
 
 }  // namespace
@@ -108,7 +108,8 @@ std::optional<std::string> excitation_type(const Settings& settings) {
 }
 
 std::optional<ExcitationInput> excitation_input(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical, double p) {
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical,
+    std::optional<double> p) {
   const auto type = excitation_type(settings);
   const ExcitationKind* const kind = type ? find_excitation_kind(*type) : nullptr;
   refuse_others(settings, kind);
@@ -119,10 +120,11 @@ std::optional<ExcitationInput> excitation_input(
   if (kind->wave != nullptr) {
     input.excitation = kind->wave(wave(settings, "excitation", *kind, time_unit(physical)));
   } else {
+    // One that is scaled to its spectrum at the period of a motion needs that there is one motion.
     input = record(settings,
-                   physical ? records::RecordClock{"s", physical->scales.time_s, p}
-                            : records::RecordClock{"tau", 1, p},
-                   settings.number("gravity").value_or(design::Scales().gravity_m_per_s2));
+                   physical ? records::RecordClock{"s", physical->scales.time_s, p.value_or(1)}
+                            : records::RecordClock{"tau", 1, p.value_or(1)},
+                   p);
   }
   require_valid(input.excitation);
   return input;

@@ -25,11 +25,12 @@ struct ExcitationInput {
 [[nodiscard]] std::optional<std::string> excitation_type(const Settings& settings);
 
 /// Empty for a free motion. With physical input frequencies are in hertz and the times of a record
-/// in seconds; `p` is that of the motion, 1 where there are several.
+/// in seconds; `p` is that of the motion, empty where there are several.
 /// Throws UsageError for options that exclude each other, FileError for a wrong file and InputError
 /// for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical, double p);
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical,
+    std::optional<double> p);
 
 /// --end-time or --t-end, in tau; empty where neither is given. Throws InputError.
 [[nodiscard]] std::optional<double> end_of_run(

@@ -45,8 +45,12 @@ std::span<const ExcitationKind> excitation_kinds() {
       ExcitationKind{"half-sine", pulse, pi, of<Excitation, HalfSine>, of<Pulse, HalfSine>},
       ExcitationKind{"full-sine", pulse, 2 * pi, of<Excitation, FullSine>, of<Pulse, FullSine>},
       ExcitationKind{"rectangle", pulse, pi, of<Excitation, Rectangle>, of<Pulse, Rectangle>},
-      ExcitationKind{
-          "record", {"record", "record-units", "record-step", "record-scale"}, 0, nullptr, nullptr},
+      ExcitationKind{"record",
+                     {"record", "record-units", "record-step", "record-scale", "record-peak",
+                      "record-spectrum", "record-spectrum-period"},
+                     0,
+                     nullptr,
+                     nullptr},
   };
   return table;
 }

@@ -65,6 +65,7 @@ enum class Rivals {
   duration,
   end,
   notch,
+  record_scale,
 };
 
 using records::Dimension;

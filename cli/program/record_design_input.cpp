@@ -2,12 +2,11 @@
 #include "record_design_input.hpp"
 
 #include "motion_input.hpp"
+#include "record_suite_input.hpp"
 #include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/record_file.hpp>
-#include <stillpoint/records/record_list.hpp>
-#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -16,16 +15,17 @@
 #include <limits>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
 namespace stillpoint::cli {
 
 namespace {
 
 /// What a design for a hit does not take.
-constexpr std::array only_of_records{
-    "combine", "records-list", "search-f",    "search-delta-m", "search-period",
-    "hold",    "record-units", "record-step", "record-scale",   "threads"};
+constexpr std::array only_of_records{"combine",        "records-list",    "search-f",
+                                     "search-delta-m", "search-period",   "hold",
+                                     "record-units",   "record-step",     "record-scale",
+                                     "record-peak",    "record-spectrum", "record-spectrum-period",
+                                     "threads"};
 
 /// What a design under records does not take.
 constexpr std::array only_of_hits{"criterion",       "arrivals",       "tolerance-f",
@@ -59,31 +59,6 @@ std::optional<design::SearchRange> search_range(const Settings& settings, std::s
         fmt::format("must be LOW:HIGH with 0 <= LOW <= HIGH <= {:.3g}", largest_physical));
   }
   return range;
-}
-
-std::vector<design::SuiteRecord> read_suite(const Settings& settings,
-                                            const records::RecordClock& clock) {
-  std::vector<records::ListedRecord> files;
-  for (std::string& path : settings.texts("record")) {
-    files.push_back({std::move(path), 1});
-  }
-  if (const auto list = settings.text("records-list")) {
-    std::ranges::copy(records::read_record_list(*list), std::back_inserter(files));
-  }
-  records::RecordOptions options;
-  options.step = settings.number("record-step");
-  if (const auto units = settings.known("record-units")) {
-    options.units = records::parse_record_units(*units);
-  }
-  options.scale = settings.number("record-scale").value_or(1);
-  options.gravity_m_per_s2 = settings.number("gravity").value_or(options.gravity_m_per_s2);
-  options.clock = clock;
-  std::vector<design::SuiteRecord> suite;
-  suite.reserve(files.size());
-  for (const auto& [path, scale] : files) {
-    suite.push_back({path, records::read_record(path, options).record, scale});
-  }
-  return suite;
 }
 
 /// With the longest period where only the range of the search is given.
@@ -167,9 +142,11 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   input.physical = start.physical;
   design::RecordDesignRequest& request = input.request;
   const double length = start.physical ? start.physical->scales.length_m : 1;
-  request.records = read_suite(
-      settings, start.physical ? records::RecordClock{"s", start.physical->scales.time_s, start.p}
-                               : records::RecordClock{"tau", 1, start.p});
+  request.records =
+      read_suite(settings,
+                 start.physical ? records::RecordClock{"s", start.physical->scales.time_s, start.p}
+                                : records::RecordClock{"tau", 1, start.p},
+                 periods ? std::nullopt : std::optional(start.p));
   request.p = {start.p, start.p};
   if (periods) {
     require_within("search-period", periods->low, smallest_physical, largest_physical);

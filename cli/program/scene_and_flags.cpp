@@ -52,9 +52,10 @@ void drop_excitation(const Settings& flags, Settings& scene) {
 void keep_one_design(const Settings& flags, Settings& settings) {
   constexpr std::array<std::string_view, 7> hit{
       "v0", "velocity", "pulse", "k", "lambda", "pulse-duration", "excitation-frequency"};
-  constexpr std::array<std::string_view, 11> records{
-      "record",   "records-list", "record-units",   "record-step",   "record-scale", "combine",
-      "search-f", "hold",         "search-delta-m", "search-period", "threads"};
+  constexpr std::array<std::string_view, 14> records{
+      "record",      "records-list",    "record-units",           "record-step", "record-scale",
+      "record-peak", "record-spectrum", "record-spectrum-period", "combine",     "search-f",
+      "hold",        "search-delta-m",  "search-period",          "threads"};
   const auto any = [](const Settings& given, std::span<const std::string_view> names) {
     return std::ranges::any_of(names, [&](std::string_view name) { return given.has(name); });
   };

@@ -172,7 +172,7 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
 void add_motion(const Settings& settings, SweepSpec& spec) {
   spec.half_cycle_limit = half_cycle_limit(settings);
   spec.zones = friction_zones(settings, physical_scales(spec.units));
-  const auto input = excitation_input(settings, physical_scales(spec.units), 1);
+  const auto input = excitation_input(settings, physical_scales(spec.units), {});
   if (!input) {
     return;
   }

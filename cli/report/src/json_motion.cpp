@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/report.hpp>
 #include "json_parts.hpp"
 
@@ -27,14 +28,21 @@ ordered_json excitation_json(const Excitation& excitation,
                     {"samples", nullptr},
                     {"record_units", text_or_null(origin.units.value_or(""))},
                     {"record_step", number(origin.step)},
-                    {"record_scale", number(origin.scale)}};
+                    {"record_scale", number(origin.scale)},
+                    {"record_peak", number(origin.peak)},
+                    {"record_spectrum", number(origin.spectrum)},
+                    {"record_spectrum_period", number(origin.spectrum_period)},
+                    {"record_factor", nullptr},
+                    {"pga", nullptr}};
   std::visit(
-      [&json](const auto& kind) {
+      [&](const auto& kind) {
         if constexpr (requires { kind.lambda; }) {
           json["k"] = number(kind.k);
           json["lambda"] = number(kind.lambda);
         } else if constexpr (requires { kind.values; }) {
           json["samples"] = kind.values.size();
+          json["record_factor"] = number(origin.factor);
+          json["pga"] = number(records::peak_acceleration(kind));
         }
         if constexpr (requires { kind.phase; }) {
           json["phase"] = number(kind.phase);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json_parts.hpp"
 
+#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/record_design.hpp>
 
 #include <cmath>
@@ -87,8 +88,10 @@ ordered_json records_json(const design::RecordDesign& result, const SuiteUnits& 
     const design::SuiteRecord& record = result.request.records[i];
     const ForcedResponse& response = result.finding->responses[i];
     const double residual = std::abs(response.stop_position.value());
+    const double pga = std::abs(record.scale) * records::peak_acceleration(record.record);
     list.push_back({{"file", record.name},
                     {"scale", number(record.scale)},
+                    {"pga", number(pga)},
                     {"peak_amplitude", number(response.peak_amplitude)},
                     {"peak_m", units.metres(response.peak_amplitude)},
                     {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include "sections.hpp"
 
@@ -113,7 +114,7 @@ void add_damper(Document& document, const RecordDesignReport& report) {
 void add_records(Document& document, const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const Physical& physical = report.physical;
-  Table table{{"record", "peak", "residual", "acceleration", "locked from"}, {}};
+  Table table{{"record", "PGA", "peak", "residual", "acceleration", "locked from"}, {}};
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const ForcedResponse& response = result.finding->responses[i];
     const std::string& path = result.request.records[i].name;
@@ -121,6 +122,8 @@ void add_records(Document& document, const RecordDesignReport& report) {
     table.rows.push_back(
         {{(scale == 1 ? "" : format("{:.4g} x ", scale)) +
               spelled_out(path.substr(path.rfind('/') + 1)),
+          acceleration_shown(std::abs(scale) *
+                             records::peak_acceleration(result.request.records[i].record)),
           length_shown(physical, response.peak_amplitude),
           length_shown(physical, std::abs(response.stop_position.value())),
           acceleration_shown(response.peak_absolute_acceleration),

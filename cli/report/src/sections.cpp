@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sections.hpp"
 
+#include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/digits.hpp>
 
 #include <fmt/format.h>
@@ -88,6 +89,10 @@ void add_excitation(Section& section, const Excitation& excitation,
     section.row("record", spelled_out(record->file));
     if (!record->description.empty()) {
       section.row("", spelled_out(record->description));
+    }
+    if (record->factor != 1) {
+      section.row("", format("times {:.6g}; the peak is then {:.6g} g", record->factor,
+                             records::peak_acceleration(std::get<Record>(excitation))));
     }
   }
   if (const auto lasts = duration(excitation)) {

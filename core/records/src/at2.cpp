@@ -6,8 +6,8 @@
 
 #include "at2_parts.hpp"
 #include "record_reader.hpp"
+#include "value_block.hpp"
 
-#include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
@@ -79,23 +79,6 @@ Header read_header(RecordReader& reader) {
   }
   reader.refuse(
       "no NPTS and DT up to here: a PEER record has a line such as NPTS= 2000, DT= .02 SEC");
-}
-
-void check_against_options(const Header& header, const RecordReader& reader) {
-  const RecordOptions& options = reader.options();
-  reader.refuse_step(header.line, "the file gives DT");
-  if (!options.clock.holds_step(header.counts.step)) {
-    reader.refuse(header.line,
-                  fmt::format("DT = {}: {}", header.counts.step, step_bounds(options.clock)));
-  }
-  if (header.units && options.units && *header.units != *options.units) {
-    reader.refuse(header.units_line, fmt::format("the values are in {}, but record-units = {}",
-                                                 name(*header.units), name(*options.units)));
-  }
-}
-
-bool is_number(std::string_view word) {
-  return scan_fortran_number(word).fault != NumberFault::no_number;
 }
 
 std::size_t count_words(std::string_view line) {
@@ -174,10 +157,10 @@ std::vector<double> read_values(RecordReader& reader, const Header& header) {
 
 RecordFile read_at2(RecordReader& reader) {
   const Header header = read_header(reader);
-  check_against_options(header, reader);
+  const double step = reader.file_step(header.line, "DT", header.counts.step);
   const RecordUnits units = header.units.value_or(reader.options().units.value_or(RecordUnits::g));
-  reader.set_units(units);
-  return {{read_values(reader, header), header.counts.step / reader.options().clock.per_tau, {}},
+  reader.set_units(units, header.units_line);
+  return {{read_values(reader, header), step, {}},
           printable(header.titles, longest_description),
           units};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "at2_parts.hpp"
+#include "value_block.hpp"
 
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,12 +69,7 @@ class CountLine {
 
   [[nodiscard]] std::size_t count() const {
     const HeaderWord& word = number_of("NPTS", npts_, npts_ > dt_);
-    const double count = *word.number;
-    if (count < 1 || count > largest_count || count != std::floor(count)) {
-      reader_.refuse(fmt::format("NPTS = {}: must be a whole number from 1 to {:.0f}", word.text,
-                                 largest_count));
-    }
-    return static_cast<std::size_t>(count);
+    return whole_count(reader_, "NPTS", word.text, *word.number);
   }
 
   [[nodiscard]] double step() const {
@@ -87,9 +82,6 @@ class CountLine {
   }
 
  private:
-  /// More values than a file within the size limit can hold.
-  static constexpr double largest_count = 1e9;
-
   [[nodiscard]] std::size_t index(std::string_view text) const {
     const auto found = std::ranges::find(words_, text, &HeaderWord::text);
     return static_cast<std::size_t>(found - words_.begin());

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
@@ -10,14 +11,18 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 namespace stillpoint::records {
 
 namespace {
 
 /// A file is read in the first format that recognises it. The columns, last, take any file.
-constexpr std::array formats{&at2_format, &columns_format};
+constexpr std::array formats{&esm_format, &knet_format, &csmip_format,  &cosmos_format,
+                             &smc_format, &at2_format,  &columns_format};
 
 constexpr Names units_names(std::to_array<Named<RecordUnits>>({
     {RecordUnits::g, "g"},
@@ -33,16 +38,36 @@ void check(const RecordOptions& options) {
   if (options.step && !options.clock.holds_step(*options.step)) {
     throw InputError("record-step", *options.step, step_bounds(options.clock));
   }
-  const double magnitude = std::abs(options.scale);
-  if (!(magnitude >= smallest_scale && magnitude <= largest_scale)) {
-    throw InputError(
-        "record-scale", options.scale,
-        fmt::format("must have a magnitude from {} to {}", smallest_scale, largest_scale));
-  }
+  require_scale(options.scale);
   require_within("gravity", options.gravity_m_per_s2, smallest_scale, largest_scale);
 }
 
+/// FILE of FILE#2, whose number goes into `channel`.
+std::string without_channel(const std::string& path, std::size_t& channel) {
+  const std::size_t sign = path.rfind('#');
+  std::error_code unreachable;
+  if (sign == std::string::npos || std::filesystem::exists(path, unreachable)) {
+    return path;
+  }
+  std::size_t number = 0;
+  const char* const end = path.data() + path.size();
+  const auto [stop, error] = std::from_chars(path.data() + sign + 1, end, number);
+  if (error != std::errc() || stop != end || number == 0) {
+    return path;
+  }
+  channel = number;
+  return path.substr(0, sign);
+}
+
 }  // namespace
+
+void require_scale(double scale) {
+  if (!(std::abs(scale) >= smallest_scale && std::abs(scale) <= largest_scale)) {
+    throw InputError(
+        "record-scale", scale,
+        fmt::format("must have a magnitude from {} to {}", smallest_scale, largest_scale));
+  }
+}
 
 RecordFile parse_record(std::string_view text, const std::string& path,
                         const RecordOptions& options) {
@@ -50,12 +75,18 @@ RecordFile parse_record(std::string_view text, const std::string& path,
   RecordReader reader(text, path, options);
   const auto* const format = std::ranges::find_if(
       formats, [&reader](const RecordFormat* each) { return each->recognises(reader); });
+  if (options.channel > 1 && !(*format)->has_channels) {
+    throw FileError({"record", path},
+                    fmt::format("holds one record, so there is no channel {}", options.channel));
+  }
   return (*format)->read(reader);
 }
 
 RecordFile read_record(const std::string& path, const RecordOptions& options) {
   check(options);
-  return parse_record(read_text_file("record", path, largest_record_bytes), path, options);
+  RecordOptions chosen = options;
+  const std::string file = without_channel(path, chosen.channel);
+  return parse_record(read_text_file("record", file, largest_record_bytes), file, chosen);
 }
 
 std::string_view name(RecordUnits units) noexcept {

@@ -5,10 +5,14 @@
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/units.hpp>
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace stillpoint::records {
 
@@ -16,11 +20,50 @@ namespace {
 
 constexpr std::size_t largest_list = std::size_t{1} << 20U;
 
-/// A file beside the list, or else from where the program runs.
+// In g; those of every physical value.
+constexpr double smallest_target = 1e-30;
+constexpr double largest_target = 1e30;
+
+/// A file or folder beside the list, or else from where the program runs. FILE#2 is as good.
 std::string beside(const std::string& list, const std::string& file) {
-  std::filesystem::path place = std::filesystem::path(list).parent_path() / file;
+  const std::filesystem::path folder = std::filesystem::path(list).parent_path();
   std::error_code unreachable;
-  return std::filesystem::exists(place, unreachable) ? place.string() : file;
+  for (const std::string& name : {file, file.substr(0, file.rfind('#'))}) {
+    if (std::filesystem::exists(folder / name, unreachable)) {
+      return (folder / file).string();
+    }
+  }
+  return file;
+}
+
+/// What the second column of a list holds.
+enum class Column { scale, peak, spectrum };
+
+Column header_column(const FilePlace& place, std::string_view line) {
+  for (const auto& [header, column] :
+       {std::pair{"file,scale", Column::scale}, std::pair{"file,peak", Column::peak},
+        std::pair{"file,spectrum", Column::spectrum}}) {
+    if (line == header) {
+      return column;
+    }
+  }
+  throw FileError(place, "must be the header file,scale, file,peak or file,spectrum");
+}
+
+/// Throws InputError.
+ListedRecord listed_record(std::string path, Column column, std::string_view text) {
+  if (column == Column::scale) {
+    const double scale = parse_number("scale", text);
+    if (scale == 0) {
+      throw InputError("scale", 0, "must not be 0");
+    }
+    return {std::move(path), scale};
+  }
+  const char* const name = column == Column::peak ? "peak" : "spectrum";
+  const double value = parse_value(name, Dimension::gravities, text);
+  require_within(name, value, smallest_target, largest_target);
+  return {std::move(path), 1,
+          column == Column::peak ? RecordTarget{value, {}} : RecordTarget{{}, value}};
 }
 
 }  // namespace
@@ -28,20 +71,16 @@ std::string beside(const std::string& list, const std::string& file) {
 std::vector<ListedRecord> read_record_list(const std::string& path) {
   const std::string text = read_text_file("records-list", path, largest_list);
   std::vector<ListedRecord> list;
+  Column column = Column::scale;
   std::size_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string line = text.substr(begin, end - begin);
-    begin = end + 1;
+  for (std::string_view line : split(text, '\n')) {
     ++number;
     if (line.ends_with('\r')) {
-      line.pop_back();
+      line.remove_suffix(1);
     }
     const FilePlace place{"records-list", path, number};
     if (number == 1) {
-      if (line != "file,scale") {
-        throw FileError(place, "must be the header file,scale");
-      }
+      column = header_column(place, line);
       continue;
     }
     if (line.empty() || line.starts_with('#')) {
@@ -49,14 +88,12 @@ std::vector<ListedRecord> read_record_list(const std::string& path) {
     }
     const std::size_t comma = line.rfind(',');
     if (comma == std::string::npos || comma == 0) {
-      throw FileError(place, "must be FILE,SCALE");
+      throw FileError(place,
+                      fmt::format("must be FILE,{}", column == Column::scale ? "SCALE" : "TARGET"));
     }
     try {
-      const double scale = parse_number("scale", line.substr(comma + 1));
-      if (scale == 0) {
-        throw InputError("scale", 0, "must not be 0");
-      }
-      list.push_back({beside(path, line.substr(0, comma)), scale});
+      list.push_back(listed_record(beside(path, std::string(line.substr(0, comma))), column,
+                                   line.substr(comma + 1)));
     } catch (const InputError& error) {
       throw FileError(place, error.what());
     }

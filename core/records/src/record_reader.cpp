@@ -74,6 +74,17 @@ void RecordReader::refuse_step(std::size_t line, std::string_view what) const {
   }
 }
 
+double RecordReader::file_step(std::size_t line, std::string_view name, double step) const {
+  refuse_step(line, fmt::format("the file gives {}", name));
+  if (!(step > 0)) {
+    refuse(line, fmt::format("{} = {}: must be more than 0", name, step));
+  }
+  if (!options_->clock.holds_step(step)) {
+    refuse(line, fmt::format("{} = {}: {}", name, step, step_bounds(options_->clock)));
+  }
+  return step / options_->clock.per_tau;
+}
+
 double RecordReader::parse_number(std::string_view word) const {
   const ScannedNumber scanned = scan_fortran_number(word);
   if (scanned.fault != NumberFault::none) {
@@ -88,6 +99,26 @@ void RecordReader::set_units(RecordUnits units) {
                                                    : 1;
 }
 
+void RecordReader::set_units(RecordUnits units, std::size_t line) {
+  if (options_->units && *options_->units != units) {
+    refuse(line, fmt::format("the values are in {}, but record-units = {}", name(units),
+                             name(*options_->units)));
+  }
+  set_units(units);
+}
+
+std::optional<double> RecordReader::in_g(double given) const {
+  const double value = given * options_->scale / units_per_g_;
+  const bool fits = std::isnormal(value) && std::abs(value) <= options_->clock.largest_load();
+  return given == 0 || fits ? std::optional(value) : std::nullopt;
+}
+
+std::string RecordReader::load_bounds() const {
+  return fmt::format(
+      "is out of range: in g it must be 0 or have a magnitude from 2.2e-308 to {:.3g}",
+      options_->clock.largest_load());
+}
+
 double RecordReader::parse_acceleration(std::string_view word) const {
   ScannedNumber given = scan_fortran_number(word);
   if (given.fault == NumberFault::out_of_range) {
@@ -95,14 +126,11 @@ double RecordReader::parse_acceleration(std::string_view word) const {
   } else if (given.fault != NumberFault::none) {
     refuse_word(word, explanation(given.fault));
   }
-  const double value = given.value * options_->scale / units_per_g_;
-  const double largest = options_->clock.largest_load();
-  if (given.value != 0 && !(std::isnormal(value) && std::abs(value) <= largest)) {
-    refuse_word(word, fmt::format("is out of range: in g it must be 0 or have a magnitude from "
-                                  "2.2e-308 to {:.3g}",
-                                  largest));
+  const auto value = in_g(given.value);
+  if (!value) {
+    refuse_word(word, load_bounds());
   }
-  return value;
+  return *value;
 }
 
 std::string step_bounds(const RecordClock& clock) {

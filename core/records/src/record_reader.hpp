@@ -4,6 +4,7 @@
 #include <stillpoint/records/record_file.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -33,14 +34,23 @@ class RecordReader {
   [[noreturn]] void refuse(std::size_t number, std::string_view message) const;
   /// If the options have a step, for a file that has its own: `line` is where, `what` is which.
   void refuse_step(std::size_t line, std::string_view what) const;
+  /// The step in tau that line `line` gives as `name`, in s. Refuses it beside a step of the
+  /// options, and one that no motion can follow.
+  [[nodiscard]] double file_step(std::size_t line, std::string_view name, double step) const;
 
   /// The number that `word`, a part of this line, stands for. Refuses anything else.
   [[nodiscard]] double parse_number(std::string_view word) const;
 
   /// The units of the accelerations, from here on.
   void set_units(RecordUnits units);
+  /// The same where line `line` of the file gives them. Refuses other ones of the options.
+  void set_units(RecordUnits units, std::size_t line);
   /// The acceleration in g that `word` stands for, scaled. In g with the scale 1 no bit changes.
   [[nodiscard]] double parse_acceleration(std::string_view word) const;
+  /// In g and scaled; empty where no motion can follow it.
+  [[nodiscard]] std::optional<double> in_g(double given) const;
+  /// "is out of range", with the bounds.
+  [[nodiscard]] std::string load_bounds() const;
 
  private:
   const std::string* path_;
@@ -58,12 +68,18 @@ class RecordReader {
 struct RecordFormat {
   bool (*recognises)(RecordReader reader);  ///< may read ahead in its copy
   RecordFile (*read)(RecordReader& reader);
+  bool has_channels{false};  ///< so that a file may hold several records
 };
 
 /// Of the description of a record; more is cut off.
 inline constexpr std::size_t longest_description = 200;
 
 extern const RecordFormat at2_format;
+extern const RecordFormat esm_format;
+extern const RecordFormat knet_format;
+extern const RecordFormat csmip_format;
+extern const RecordFormat cosmos_format;
+extern const RecordFormat smc_format;
 extern const RecordFormat columns_format;
 
 }  // namespace stillpoint::records

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "refusal.hpp"
 #include "testing/folder.hpp"
 #include "testing/printing.hpp"
 
@@ -37,6 +38,8 @@ using stillpoint::Record;
 using stillpoint::records::RecordFile;
 using stillpoint::records::RecordOptions;
 using stillpoint::records::RecordUnits;
+using stillpoint::test::check_says;
+using stillpoint::test::refusal_of;
 namespace data = boost::unit_test::data;
 namespace fs = std::filesystem;
 
@@ -140,25 +143,6 @@ void check_read(const char* name, const Good& good) {
   BOOST_TEST(record.values == good.values, boost::test_tools::per_element());
   BOOST_TEST(record.times == good.times, boost::test_tools::per_element());
   BOOST_TEST(record.step == good.step);
-}
-
-/// The message of the error that reading throws.
-template <class Error, class Read>
-std::string refusal_of(const Read& read) {
-  try {
-    static_cast<void>(read());
-  } catch (const Error& error) {
-    return error.what();
-  }
-  BOOST_FAIL("was read");
-  return {};
-}
-
-void check_says(const std::string& message, const Texts& parts) {
-  for (const std::string& part : parts) {
-    BOOST_TEST(message.find(part) != std::string::npos, "no " << part << " in " << message);
-  }
-  BOOST_TEST(message.find('\n') == std::string::npos, message);
 }
 
 void check_refused(const char* name, const Bad& bad) {

@@ -53,9 +53,13 @@ struct RegionReport {
 struct RecordOrigin {
   std::string file;
   std::string description;           ///< what the file says of itself
-  std::optional<std::string> units;  ///< these three as asked for
+  std::optional<std::string> units;  ///< these as asked for
   std::optional<double> step;
   std::optional<double> scale;
+  std::optional<double> peak;  ///< to be scaled to, in g, as the next
+  std::optional<double> spectrum;
+  std::optional<double> spectrum_period;
+  double factor{1};  ///< that the values of the file were multiplied by
 };
 
 struct MotionReport {

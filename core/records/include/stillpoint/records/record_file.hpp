@@ -46,6 +46,8 @@ struct RecordOptions {
   std::optional<double> step{};
   /// If not given: what the file's header says, else g.
   std::optional<RecordUnits> units{};
+  /// Of a file with several records, from 1; 0: the only one.
+  std::size_t channel{0};
   double scale{1};                   ///< factor on every value; negative reverses it; not 0
   double gravity_m_per_s2{9.80665};  ///< one g of the result
   RecordClock clock{};
@@ -54,14 +56,18 @@ struct RecordOptions {
 /// An acceleration record as a motion takes it, and what the file says about it.
 struct RecordFile {
   Record record;            ///< in g and tau, scaled; at least one value
-  std::string description;  ///< the titles of a PEER record or the first comment; may be empty
+  std::string description;  ///< what the file says of itself; may be empty
   RecordUnits units{RecordUnits::g};
 };
 
+/// Throws InputError, "record-scale", unless 1e-100 <= |scale| <= 1e100.
+void require_scale(double scale);
+
 inline constexpr std::size_t largest_record_bytes = std::size_t{64} << 20U;
 
-/// Reads a record in any format of docs/records.md. Throws FileError, with the line, if the file is
-/// wrong or contradicts the options, and InputError for a wrong or missing option.
+/// Reads a record in any format of docs/records.md. FILE#2 is channel 2 of FILE, unless there is a
+/// file of that name. Throws FileError, with the line, if the file is wrong or contradicts the
+/// options, and InputError for a wrong or missing option.
 [[nodiscard]] RecordFile read_record(const std::string& path, const RecordOptions& options = {});
 
 /// The same from text that is in memory; `path` stands for it in errors, and its ending may tell

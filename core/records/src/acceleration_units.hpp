@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "record_reader.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace stillpoint::records {
+
+/// A line in upper case without blanks around a '/'; CM/SEC/SEC as CM/S/S, CM/S**2 and CM/S^2 as
+/// CM/S2.
+[[nodiscard]] std::string normal_units(std::string_view line);
+
+/// Whether a word, as `normal_units` leaves it, can mean nothing but units: of an acceleration or
+/// of a velocity.
+[[nodiscard]] bool must_be_units(std::string_view word);
+
+/// The units of an acceleration that `word`, of the line where `reader` is, stands for. Refuses any
+/// other.
+[[nodiscard]] RecordUnits read_units(const RecordReader& reader, std::string_view word);
+
+inline constexpr std::string_view wanted_units = "an acceleration is needed, in G, CM/S2 or M/S2";
+
+}  // namespace stillpoint::records

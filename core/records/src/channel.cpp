@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "channel.hpp"
+
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace stillpoint::records {
+
+void go_to_channel(RecordReader& reader, bool (*begins)(std::string_view line)) {
+  std::vector<RecordReader> channels;
+  for (RecordReader ahead = reader; ahead.next();) {
+    if (begins(ahead.line())) {
+      channels.push_back(ahead);
+    } else if (channels.empty()) {
+      reader = ahead;
+    }
+  }
+  const std::size_t wanted = reader.options().channel;
+  if (channels.empty()) {
+    reader.refuse("the file ends here without a line that says how many accelerations follow");
+  }
+  if (wanted == 0 && channels.size() > 1) {
+    channels[1].refuse(
+        fmt::format("a second channel begins here, and there are {}: say which by "
+                    "its number, {}#1 to #{}",
+                    channels.size(), shortened(reader.path(), longest_word), channels.size()));
+  }
+  if (wanted > channels.size()) {
+    channels.back().refuse(fmt::format("the last channel is number {}, so there is no number {}",
+                                       channels.size(), wanted));
+  }
+  reader = channels[std::max<std::size_t>(wanted, 1) - 1];
+}
+
+std::string single_spaced(std::string_view line) {
+  return fmt::format("{}", fmt::join(words_of(line, " \t"), " "));
+}
+
+std::string last_line_with(RecordReader start, const RecordReader& end, std::string_view key) {
+  std::string found;
+  while (start.number() < end.number() && start.next()) {
+    if (trimmed(start.line()).starts_with(key)) {
+      found = single_spaced(start.line());
+    }
+  }
+  return found;
+}
+
+}  // namespace stillpoint::records

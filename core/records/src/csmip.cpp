@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+
+// The corrected records (volume 2, .V2) of the California networks, CSMIP, CGS and CDMG before: of
+// each channel 25 lines of text, 100 whole numbers and 100 reals, then blocks of acceleration,
+// velocity and displacement. Above each block a line says all that is needed:
+//
+//     2000 points of accel data equally spaced at  .020 sec, in cm/sec2. (8f10.3)
+
+#include "acceleration_units.hpp"
+#include "channel.hpp"
+#include "value_block.hpp"
+
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+namespace stillpoint::records {
+
+namespace {
+
+bool begins_csmip_channel(std::string_view line) {
+  return upper_case(line).find("POINTS OF ACCEL DATA") != std::string::npos;
+}
+
+bool is_csmip(RecordReader reader) {
+  return reader.next() && upper_case(trimmed(reader.line())).starts_with("CORRECTED ACCELEROGRAM");
+}
+
+/// What the line above the values says.
+struct CsmipLine {
+  std::string_view count;
+  std::string_view step;
+  std::string_view units;
+};
+
+/// "... at .02 sec, in cm/sec2. (8f10.3)", or "... at .02 sec. (UNITS: CM/SEC/SEC)".
+CsmipLine csmip_line(const RecordReader& reader) {
+  const auto words = words_of(reader.line(), " \t,()");
+  CsmipLine line{words[0], {}, {}};
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const std::string word = upper_case(words[i]);
+    if (word == "AT" && i + 2 < words.size() && upper_case(words[i + 2]).starts_with("SEC")) {
+      line.step = words[i + 1];
+    } else if (word == "IN" || word == "UNITS:") {
+      line.units = words[i + 1];
+    }
+  }
+  while (line.units.ends_with('.')) {
+    line.units.remove_suffix(1);
+  }
+  if (line.step.empty() || line.units.empty()) {
+    reader.refuse(
+        fmt::format("{} missing, as in 100 points of accel data equally spaced at .02 "
+                    "sec, in cm/sec2",
+                    line.step.empty() ? "the step is" : "the units are"));
+  }
+  return line;
+}
+
+RecordFile read_csmip(RecordReader& reader) {
+  const RecordReader start = reader;
+  go_to_channel(reader, begins_csmip_channel);
+  const auto [count, step, given] = csmip_line(reader);
+  const ValueBlock block{"the count of points",
+                         whole_count(reader, "points", count, reader.parse_number(count)),
+                         reader.number(), field_width(reader.line())};
+  const double tau = reader.file_step(reader.number(), "step", reader.parse_number(step));
+  const RecordUnits units = read_units(reader, given);
+  reader.set_units(units, reader.number());
+  const std::string description =
+      last_line_with(start, reader, "Station No") + "; " + last_line_with(start, reader, "Chan");
+  return {{read_block(reader, block, acceleration_field), tau, {}},
+          printable(description, longest_description),
+          units};
+}
+
+}  // namespace
+
+constinit const RecordFormat csmip_format{is_csmip, read_csmip, true};
+
+}  // namespace stillpoint::records

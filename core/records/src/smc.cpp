@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+
+// The SMC format of the U.S. Geological Survey: 11 lines of text, 48 whole numbers in fields of 10
+// columns, 50 reals in fields of 15, comments, then values in cm/s2 in fields of 10, which may
+// touch. Whole number 16 counts the lines of comments and number 17 the values; the second real is
+// the number of samples in a second.
+
+#include "channel.hpp"
+#include "value_block.hpp"
+
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace stillpoint::records {
+
+namespace {
+
+constexpr std::string_view smc_kinds = "1 UNCORRECTED ACCELEROGRAM and 2 CORRECTED ACCELEROGRAM";
+
+/// "2 CORRECTED ACCELEROGRAM"; a velocity and a displacement as well, to be refused.
+bool is_smc(RecordReader reader) {
+  constexpr std::array kinds{"1 UNCORRECTED ACCELEROGRAM", "2 CORRECTED ACCELEROGRAM", "3 VELOCITY",
+                             "4 DISPLACEMENT"};
+  if (!reader.next()) {
+    return false;
+  }
+  const std::string first = upper_case(single_spaced(reader.line()));
+  return std::ranges::any_of(kinds, [&](const char* kind) { return first.starts_with(kind); });
+}
+
+/// A number of a header: its text, and where it stands.
+struct SmcNumber {
+  std::string_view text;
+  RecordReader reader;
+
+  [[nodiscard]] double value() const { return reader.parse_number(text); }
+};
+
+/// Number `wanted`, from 1, of the header that takes the next `lines` lines.
+SmcNumber smc_number(RecordReader reader, std::size_t lines, std::size_t width,
+                     std::size_t wanted) {
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < lines && reader.next(); ++i) {
+    const auto fields = fields_of(reader.line(), width);
+    if (wanted <= before + fields.size()) {
+      return {fields[wanted - before - 1], reader};
+    }
+    before += fields.size();
+  }
+  reader.refuse(
+      fmt::format("the header has only {} numbers: number {} is missing", before, wanted));
+}
+
+void skip(RecordReader& reader, std::size_t lines) {
+  for (std::size_t i = 0; i < lines; ++i) {
+    if (!reader.next()) {
+      reader.refuse("the file ends within its header");
+    }
+  }
+}
+
+RecordFile read_smc(RecordReader& reader) {
+  constexpr std::size_t titles = 11;
+  constexpr std::size_t integer_lines = 6;
+  constexpr std::size_t integer_width = 10;
+  constexpr std::size_t real_lines = 10;
+  constexpr std::size_t real_width = 15;
+  constexpr std::size_t value_width = 10;
+  skip(reader, 1);
+  if (upper_case(reader.line()).find("ACCELEROGRAM") == std::string::npos) {
+    reader.refuse(fmt::format("{} is no acceleration: {} are read", quoted(trimmed(reader.line())),
+                              smc_kinds));
+  }
+  std::string description;
+  for (std::size_t line = 2; line <= titles; ++line) {
+    skip(reader, 1);
+    if (line <= 6) {
+      const std::string title = single_spaced(reader.line());
+      if (!title.empty() && title != "*") {
+        description += (description.empty() ? "" : "; ") + title;
+      }
+    }
+  }
+  const SmcNumber comments = smc_number(reader, integer_lines, integer_width, 16);
+  const SmcNumber count = smc_number(reader, integer_lines, integer_width, 17);
+  const ValueBlock block{
+      "whole number 17",
+      whole_count(count.reader, "whole number 17, the count of values,", count.text, count.value()),
+      count.reader.number(), value_width};
+  skip(reader, integer_lines);
+  const SmcNumber rate = smc_number(reader, real_lines, real_width, 2);
+  constexpr double unknown = 1e38;  // the format writes 1.7E+38
+  if (!(rate.value() > 0 && rate.value() < unknown)) {
+    rate.reader.refuse(
+        fmt::format("real number 2, the samples in a second, is {}: must be more "
+                    "than 0 and known",
+                    rate.text));
+  }
+  const double tau =
+      reader.file_step(rate.reader.number(), "1 over the samples in a second", 1 / rate.value());
+  skip(reader, real_lines);
+  if (comments.value() > 0) {
+    skip(reader, whole_count(comments.reader, "whole number 16, the lines of comments,",
+                             comments.text, comments.value()));
+  }
+  reader.set_units(RecordUnits::cm_per_s2, 1);
+  return {{read_block(reader, block, acceleration_field), tau, {}},
+          printable(description, longest_description),
+          RecordUnits::cm_per_s2};
+}
+
+}  // namespace
+
+constinit const RecordFormat smc_format{is_smc, read_smc};
+
+}  // namespace stillpoint::records

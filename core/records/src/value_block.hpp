@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "record_reader.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::records {
+
+/// Whether `word` is a number, also one that is out of range.
+[[nodiscard]] bool is_number(std::string_view word);
+
+/// How many values there are, as this line says: `text` is the number `value`.
+[[nodiscard]] std::size_t whole_count(const RecordReader& reader, std::string_view name,
+                                      std::string_view text, double value);
+
+/// The width of a field in a Fortran format, 10 of (8F10.5) or 8(1PE10.4E1); 0 if `text` has none.
+[[nodiscard]] std::size_t field_width(std::string_view text);
+
+/// The fields of a line. With a width each has so many columns and they may touch; without one, or
+/// where the line has a tab, they stand between blanks, and a sign inside a word begins a number.
+[[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line, std::size_t width);
+
+/// Values in the lines below a header that says how many there are.
+struct ValueBlock {
+  std::string_view count_name;  ///< as messages quote it
+  std::size_t count{0};
+  std::size_t count_line{0};
+  std::size_t width{0};  ///< of a field, see `fields_of`
+};
+
+/// Reads the block, each field by `parse`. Refuses fewer values, and more of them.
+[[nodiscard]] std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
+                                             double (*parse)(const RecordReader&,
+                                                             std::string_view));
+
+/// A field as an acceleration, for `read_block`.
+[[nodiscard]] double acceleration_field(const RecordReader& reader, std::string_view field);
+
+}  // namespace stillpoint::records
