@@ -50,6 +50,16 @@ const std::array command_helps{
                 "0.2 --lambda 0.35 --t-end 200\n"
                 "Exit codes: 0 done, 2 wrong input, 130 interrupted."},
     CommandHelp{
+        Command::spectrum, "one damper under records over the period, beside f alone",
+        "PERIOD is first:last:count, first:last:count:log, or numbers a,b,c. f and delta are "
+        "the same at every period.\n"
+        "Examples:\n"
+        "  stillpoint spectrum --record data/records/near_fault_pulse.txt --period 1s:4s:60 "
+        "--f 0.05 --delta-m 50mm --hold 0.1 --html page.html\n"
+        "  stillpoint spectrum --records-list suite.csv --period 0.5s:5s:200 --f 0.05 "
+        "--delta-m 10mm --table spectrum.npy\n"
+        "Exit codes: 0 done, 2 wrong input, 130 interrupted."},
+    CommandHelp{
         Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy",
         "AXIS is a number, first:last:count, first:last:count:log, or numbers a,b,c. The "
         "entries are all combinations. With --beta a damper is designed for each entry; "

@@ -37,13 +37,17 @@ constexpr CommandSet every = design | region | simulate | sweep | accuracy;
 constexpr CommandSet motions = simulate | accuracy;
 /// What takes metres and seconds.
 constexpr CommandSet in_metres = every;
+/// A suite of records, and nothing else.
+constexpr CommandSet of_suites = design | spectrum;
+/// What makes a report.
+constexpr CommandSet reporting = every | spectrum;
 constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
 /// What a load with a wave, or a pulse, takes in hertz and seconds.
 constexpr CommandSet in_hertz = design | of_excitations;
 /// What takes acceleration records.
-constexpr CommandSet in_records = design | of_excitations;
-constexpr CommandSet drawn = design | region | simulate | sweep;
+constexpr CommandSet in_records = of_suites | of_excitations;
+constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
@@ -106,8 +110,10 @@ std::vector<Option> rows() {
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
           of_designs,
           {.sweeps = true, .rivals = Rivals::stroke, .units = si, .dimension = Dimension::length}),
-      row("period", number, "S", physical, "natural period without friction in s", in_metres,
+      row("period", number, "S", physical,
+          "natural period without friction in s; of spectrum LOW:HIGH:N", in_metres | spectrum,
           {.sweeps = true,
+           .axis_of_spectrum = true,
            .rivals = Rivals::stiffness,
            .units = si,
            .dimension = Dimension::time,
@@ -127,31 +133,31 @@ std::vector<Option> rows() {
            .range = RangeEnd::low}),
       row("mass", number, "KG", physical, "in kg; adds forces and energies to the report",
           in_metres, {.units = si, .dimension = Dimension::mass}),
-      row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres,
+      row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres | spectrum,
           {.units = si, .dimension = Dimension::acceleration}),
       row("x0-m", number, "M", physical, "initial displacement in m", motions | sweep,
           {.sweeps = true, .rivals = Rivals::start, .units = si, .dimension = Dimension::length}),
 
-      row("f", number, "F", damper, "constant friction coefficient", region | motions | sweep,
-          {.sweeps = true}),
+      row("f", number, "F", damper, "constant friction coefficient",
+          region | motions | sweep | spectrum, {.sweeps = true}),
       row("delta", number, "D", damper, "point friction", region | motions | sweep,
           {.sweeps = true, .rivals = Rivals::point_friction}),
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
-          region | motions | sweep,
+          region | motions | sweep | spectrum,
           {.sweeps = true,
            .rivals = Rivals::point_friction,
            .units = si,
            .dimension = Dimension::length}),
       row("hold", number, "H", damper,
           "what the notch holds at x = 0 besides f, in g; default: any load",
-          design | of_excitations,
+          of_suites | of_excitations,
           {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
           design | of_excitations,
           {.sweeps = true, .rivals = Rivals::notch, .units = dimensionless}),
       row("notch-width-m", number, "M", damper, "the same in m, with physical input",
-          design | of_excitations,
+          of_suites | of_excitations,
           {.sweeps = true, .rivals = Rivals::notch, .units = si, .dimension = Dimension::length}),
       row("friction-zones", text, "X:F,...", damper,
           "friction that steps with |x|: F up to X, f beyond the last; with physical input X is in "
@@ -193,7 +199,7 @@ std::vector<Option> rows() {
           "{}; under records acceleration (default), amplitude or residual", design | sweep,
           {.values = all_objectives(), .first_is_default = true}),
       row("combine", text, "NAME", searching,
-          "of the figures of all records: {}; default: max below seven records", design,
+          "of the figures of all records: {}; default: max below seven records", of_suites,
           {.values = {combines.begin(), combines.end()}}),
       row("search-f", text, "LOW:HIGH", searching,
           "under records: where f is searched; default: from 0 to the largest load", design),
@@ -229,16 +235,16 @@ std::vector<Option> rows() {
           of_excitations, {.rivals = Rivals::duration}),
       row("record", text, "FILE", shaking,
           "accelerations: PEER .AT2 or columns; times in s with physical input, else in tau; of "
-          "design, one or more",
+          "design and spectrum, one or more",
           in_records, {.file = FileUse::read, .repeats = true}),
       row("records-list", text, "FILE", shaking, "CSV with the header file,scale: more records",
-          design, {.file = FileUse::read}),
+          of_suites, {.file = FileUse::read}),
       row("record-units", text, "UNITS", shaking, "{}", in_records,
           {.values = record_unit_names(), .first_is_default = true}),
       row("record-step", number, "DT", shaking,
-          "between values that have no time column, in the unit of the times", of_excitations,
+          "between values that have no time column, in the unit of the times", in_records,
           {.dimension = Dimension::time}),
-      row("record-scale", number, "X", shaking, "factor on every value", of_excitations),
+      row("record-scale", number, "X", shaking, "factor on every value", in_records),
       row("end-time", number, "S", shaking,
           "with physical input: end of the run in s (default: end of the motion); a harmonic "
           "without a duration needs it",
@@ -261,7 +267,7 @@ std::vector<Option> rows() {
           {.role = Role::output}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
       row("threads", integer, "N", sweeping, "default: all. No result depends on it",
-          design | sweep, {.role = Role::execution}),
+          of_suites | sweep, {.role = Role::execution}),
       row("resume", flag, "", sweeping, "continue an interrupted sweep", sweep,
           {.role = Role::execution}),
 
@@ -277,22 +283,26 @@ std::vector<Option> rows() {
       row("samples", integer, "N", output,
           "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
           {.role = Role::output}),
+      row("table", text, "FILE", output,
+          "write each record and period to a file: NumPy's format if its name ends in .npy, else "
+          "CSV; - prints CSV instead of the report",
+          spectrum, {.role = Role::output, .file = FileUse::written}),
       row("html", text, "FILE", output, "write a page with figures, readable offline", drawn,
           {.role = Role::output, .file = FileUse::written}),
       row("svg", text, "DIR", output, "write each figure to this directory", drawn,
           {.role = Role::output, .file = FileUse::directory}),
       row("open", flag, "", output, "open the page of --html, or a temporary one, in a browser",
           drawn, {.role = Role::output}),
-      row("title", text, "TEXT", output, "a heading for the report", every,
+      row("title", text, "TEXT", output, "a heading for the report", reporting,
           {.role = Role::content}),
-      row("json", flag, "", output, "print the JSON report, and nothing else", every,
+      row("json", flag, "", output, "print the JSON report, and nothing else", reporting,
           {.role = Role::output}),
       row("output", text, "FILE", output,
-          "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", every,
+          "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", reporting,
           {.role = Role::output, .file = FileUse::written}),
-      row("quiet", flag, "", output, "print nothing but errors on standard error", every,
+      row("quiet", flag, "", output, "print nothing but errors on standard error", reporting,
           {.role = Role::output}),
-      row("verbose", flag, "", output, "print the whole report", every, {.role = Role::output}),
+      row("verbose", flag, "", output, "print the whole report", reporting, {.role = Role::output}),
   };
 }
 
@@ -339,6 +349,8 @@ std::string_view name(Command command) noexcept {
       return "region";
     case Command::simulate:
       return "simulate";
+    case Command::spectrum:
+      return "spectrum";
     case Command::sweep:
       return "sweep";
     case Command::accuracy:

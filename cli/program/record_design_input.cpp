@@ -119,6 +119,8 @@ std::vector<ListedRecord> listed_records(const std::string& path) {
   return list;
 }
 
+}  // namespace
+
 std::vector<design::SuiteRecord> read_suite(const Settings& settings,
                                             const records::RecordClock& clock) {
   std::vector<ListedRecord> files;
@@ -143,6 +145,8 @@ std::vector<design::SuiteRecord> read_suite(const Settings& settings,
   }
   return suite;
 }
+
+namespace {
 
 /// With the longest period where only the range of the search is given.
 MotionInput suite_motion(const Settings& settings,

@@ -3,7 +3,10 @@
 
 #include "settings.hpp"
 
+#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/record_design.hpp>
+
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -13,6 +16,10 @@ namespace stillpoint::cli {
 
 /// The request, and what a report needs beside it. Throws UsageError, InputError and FileError.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
+
+/// The files of --record, then those of --records-list. Throws as record_design_input does.
+[[nodiscard]] std::vector<design::SuiteRecord> read_suite(const Settings& settings,
+                                                          const records::RecordClock& clock);
 
 /// UsageError for an option that only a design under records takes.
 void require_no_record_options(const Settings& settings);

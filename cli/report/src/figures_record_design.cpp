@@ -137,11 +137,7 @@ Figure record_figure(const design::RecordDesign& result, std::size_t index,
   request.oscillator = {damper.p, damper.f, damper.delta, task.hold};
   request.start = {0, 0};
   request.surface.notch_width = task.notch_width;
-  Record load = record.record;
-  for (double& value : load.values) {
-    value *= record.scale;
-  }
-  request.excitation = std::move(load);
+  request.excitation = design::scaled(record);
   DrawnMotion motion = drawn_motion(request, simulate(request));
   motion.beta = task.limits.peak;
   Figure figure = motion_figure(motion, units);

@@ -34,9 +34,6 @@ constexpr Names combines(std::to_array<Named<Combine>>({{Combine::max, "max"},
                                                         {Combine::mean, "mean"}}));
 constexpr std::array combine_list{combines.name(Combine::max), combines.name(Combine::mean)};
 
-/// Codes ask for the largest of few records and for the mean of seven or more.
-constexpr std::size_t records_for_a_mean = 7;
-
 /// A limit alone that was relaxed is this much above the least that was found, so that a search
 /// with it, which is no more exact than that, finds a damper as well.
 constexpr double relaxed_by = 1e-3;
@@ -71,13 +68,7 @@ void require_limit(const char* field, const std::optional<double>& limit, double
 }
 
 void require_valid(const RecordDesignRequest& request) {
-  if (request.records.empty()) {
-    throw InputError::missing("records", "give at least one");
-  }
-  for (const SuiteRecord& record : request.records) {
-    require_within("scale", std::abs(record.scale), smallest_speed, largest_speed);
-    require_valid(Excitation(record.record));
-  }
+  require_valid(request.records);
   require_range("p", request.p, smallest_speed, largest_speed);
   require_limit("peak limit", request.limits.peak, smallest_speed);
   require_limit("acceleration limit", request.limits.acceleration, smallest_speed);
@@ -88,8 +79,7 @@ void require_valid(const RecordDesignRequest& request) {
 
 /// With the ranges and the combination that the request leaves open.
 RecordDesignRequest completed(RecordDesignRequest request) {
-  request.combine = request.combine.value_or(
-      request.records.size() < records_for_a_mean ? Combine::max : Combine::mean);
+  request.combine = request.combine.value_or(default_combine(request.records.size()));
   request.f = request.f.value_or(SearchRange{0, largest_load(request.records)});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {

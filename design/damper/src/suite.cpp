@@ -12,9 +12,6 @@ namespace stillpoint::design {
 
 namespace {
 
-/// A motion with more is not followed to its rest: at a period of 3 s that takes four hours.
-constexpr double most_half_cycles = 10'000;
-
 /// Of a damper that never rests: worse than any that does. Finite, because NLopt sees it.
 constexpr double never_rests = 1e9;
 
@@ -24,7 +21,19 @@ const std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>
     {SuiteObjective::residual, &SuiteLimits::residual},
 }};
 
-Excitation scaled(const SuiteRecord& record) {
+}  // namespace
+
+void require_valid(const std::vector<SuiteRecord>& records) {
+  if (records.empty()) {
+    throw InputError::missing("records", "give at least one");
+  }
+  for (const SuiteRecord& record : records) {
+    require_within("scale", std::abs(record.scale), smallest_speed, largest_speed);
+    require_valid(Excitation(record.record));
+  }
+}
+
+Record scaled(const SuiteRecord& record) {
   Record load = record.record;
   for (double& value : load.values) {
     value *= record.scale;
@@ -32,7 +41,14 @@ Excitation scaled(const SuiteRecord& record) {
   return load;
 }
 
-}  // namespace
+std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
+  std::vector<Excitation> loads;
+  loads.reserve(records.size());
+  for (const SuiteRecord& record : records) {
+    loads.emplace_back(scaled(record));
+  }
+  return loads;
+}
 
 double figure(const SuiteFigures& figures, SuiteObjective which) {
   switch (which) {
@@ -47,16 +63,14 @@ double figure(const SuiteFigures& figures, SuiteObjective which) {
 }
 
 Suite::Suite(const RecordDesignRequest& request)
-    : combine_(request.combine.value()), hold_(request.hold), surface_{request.notch_width, {}} {
-  loads_.reserve(request.records.size());
-  for (const SuiteRecord& record : request.records) {
-    loads_.push_back(scaled(record));
-  }
-}
+    : loads_(scaled_loads(request.records)),
+      combine_(request.combine.value()),
+      hold_(request.hold),
+      surface_{request.notch_width, {}} {}
 
 ForcedResponse Suite::response(const SuiteDamper& damper, const Excitation& load) const {
   ForcedOptions options;
-  options.half_cycle_limit = most_half_cycles;
+  options.half_cycle_limit = most_suite_half_cycles;
   return forced_response(oscillator(damper), {}, load, options, surface_);
 }
 

@@ -38,6 +38,9 @@ struct SuiteRecord {
   double scale{1};  ///< not 0
 };
 
+/// The record times its scale.
+[[nodiscard]] Record scaled(const SuiteRecord& record);
+
 /// 0 <= low <= high; low = high fixes the variable.
 struct SearchRange {
   double low{0};
