@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -101,6 +102,9 @@ ExitCode exit_code(const design::DesignResult& result) {
 }
 
 ExitCode exit_code(const design::RecordDesign& result) {
+  if (result.search.interrupted) {
+    return exit_interrupted;
+  }
   if (!result.finding) {
     return exit_infeasible;
   }
@@ -109,9 +113,21 @@ ExitCode exit_code(const design::RecordDesign& result) {
 
 namespace {
 
+/// An interrupt ends the search with the best so far.
+design::RecordDesign watched(const report::RecordDesignInput& input) {
+  design::RecordProgress last;
+  Progress progress([&](double, double) { return report::progress_words(last, input.physical); },
+                    1);
+  return design::design(input.request, [&](const design::RecordProgress& now) {
+    last = now;
+    return progress.goes_on(
+        std::min(1.0, static_cast<double>(now.evaluations) / static_cast<double>(now.expected)));
+  });
+}
+
 ExitCode run_record_design(const Settings& settings, Output& output) {
   report::RecordDesignInput input = record_design_input(settings);
-  const report::RecordDesignReport report{design::design(input.request), input.physical};
+  const report::RecordDesignReport report{watched(input), input.physical};
   write_page_of(report, Command::design, settings, output);
   print_report(report, settings, output);
   return exit_code(report.result);

@@ -66,6 +66,9 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
   request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
   request.notch_width = notch_width(settings, report.physical);
   request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
+  if (!settings.has("record") && !settings.has("records-list")) {
+    throw InputError::missing("record", "give --record FILE or --records-list FILE");
+  }
   request.records = read_suite(settings, {"s", scales.time_s, scales.p});
   return report;
 }

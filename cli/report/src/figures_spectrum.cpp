@@ -115,7 +115,6 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     figure.id = kind.id;
     figure.title = format("Spectrum of the {}", kind.name);
     figure.height = 170;
-    figure.below = !all.empty();
     figure.x = figures::axis_around(units.time_unit.empty() ? "period 2π/p" : "period, s", shortest,
                                     longest);
     figure.x.least = std::max(figure.x.least, 0.0);

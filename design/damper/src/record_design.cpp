@@ -2,8 +2,8 @@
 #include "suite.hpp"
 #include "suite_check.hpp"
 #include "suite_search.hpp"
+#include "suite_watch.hpp"
 
-#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/design/record_design.hpp>
@@ -172,7 +172,8 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
 /// What each limit would have to be, the others as they are.
 std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
                                        const SuiteScan& scan, const RecordDesignRequest& request,
-                                       const SuiteFigures& nearest, std::int64_t& evaluations) {
+                                       const SuiteFigures& nearest, std::int64_t& evaluations,
+                                       SuiteWatch& watch) {
   std::vector<SuiteShortfall> list;
   for (const auto& [which, member] :
        {std::pair(SuiteObjective::amplitude, &SuiteLimits::peak),
@@ -183,10 +184,10 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
     if (!limit) {
       continue;
     }
-    const SuiteOptimum least = optimum(suite, box, scan, which, limits, request.threads);
+    const SuiteOptimum least = optimum(suite, box, scan, which, limits, request.threads, watch);
     evaluations += least.evaluations;
     SuiteShortfall shortfall{which, *limit, figure(nearest, which), {}};
-    if (admissible(least.point.figures, limits)) {
+    if (!watch.stopped() && admissible(least.point.figures, limits)) {
       shortfall.relaxed = figure(least.point.figures, which) * (1 + relaxed_by);
     }
     list.push_back(shortfall);
@@ -216,29 +217,34 @@ std::span<const std::string_view> combine_names() {
   return combine_list;
 }
 
-RecordDesign design(const RecordDesignRequest& request) {
+RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) {
   require_valid(request);
   const auto begin = std::chrono::steady_clock::now();
   RecordDesign result{completed(request), {}, {}, {}, {}};
   const RecordDesignRequest& task = result.request;
   const Suite suite(task);
   const SuiteBox box(task);
-  const SuiteScan scanned = scan(suite, box, task.scan_points, task.threads);
-  SuiteOptimum found = optimum(suite, box, scanned, task.objective, task.limits, task.threads);
+  SuiteWatch watch(task, ask);
+  const SuiteScan scanned = scan(suite, box, task.scan_points, task.threads, watch);
+  SuiteOptimum found =
+      optimum(suite, box, scanned, task.objective, task.limits, task.threads, watch);
   result.search = {found.algorithm,
                    found.status,
                    found.evaluations,
                    0,
-                   static_cast<std::int64_t>(scanned.figures.size()),
-                   std::ranges::count_if(scanned.figures, [&](const SuiteFigures& figures) {
-                     return admissible(figures, task.limits);
-                   })};
+                   scanned.evaluated,
+                   std::ranges::count_if(scanned.figures,
+                                         [&](const SuiteFigures& figures) {
+                                           return admissible(figures, task.limits);
+                                         }),
+                   false};
   result.nearest = found.point;
   const bool feasible = admissible(found.point.figures, task.limits);
   if (!feasible) {
-    result.shortfalls =
-        shortfalls(suite, box, scanned, task, found.point.figures, result.search.evaluations);
+    result.shortfalls = shortfalls(suite, box, scanned, task, found.point.figures,
+                                   result.search.evaluations, watch);
   }
+  result.search.interrupted = watch.stopped();
   result.search.wall_time_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (feasible) {
@@ -264,12 +270,14 @@ SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
     map.delta.push_back(middle(*task.delta, i));
   }
   const auto cells = static_cast<std::size_t>(side);
-  map.figures.resize(cells * cells);
-  for_each_entry(
-      static_cast<std::ptrdiff_t>(cells * cells), task.threads, {}, [&](std::ptrdiff_t i) {
-        const auto index = static_cast<std::size_t>(i);
-        map.figures[index] = suite.figures({p, map.f[index / cells], map.delta[index % cells]});
-      });
+  std::vector<SuiteDamper> dampers;
+  dampers.reserve(cells * cells);
+  for (const double f : map.f) {
+    for (const double delta : map.delta) {
+      dampers.push_back({p, f, delta});
+    }
+  }
+  map.figures = suite.figures(dampers, task.threads);
   return map;
 }
 

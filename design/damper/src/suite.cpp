@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "suite.hpp"
 
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>
@@ -110,6 +111,15 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
     all.residual /= count;
   }
   return all;
+}
+
+std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers, int threads) const {
+  std::vector<SuiteFigures> list(dampers.size());
+  for_each_entry(static_cast<std::ptrdiff_t>(dampers.size()), threads, {}, [&](std::ptrdiff_t i) {
+    const auto index = static_cast<std::size_t>(i);
+    list[index] = figures(dampers[index]);
+  });
+  return list;
 }
 
 SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const SuiteLimits& limits) {

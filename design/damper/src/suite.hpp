@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace stillpoint::design {
@@ -31,7 +32,10 @@ class Suite {
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
-  /// The same, with each motion.
+  /// The same of many, in their order.
+  [[nodiscard]] std::vector<SuiteFigures> figures(std::span<const SuiteDamper> dampers,
+                                                  int threads) const;
+  /// Of one, with each motion.
   [[nodiscard]] std::vector<ForcedResponse> responses(const SuiteDamper& damper) const;
 
   [[nodiscard]] const std::vector<Excitation>& loads() const { return loads_; }
