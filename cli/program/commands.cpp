@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -101,15 +102,34 @@ ExitCode exit_code(const design::DesignResult& result) {
 }
 
 ExitCode exit_code(const design::RecordDesign& result) {
+  if (result.search.interrupted) {
+    return exit_interrupted;
+  }
   if (!result.finding) {
     return exit_infeasible;
   }
   return result.finding->check.passed ? exit_done : exit_check_failed;
 }
 
+namespace {
+
+/// An interrupt ends the search with the best so far.
+design::RecordDesign watched(const report::RecordDesignInput& input) {
+  design::RecordProgress last;
+  Progress progress([&](double, double) { return report::progress_words(last, input.physical); },
+                    1);
+  return design::design(input.request, [&](const design::RecordProgress& now) {
+    last = now;
+    return progress.goes_on(
+        std::min(1.0, static_cast<double>(now.evaluations) / static_cast<double>(now.expected)));
+  });
+}
+
+}  // namespace
+
 report::RecordDesignReport record_design_report(const Settings& settings) {
   const report::RecordDesignInput input = record_design_input(settings);
-  return {design::design(input.request), input.physical};
+  return {watched(input), input.physical};
 }
 
 report::DesignReport design_report(const Settings& settings) {

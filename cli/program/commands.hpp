@@ -26,6 +26,7 @@ enum ExitCode : int {
 ExitCode run_design(const Settings& settings, Output& output);
 ExitCode run_region(const Settings& settings, Output& output);
 ExitCode run_simulate(const Settings& settings, Output& output);
+ExitCode run_spectrum(const Settings& settings, Output& output);
 ExitCode run_sweep(const Settings& settings, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);
 

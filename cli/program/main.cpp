@@ -39,6 +39,8 @@ ExitCode run_command(Command command, const Settings& settings, Output& output) 
       return run_region(settings, output);
     case Command::simulate:
       return run_simulate(settings, output);
+    case Command::spectrum:
+      return run_spectrum(settings, output);
     case Command::sweep:
       return run_sweep(settings, output);
     case Command::accuracy:

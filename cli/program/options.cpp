@@ -36,13 +36,17 @@ constexpr CommandSet every = design | region | simulate | sweep | accuracy;
 constexpr CommandSet motions = simulate | accuracy;
 /// What takes metres and seconds.
 constexpr CommandSet in_metres = every;
+/// A suite of records, and nothing else.
+constexpr CommandSet of_suites = design | spectrum;
+/// What makes a report.
+constexpr CommandSet reporting = every | spectrum;
 constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
 /// What a load with a wave, or a pulse, takes in hertz and seconds.
 constexpr CommandSet in_hertz = design | of_excitations;
 /// What takes acceleration records.
-constexpr CommandSet in_records = design | of_excitations;
-constexpr CommandSet drawn = design | region | simulate | sweep;
+constexpr CommandSet in_records = of_suites | of_excitations;
+constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
@@ -88,6 +92,12 @@ OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = Ran
   traits.range = range;
   return traits;
 }
+/// Of `spectrum` the axis.
+OptionTraits period_axis() {
+  OptionTraits traits = axis_in_si(Rivals::stiffness, Dimension::time, RangeEnd::high);
+  traits.axis_of_spectrum = true;
+  return traits;
+}
 
 /// In `help`, {} stands for the values.
 std::vector<Option> rows() {
@@ -111,34 +121,36 @@ std::vector<Option> rows() {
           axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
           of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
-      row("period", number, "S", physical, "natural period without friction in s", in_metres,
-          axis_in_si(Rivals::stiffness, Dimension::time, RangeEnd::high)),
+      row("period", number, "S", physical,
+          "natural period without friction in s; of spectrum LOW:HIGH:N", in_metres | spectrum,
+          period_axis()),
       row("natural-frequency", number, "HZ", physical, "instead of the period, in Hz", in_metres,
           axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low)),
       row("stiffness", number, "N/M", physical, "instead of the period, in N/m; needs --mass",
           in_metres, axis_in_si(Rivals::stiffness, Dimension::stiffness, RangeEnd::low)),
       row("mass", number, "KG", physical, "in kg; adds forces and energies to the report",
           in_metres, in_si(Dimension::mass)),
-      row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres,
+      row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres | spectrum,
           in_si(Dimension::acceleration)),
       row("x0-m", number, "M", physical, "initial displacement in m", motions | sweep,
           axis_in_si(Rivals::start, Dimension::length)),
 
-      row("f", number, "F", damper, "constant friction coefficient", region | motions | sweep,
-          {.sweeps = true}),
+      row("f", number, "F", damper, "constant friction coefficient",
+          region | motions | sweep | spectrum, {.sweeps = true}),
       row("delta", number, "D", damper, "point friction", region | motions | sweep,
           {.sweeps = true, .rivals = Rivals::point_friction}),
       row("delta-m", number, "M", damper, "point friction in m, with physical input",
-          region | motions | sweep, axis_in_si(Rivals::point_friction, Dimension::length)),
+          region | motions | sweep | spectrum,
+          axis_in_si(Rivals::point_friction, Dimension::length)),
       row("hold", number, "H", damper,
           "what the notch holds at x = 0 besides f, in g; default: any load",
-          design | of_excitations,
+          of_suites | of_excitations,
           {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
           design | of_excitations, plain_axis(Rivals::notch)),
       row("notch-width-m", number, "M", damper, "the same in m, with physical input",
-          design | of_excitations, axis_in_si(Rivals::notch, Dimension::length)),
+          of_suites | of_excitations, axis_in_si(Rivals::notch, Dimension::length)),
       row("friction-zones", text, "X:F,...", damper,
           "friction that steps with |x|: F up to X, f beyond the last; with physical input X is in "
           "m or has a unit",
@@ -179,7 +191,7 @@ std::vector<Option> rows() {
           "{}; under records acceleration (default), amplitude or residual", design | sweep,
           {.values = all_objectives(), .first_is_default = true}),
       row("combine", text, "NAME", searching,
-          "of the figures of all records: {}; default: max below seven records", design,
+          "of the figures of all records: {}; default: max below seven records", of_suites,
           {.values = {combines.begin(), combines.end()}}),
       row("search-f", text, "LOW:HIGH", searching,
           "under records: where f is searched; default: from 0 to the largest load", design),
@@ -216,11 +228,12 @@ std::vector<Option> rows() {
       row("record", text, "FILE", shaking,
           "accelerations: PEER, ESM, K-NET, CSMIP, COSMOS, SMC or columns; times in s with "
           "physical "
-          "input, else in tau; FILE#2 is channel 2; of design, one or more, or folders",
+          "input, else in tau; FILE#2 is channel 2; of design and spectrum, one or more, or "
+          "folders",
           in_records, {.file = FileUse::read, .repeats = true}),
       row("records-list", text, "FILE", shaking,
           "CSV with the header file,scale: more records; file,peak and file,spectrum give targets",
-          design, {.file = FileUse::read}),
+          of_suites, {.file = FileUse::read}),
       row("record-units", text, "UNITS", shaking, "{}", in_records,
           {.values = record_unit_names(), .first_is_default = true}),
       row("record-step", number, "DT", shaking,
@@ -259,7 +272,7 @@ std::vector<Option> rows() {
           {.role = Role::output}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
       row("threads", integer, "N", sweeping, "default: all. No result depends on it",
-          design | sweep, {.role = Role::execution}),
+          of_suites | sweep, {.role = Role::execution}),
       row("resume", flag, "", sweeping, "continue an interrupted sweep", sweep,
           {.role = Role::execution}),
 
@@ -275,22 +288,26 @@ std::vector<Option> rows() {
       row("samples", integer, "N", output,
           "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
           {.role = Role::output}),
+      row("table", text, "FILE", output,
+          "write each record and period to a file: NumPy's format if its name ends in .npy, else "
+          "CSV; - prints CSV instead of the report",
+          spectrum, {.role = Role::output, .file = FileUse::written}),
       row("html", text, "FILE", output, "write a page with figures, readable offline", drawn,
           {.role = Role::output, .file = FileUse::written}),
       row("svg", text, "DIR", output, "write each figure to this directory", drawn,
           {.role = Role::output, .file = FileUse::directory}),
       row("open", flag, "", output, "open the page of --html, or a temporary one, in a browser",
           drawn, {.role = Role::output}),
-      row("title", text, "TEXT", output, "a heading for the report", every,
+      row("title", text, "TEXT", output, "a heading for the report", reporting,
           {.role = Role::content}),
-      row("json", flag, "", output, "print the JSON report, and nothing else", every,
+      row("json", flag, "", output, "print the JSON report, and nothing else", reporting,
           {.role = Role::output}),
       row("output", text, "FILE", output,
-          "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", every,
+          "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", reporting,
           {.role = Role::output, .file = FileUse::written}),
-      row("quiet", flag, "", output, "print nothing but errors on standard error", every,
+      row("quiet", flag, "", output, "print nothing but errors on standard error", reporting,
           {.role = Role::output}),
-      row("verbose", flag, "", output, "print the whole report", every, {.role = Role::output}),
+      row("verbose", flag, "", output, "print the whole report", reporting, {.role = Role::output}),
   };
 }
 
@@ -321,6 +338,8 @@ std::string_view name(Command command) noexcept {
       return "region";
     case Command::simulate:
       return "simulate";
+    case Command::spectrum:
+      return "spectrum";
     case Command::sweep:
       return "sweep";
     case Command::accuracy:

@@ -12,7 +12,7 @@
 
 namespace stillpoint::cli {
 
-enum class Command { design, region, simulate, sweep, accuracy, init };
+enum class Command { design, region, simulate, spectrum, sweep, accuracy, init };
 
 [[nodiscard]] std::string_view name(Command command) noexcept;
 
@@ -82,7 +82,8 @@ enum class FileUse { none, read, written, directory };
 
 /// What most options leave as it is.
 struct OptionTraits {
-  bool sweeps{false};  ///< a number, but in a sweep an axis
+  bool sweeps{false};            ///< a number, but in a sweep an axis
+  bool axis_of_spectrum{false};  ///< the same of a spectrum
   Rivals rivals{Rivals::none};
   Units units{Units::any};
   Dimension dimension{Dimension::none};
@@ -90,7 +91,7 @@ struct OptionTraits {
   FileUse file{FileUse::none};
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
-  bool repeats{false};                     ///< may be given several times to design
+  bool repeats{false};                     ///< may be given several times to what takes a suite
   RangeEnd range{RangeEnd::none};          ///< LOW:HIGH is a value as well, of design and region
 };
 
@@ -107,10 +108,13 @@ struct Option {
 
   [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
   [[nodiscard]] OptionKind kind_in(Command command) const {
-    return traits.sweeps && command == Command::sweep ? OptionKind::axis : kind;
+    return (traits.sweeps && command == Command::sweep) ||
+                   (traits.axis_of_spectrum && command == Command::spectrum)
+               ? OptionKind::axis
+               : kind;
   }
   [[nodiscard]] bool repeats_in(Command command) const {
-    return traits.repeats && command == Command::design;
+    return traits.repeats && (command == Command::design || command == Command::spectrum);
   }
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&

@@ -4,6 +4,7 @@
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
+#include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/report/version.hpp>
 
@@ -73,6 +74,8 @@ std::span<const std::string_view> figure_names(Command command) {
                                            report::design_figures.end());
         list.insert(list.end(), report::record_design_figures.begin(),
                     report::record_design_figures.end());
+        list.insert(list.end(), report::spectrum_figure_names.begin(),
+                    report::spectrum_figure_names.end());
         return list;
       }();
       return all;
@@ -81,6 +84,8 @@ std::span<const std::string_view> figure_names(Command command) {
       return report::region_figures;
     case Command::simulate:
       return report::motion_figures;
+    case Command::spectrum:
+      return report::spectrum_figure_names;
     case Command::sweep:
       return report::sweep_figures;
     case Command::accuracy:

@@ -3,7 +3,10 @@
 
 #include "settings.hpp"
 
+#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/record_design.hpp>
+
+#include <vector>
 
 namespace stillpoint::cli {
 

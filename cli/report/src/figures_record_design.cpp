@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report_figures.hpp"
+#include "spectrum_parts.hpp"
 
 #include <stillpoint/report/record_design.hpp>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -137,11 +139,7 @@ Figure record_figure(const design::RecordDesign& result, std::size_t index,
   request.oscillator = {damper.p, damper.f, damper.delta, task.hold};
   request.start = {0, 0};
   request.surface.notch_width = task.notch_width;
-  Record load = record.record;
-  for (double& value : load.values) {
-    value *= record.scale;
-  }
-  request.excitation = std::move(load);
+  request.excitation = design::scaled(record);
   DrawnMotion motion = drawn_motion(request, simulate(request));
   motion.beta = task.limits.peak;
   Figure figure = motion_figure(motion, units);
@@ -152,6 +150,21 @@ Figure record_figure(const design::RecordDesign& result, std::size_t index,
   }
   figure.height = 130;
   return figure;
+}
+
+/// Of the chosen damper, from a quarter of its period to twice that.
+std::vector<Figure> design_spectra(const design::RecordDesign& result, const FigureUnits& units) {
+  constexpr int points = 141;
+  constexpr double shortest = 0.25;
+  constexpr double longest = 2;
+  const design::RecordDesignRequest& task = result.request;
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  design::SpectrumRequest request{task.records, {},        damper.f,         damper.delta,
+                                  task.combine, task.hold, task.notch_width, task.threads};
+  for (int i = 0; i < points; ++i) {
+    request.p.push_back(damper.p / (shortest + (longest - shortest) * i / (points - 1)));
+  }
+  return spectrum_figures(design::spectrum(request), units, damper.p);
 }
 
 }  // namespace
@@ -176,6 +189,7 @@ figures::HtmlPage page(const RecordDesignReport& report) {
     for (std::size_t i = 0; i < std::min(most, task.records.size()); ++i) {
       page.figures.push_back(record_figure(result, i, units));
     }
+    std::ranges::move(design_spectra(result, units), std::back_inserter(page.figures));
   }
   return page;
 }

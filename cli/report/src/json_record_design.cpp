@@ -113,7 +113,8 @@ ordered_json search_json(const design::SuiteSearch& search) {
           {"status", search.status},
           {"evaluations", search.evaluations},
           {"wall_time_s", number(search.wall_time_s)},
-          {"scan", {{"points", search.scan_points}, {"feasible", search.scan_feasible}}}};
+          {"scan", {{"points", search.scan_points}, {"feasible", search.scan_feasible}}},
+          {"interrupted", search.interrupted}};
 }
 
 ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const SuiteUnits& units) {

@@ -65,18 +65,21 @@ std::string lock_words(const design::RecordDesign& result) {
 
 std::string verdict(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
+  const std::string so_far = result.search.interrupted ? "Interrupted, the best so far: " : "";
   if (!result.finding) {
-    return shortfall_sentence(report);
+    return so_far + shortfall_sentence(report);
   }
   const Physical& physical = report.physical;
   const auto& [damper, figures] = result.finding->point;
-  return format(
-      "f = {} and delta = {} with {}: the {} transmitted acceleration of {} record{} is "
-      "{}, the stroke {}, the residual {}.",
-      digits(damper.f), length_shown(physical, damper.delta), period_words(physical, damper.p),
-      combined(result.request.combine.value()), result.finding->responses.size(),
-      result.finding->responses.size() == 1 ? "" : "s", acceleration_shown(figures.acceleration),
-      length_shown(physical, figures.peak), length_shown(physical, figures.residual));
+  return so_far +
+         format(
+             "f = {} and delta = {} with {}: the {} transmitted acceleration of {} record{} is "
+             "{}, the stroke {}, the residual {}.",
+             digits(damper.f), length_shown(physical, damper.delta),
+             period_words(physical, damper.p), combined(result.request.combine.value()),
+             result.finding->responses.size(), result.finding->responses.size() == 1 ? "" : "s",
+             acceleration_shown(figures.acceleration), length_shown(physical, figures.peak),
+             length_shown(physical, figures.residual));
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result) {
@@ -136,7 +139,7 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
   const Physical& physical = report.physical;
   Section& section = document.section("Limits");
   if (!report.result.nearest.figures.settled) {
-    section.line("No damper of the search comes to rest.", Tone::bad);
+    section.line("No damper that was tried comes to rest.", Tone::bad);
     return;
   }
   const design::SuiteDamper& damper = report.result.nearest.damper;
@@ -151,7 +154,9 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
     section.row("", relaxed ? format("with {} allowed, and the others as they are, there is a "
                                      "damper",
                                      shown(physical, which, *relaxed))
-                            : "no value of this limit alone would do");
+                    : report.result.search.interrupted
+                        ? "interrupted before it was known whether this limit alone would do"
+                        : "no value of this limit alone would do");
   }
 }
 
@@ -192,7 +197,8 @@ void add_search(Document& document, const design::SuiteSearch& search) {
               format("{} dampers, {} within the limits", search.scan_points, search.scan_feasible));
   section.row("NLopt", format("{} evaluations; the best by {} ({})", search.evaluations,
                               search.algorithm, search.status));
-  section.row("time", format("{:.3g} s", search.wall_time_s));
+  section.row("time", format("{:.3g} s{}", search.wall_time_s,
+                             search.interrupted ? ", then interrupted: the best so far" : ""));
 }
 
 }  // namespace
@@ -203,7 +209,7 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
     return {};
   }
   if (!result.nearest.figures.settled) {
-    return "No damper was found: none of the search comes to rest.";
+    return "No damper was found: none of those tried comes to rest.";
   }
   if (std::ranges::none_of(result.shortfalls,
                            [](const auto& each) { return each.nearest > each.limit; })) {
@@ -221,13 +227,26 @@ std::string shortfall_sentence(const RecordDesignReport& report) {
   return format("No damper was found that meets the limits. The nearest has {}.", broken);
 }
 
+std::string progress_words(const design::RecordProgress& progress, const Physical& physical) {
+  std::string words = format("{} of about {} dampers", progress.evaluations,
+                             std::max(progress.expected, progress.evaluations));
+  if (!progress.best || !progress.best->figures.settled) {
+    return words;
+  }
+  const design::SuiteFigures& best = progress.best->figures;
+  return words + format(", best {}, stroke {}, residual {}", acceleration_shown(best.acceleration),
+                        length_shown(physical, best.peak), length_shown(physical, best.residual));
+}
+
 Document document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   Document document;
   document.title = "Damper under records";
   document.verdict = verdict(report);
   if (result.finding) {
-    document.tone = result.finding->check.passed ? Tone::good : Tone::bad;
+    document.tone = !result.finding->check.passed ? Tone::bad
+                    : result.search.interrupted   ? Tone::plain
+                                                  : Tone::good;
     add_answer(document.answer, result);
     add_records(document, report);
     add_damper(document, report);

@@ -2,8 +2,8 @@
 #include "suite.hpp"
 #include "suite_check.hpp"
 #include "suite_search.hpp"
+#include "suite_watch.hpp"
 
-#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/design/record_design.hpp>
@@ -33,9 +33,6 @@ constexpr std::array objective_list{objectives.name(SuiteObjective::acceleration
 constexpr Names combines(std::to_array<Named<Combine>>({{Combine::max, "max"},
                                                         {Combine::mean, "mean"}}));
 constexpr std::array combine_list{combines.name(Combine::max), combines.name(Combine::mean)};
-
-/// Codes ask for the largest of few records and for the mean of seven or more.
-constexpr std::size_t records_for_a_mean = 7;
 
 /// A limit alone that was relaxed is this much above the least that was found, so that a search
 /// with it, which is no more exact than that, finds a damper as well.
@@ -71,13 +68,7 @@ void require_limit(const char* field, const std::optional<double>& limit, double
 }
 
 void require_valid(const RecordDesignRequest& request) {
-  if (request.records.empty()) {
-    throw InputError::missing("records", "give at least one");
-  }
-  for (const SuiteRecord& record : request.records) {
-    require_within("scale", std::abs(record.scale), smallest_speed, largest_speed);
-    require_valid(Excitation(record.record));
-  }
+  require_valid(request.records);
   require_range("p", request.p, smallest_speed, largest_speed);
   require_limit("peak limit", request.limits.peak, smallest_speed);
   require_limit("acceleration limit", request.limits.acceleration, smallest_speed);
@@ -88,8 +79,7 @@ void require_valid(const RecordDesignRequest& request) {
 
 /// With the ranges and the combination that the request leaves open.
 RecordDesignRequest completed(RecordDesignRequest request) {
-  request.combine = request.combine.value_or(
-      request.records.size() < records_for_a_mean ? Combine::max : Combine::mean);
+  request.combine = request.combine.value_or(default_combine(request.records.size()));
   request.f = request.f.value_or(SearchRange{0, largest_load(request.records)});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
@@ -182,7 +172,8 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
 /// What each limit would have to be, the others as they are.
 std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
                                        const SuiteScan& scan, const RecordDesignRequest& request,
-                                       const SuiteFigures& nearest, std::int64_t& evaluations) {
+                                       const SuiteFigures& nearest, std::int64_t& evaluations,
+                                       SuiteWatch& watch) {
   std::vector<SuiteShortfall> list;
   for (const auto& [which, member] :
        {std::pair(SuiteObjective::amplitude, &SuiteLimits::peak),
@@ -193,10 +184,10 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
     if (!limit) {
       continue;
     }
-    const SuiteOptimum least = optimum(suite, box, scan, which, limits, request.threads);
+    const SuiteOptimum least = optimum(suite, box, scan, which, limits, request.threads, watch);
     evaluations += least.evaluations;
     SuiteShortfall shortfall{which, *limit, figure(nearest, which), {}};
-    if (admissible(least.point.figures, limits)) {
+    if (!watch.stopped() && admissible(least.point.figures, limits)) {
       shortfall.relaxed = figure(least.point.figures, which) * (1 + relaxed_by);
     }
     list.push_back(shortfall);
@@ -226,29 +217,34 @@ std::span<const std::string_view> combine_names() {
   return combine_list;
 }
 
-RecordDesign design(const RecordDesignRequest& request) {
+RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) {
   require_valid(request);
   const auto begin = std::chrono::steady_clock::now();
   RecordDesign result{completed(request), {}, {}, {}, {}};
   const RecordDesignRequest& task = result.request;
   const Suite suite(task);
   const SuiteBox box(task);
-  const SuiteScan scanned = scan(suite, box, task.scan_points, task.threads);
-  SuiteOptimum found = optimum(suite, box, scanned, task.objective, task.limits, task.threads);
+  SuiteWatch watch(task, ask);
+  const SuiteScan scanned = scan(suite, box, task.scan_points, task.threads, watch);
+  SuiteOptimum found =
+      optimum(suite, box, scanned, task.objective, task.limits, task.threads, watch);
   result.search = {found.algorithm,
                    found.status,
                    found.evaluations,
                    0,
-                   static_cast<std::int64_t>(scanned.figures.size()),
-                   std::ranges::count_if(scanned.figures, [&](const SuiteFigures& figures) {
-                     return admissible(figures, task.limits);
-                   })};
+                   scanned.evaluated,
+                   std::ranges::count_if(scanned.figures,
+                                         [&](const SuiteFigures& figures) {
+                                           return admissible(figures, task.limits);
+                                         }),
+                   false};
   result.nearest = found.point;
   const bool feasible = admissible(found.point.figures, task.limits);
   if (!feasible) {
-    result.shortfalls =
-        shortfalls(suite, box, scanned, task, found.point.figures, result.search.evaluations);
+    result.shortfalls = shortfalls(suite, box, scanned, task, found.point.figures,
+                                   result.search.evaluations, watch);
   }
+  result.search.interrupted = watch.stopped();
   result.search.wall_time_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (feasible) {
@@ -274,12 +270,14 @@ SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
     map.delta.push_back(middle(*task.delta, i));
   }
   const auto cells = static_cast<std::size_t>(side);
-  map.figures.resize(cells * cells);
-  for_each_entry(
-      static_cast<std::ptrdiff_t>(cells * cells), task.threads, {}, [&](std::ptrdiff_t i) {
-        const auto index = static_cast<std::size_t>(i);
-        map.figures[index] = suite.figures({p, map.f[index / cells], map.delta[index % cells]});
-      });
+  std::vector<SuiteDamper> dampers;
+  dampers.reserve(cells * cells);
+  for (const double f : map.f) {
+    for (const double delta : map.delta) {
+      dampers.push_back({p, f, delta});
+    }
+  }
+  map.figures = suite.figures(dampers, task.threads);
   return map;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "suite.hpp"
 
+#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>
@@ -12,9 +13,6 @@ namespace stillpoint::design {
 
 namespace {
 
-/// A motion with more is not followed to its rest: at a period of 3 s that takes four hours.
-constexpr double most_half_cycles = 10'000;
-
 /// Of a damper that never rests: worse than any that does. Finite, because NLopt sees it.
 constexpr double never_rests = 1e9;
 
@@ -24,7 +22,19 @@ const std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>
     {SuiteObjective::residual, &SuiteLimits::residual},
 }};
 
-Excitation scaled(const SuiteRecord& record) {
+}  // namespace
+
+void require_valid(const std::vector<SuiteRecord>& records) {
+  if (records.empty()) {
+    throw InputError::missing("records", "give at least one");
+  }
+  for (const SuiteRecord& record : records) {
+    require_within("scale", std::abs(record.scale), smallest_speed, largest_speed);
+    require_valid(Excitation(record.record));
+  }
+}
+
+Record scaled(const SuiteRecord& record) {
   Record load = record.record;
   for (double& value : load.values) {
     value *= record.scale;
@@ -32,7 +42,14 @@ Excitation scaled(const SuiteRecord& record) {
   return load;
 }
 
-}  // namespace
+std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
+  std::vector<Excitation> loads;
+  loads.reserve(records.size());
+  for (const SuiteRecord& record : records) {
+    loads.emplace_back(scaled(record));
+  }
+  return loads;
+}
 
 double figure(const SuiteFigures& figures, SuiteObjective which) {
   switch (which) {
@@ -47,16 +64,14 @@ double figure(const SuiteFigures& figures, SuiteObjective which) {
 }
 
 Suite::Suite(const RecordDesignRequest& request)
-    : combine_(request.combine.value()), hold_(request.hold), surface_{request.notch_width, {}} {
-  loads_.reserve(request.records.size());
-  for (const SuiteRecord& record : request.records) {
-    loads_.push_back(scaled(record));
-  }
-}
+    : loads_(scaled_loads(request.records)),
+      combine_(request.combine.value()),
+      hold_(request.hold),
+      surface_{request.notch_width, {}} {}
 
 ForcedResponse Suite::response(const SuiteDamper& damper, const Excitation& load) const {
   ForcedOptions options;
-  options.half_cycle_limit = most_half_cycles;
+  options.half_cycle_limit = most_suite_half_cycles;
   return forced_response(oscillator(damper), {}, load, options, surface_);
 }
 
@@ -96,6 +111,15 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
     all.residual /= count;
   }
   return all;
+}
+
+std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers, int threads) const {
+  std::vector<SuiteFigures> list(dampers.size());
+  for_each_entry(static_cast<std::ptrdiff_t>(dampers.size()), threads, {}, [&](std::ptrdiff_t i) {
+    const auto index = static_cast<std::size_t>(i);
+    list[index] = figures(dampers[index]);
+  });
+  return list;
 }
 
 SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const SuiteLimits& limits) {

@@ -4,9 +4,25 @@
 #include <stillpoint/design/record_design.hpp>
 
 #include <compare>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace stillpoint::design {
+
+/// A motion with more is not followed to its rest: at a period of 3 s that takes four hours.
+inline constexpr double most_suite_half_cycles = 10'000;
+
+/// Codes ask for the largest of few records and for the mean of seven or more.
+[[nodiscard]] constexpr Combine default_combine(std::size_t records) {
+  return records < 7 ? Combine::max : Combine::mean;
+}
+
+/// Throws InputError for no record and for a wrong one.
+void require_valid(const std::vector<SuiteRecord>& records);
+
+/// Of valid records.
+[[nodiscard]] std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records);
 
 /// The records of a request as loads, and what a damper does under them.
 class Suite {
@@ -16,7 +32,10 @@ class Suite {
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
-  /// The same, with each motion.
+  /// The same of many, in their order.
+  [[nodiscard]] std::vector<SuiteFigures> figures(std::span<const SuiteDamper> dampers,
+                                                  int threads) const;
+  /// Of one, with each motion.
   [[nodiscard]] std::vector<ForcedResponse> responses(const SuiteDamper& damper) const;
 
   [[nodiscard]] const std::vector<Excitation>& loads() const { return loads_; }

@@ -22,11 +22,15 @@ namespace {
 constexpr std::size_t most_starts = 10;
 /// SBPLX stops by itself after some 300 of two variables; a jump can keep it busy.
 constexpr int local_evaluations = 1000;
+constexpr std::int64_t usual_local_evaluations = 300;
 constexpr int global_evaluations = 10'000;
 /// Of a coordinate: a millionth of the range of f or delta is as good as none, if the objective is
 /// no more than a millionth worse without it.
 constexpr double vanishing = 1e-3;
 constexpr double no_difference = 1e-6;
+/// Dampers of a scan between two looks at whether it goes on: under seven records a fifth of a
+/// second.
+constexpr std::int64_t scan_block = 1000;
 /// No time ends a search, so that the result depends on no machine.
 constexpr double no_time_limit = 1e9;
 
@@ -87,24 +91,37 @@ std::vector<std::size_t> valleys(const SuiteScan& scan, std::size_t variables,
   return list;
 }
 
+/// Leaves NLopt where the user has had enough.
+struct Stopped {};
+
 /// Runs NLopt and keeps the best point that it tried, from `best` on.
 NloptOutcome improve(Ranked& best, const std::function<Ranked(std::vector<double>)>& ranked,
-                     const char* algorithm, double first_step, int evaluations) {
+                     const char* algorithm, double first_step, int evaluations,
+                     const SuiteWatch& watch) {
   const auto size = static_cast<Eigen::Index>(best.unit.size());
   NloptProblem problem;
   problem.lower = Eigen::VectorXd::Zero(size);
   problem.upper = Eigen::VectorXd::Ones(size);
   problem.start = Eigen::Map<const Eigen::VectorXd>(best.unit.data(), size);
   problem.first_step = first_step;
+  int done = 0;
   problem.objective = [&](const Eigen::VectorXd& x, Eigen::VectorXd& /*gradient*/) {
     Ranked now = ranked({x.begin(), x.end()});
     const double value = merit(now.rank);
     if (now.rank < best.rank) {
       best = std::move(now);
     }
+    ++done;
+    if (watch.stopped()) {
+      throw Stopped();
+    }
     return value;
   };
-  return minimise(problem, algorithm, {evaluations, no_time_limit});
+  try {
+    return minimise(problem, algorithm, {evaluations, no_time_limit});
+  } catch (const Stopped&) {
+    return {{}, "INTERRUPTED", done};
+  }
 }
 
 }  // namespace
@@ -147,7 +164,8 @@ std::vector<double> SuiteScan::unit(std::size_t index, std::size_t variables) co
   return unit;
 }
 
-SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points, int threads) {
+SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points, int threads,
+               SuiteWatch& watch) {
   SuiteScan scan;
   std::int64_t size = 1;
   if (box.variables() > 0) {
@@ -158,23 +176,38 @@ SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points, int
       size *= scan.side;
     }
   }
-  scan.figures.resize(static_cast<std::size_t>(size));
-  for_each_entry(size, threads, {}, [&](std::ptrdiff_t i) {
-    const auto index = static_cast<std::size_t>(i);
-    scan.figures[index] = suite.figures(box.at(scan.unit(index, box.variables())));
-  });
+  SuiteFigures unknown;
+  unknown.settled = false;
+  scan.figures.assign(static_cast<std::size_t>(size), unknown);
+  watch.expect(size);
+  std::vector<SuiteDamper> block;
+  for (std::int64_t begin = 0; begin < size && !watch.stopped(); begin += scan_block) {
+    block.clear();
+    for (std::int64_t i = begin; i < std::min(begin + scan_block, size); ++i) {
+      block.push_back(box.at(scan.unit(static_cast<std::size_t>(i), box.variables())));
+    }
+    const std::vector<SuiteFigures> figures = suite.figures(block, threads);
+    std::ranges::copy(figures, scan.figures.begin() + begin);
+    scan.evaluated += static_cast<std::int64_t>(block.size());
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      watch.evaluated(block[i], figures[i]);
+    }
+  }
   return scan;
 }
 
 SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
-                     SuiteObjective objective, const SuiteLimits& limits, int threads) {
+                     SuiteObjective objective, const SuiteLimits& limits, int threads,
+                     SuiteWatch& watch) {
   std::vector<SuiteRank> ranks;
   ranks.reserve(scan.figures.size());
   for (const SuiteFigures& figures : scan.figures) {
     ranks.push_back(rank(figures, objective, limits));
   }
   const auto ranked = [&](std::vector<double> unit) {
-    const SuiteFigures figures = suite.figures(box.at(unit));
+    const SuiteDamper damper = box.at(unit);
+    const SuiteFigures figures = suite.figures(damper);
+    watch.evaluated(damper, figures);
     return Ranked{std::move(unit), figures, rank(figures, objective, limits)};
   };
   std::vector<std::size_t> starts = valleys(scan, box.variables(), ranks);
@@ -184,7 +217,9 @@ SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& s
   };
   Ranked best = at(starts.front());
   SuiteOptimum found{{}, "scan", "SUCCESS", 0};
-  if (box.variables() > 0) {
+  if (box.variables() > 0 && !watch.stopped()) {
+    watch.expect(global_evaluations +
+                 static_cast<std::int64_t>(starts.size() + 1) * usual_local_evaluations);
     // The global search takes longest, so it begins first.
     struct Run {
       Ranked best;
@@ -196,12 +231,12 @@ SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& s
       Run& run = runs[static_cast<std::size_t>(i)];
       run.best = at(starts[i == 0 ? 0 : static_cast<std::size_t>(i) - 1]);
       if (i == 0) {
-        run.outcome = improve(run.best, ranked, "GN_ISRES", 0, global_evaluations);
+        run.outcome = improve(run.best, ranked, "GN_ISRES", 0, global_evaluations, watch);
         const int so_far = run.outcome.evaluations;
-        run.outcome = improve(run.best, ranked, "LN_SBPLX", step, local_evaluations);
+        run.outcome = improve(run.best, ranked, "LN_SBPLX", step, local_evaluations, watch);
         run.outcome.evaluations += so_far;
       } else {
-        run.outcome = improve(run.best, ranked, "LN_SBPLX", step, local_evaluations);
+        run.outcome = improve(run.best, ranked, "LN_SBPLX", step, local_evaluations, watch);
       }
     });
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -215,7 +250,7 @@ SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& s
   }
   // A search creeps towards a friction of 0 and never arrives.
   for (std::size_t i = 0; i < best.unit.size(); ++i) {
-    if (box.may_vanish(i) && best.unit[i] > 0 && best.unit[i] < vanishing) {
+    if (!watch.stopped() && box.may_vanish(i) && best.unit[i] > 0 && best.unit[i] < vanishing) {
       std::vector<double> without = best.unit;
       without[i] = 0;
       const Ranked now = ranked(std::move(without));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "suite.hpp"
+#include "suite_watch.hpp"
 
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ class SuiteBox {
 
 /// A grid over the box, and the figures of each of its points.
 struct SuiteScan {
-  std::int64_t side{1};  ///< points along each variable
+  std::int64_t side{1};       ///< points along each variable
+  std::int64_t evaluated{0};  ///< all, if the search was not stopped; of the others none settles
   std::vector<SuiteFigures> figures;
 
   /// In [0, 1]; the last variable runs fastest.
@@ -41,7 +43,7 @@ struct SuiteScan {
 };
 
 [[nodiscard]] SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points,
-                             int threads);
+                             int threads, SuiteWatch& watch);
 
 /// The best point found, by the scan or by NLopt from its best.
 struct SuiteOptimum {
@@ -52,7 +54,7 @@ struct SuiteOptimum {
 };
 
 [[nodiscard]] SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
-                                   SuiteObjective objective, const SuiteLimits& limits,
-                                   int threads);
+                                   SuiteObjective objective, const SuiteLimits& limits, int threads,
+                                   SuiteWatch& watch);
 
 }  // namespace stillpoint::design

@@ -2,14 +2,13 @@
 #include "rows.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/sweep/npy.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -30,8 +29,6 @@ void append_number(double value, std::string& text) {
   text.append(digits.data(), written.ptr);
 }
 
-constexpr char byte_order = std::endian::native == std::endian::little ? '<' : '>';
-
 bool is_byte(Quantity column) {
   return form(column) != Form::number;
 }
@@ -42,16 +39,16 @@ std::size_t width(Quantity column) {
 
 using Units = std::optional<SweepUnits>;
 
-std::string description(const std::vector<Quantity>& columns, const Units& units,
-                        std::int64_t rows) {
+/// As NumPy describes records with the columns as fields: 8-byte floats, but bytes for outcome and
+/// feasible.
+std::string npy_fields(const std::vector<Quantity>& columns, const Units& units) {
   std::string fields;
   for (const Quantity column : columns) {
     fields += form(column) == Form::truth ? fmt::format("('{}', '|b1'), ", name(column, units))
               : is_byte(column)           ? fmt::format("('{}', '|u1'), ", name(column, units))
-                                : fmt::format("('{}', '{}f8'), ", name(column, units), byte_order);
+                                          : npy_number(name(column, units));
   }
-  fields.resize(fields.size() - 2);
-  return fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}", fields, rows);
+  return fields;
 }
 
 /// The names of the columns, in one line.
@@ -89,26 +86,6 @@ void append_csv(const SweepBlock& block, const std::vector<Quantity>& columns, I
   }
 }
 
-/// The header of a NumPy file, version 1.0, of records with the columns as fields: 8-byte floats,
-/// but bytes for outcome and feasible. Its length does not depend on `rows`.
-std::string npy_header(const std::vector<Quantity>& columns, const Units& units,
-                       std::int64_t rows) {
-  constexpr std::size_t alignment = 64;
-  constexpr std::int64_t most_rows = 1'000'000'000'000'000'000;
-  using namespace std::string_literals;
-  const std::string start = "\x93NUMPY\x01\x00"s;
-  const std::size_t longest = start.size() + 2 + description(columns, units, most_rows).size() + 1;
-  const std::size_t size = (longest + alignment - 1) / alignment * alignment;
-  std::string header = start + "  " + description(columns, units, rows);
-  header.resize(size - 1, ' ');
-  header += '\n';
-  const std::size_t counted = size - start.size() - 2;
-  assert(counted < 0x10000U);
-  header[start.size()] = static_cast<char>(counted & 0xFFU);
-  header[start.size() + 1] = static_cast<char>(counted >> 8U);
-  return header;
-}
-
 /// The entries begin <= i < end, a packed record each.
 void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, Index begin,
                 Index end, std::string& bytes) {
@@ -137,7 +114,7 @@ void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, I
 
 std::string RowWriter::header(std::int64_t rows) const {
   return format_ == RowFormat::csv ? csv_header(columns_, units_)
-                                   : npy_header(columns_, units_, rows);
+                                   : npy_header(npy_fields(columns_, units_), rows);
 }
 
 const std::vector<std::string>& RowWriter::rows(const SweepBlock& block) {

@@ -30,10 +30,15 @@ struct RecordDesignReport {
 /// Why there is no damper, in one sentence; empty where there is one.
 [[nodiscard]] std::string shortfall_sentence(const RecordDesignReport& report);
 
+/// How far a search is, in some 80 characters.
+[[nodiscard]] std::string progress_words(const design::RecordProgress& progress,
+                                         const std::optional<design::PhysicalInput>& physical);
+
 [[nodiscard]] Document document(const RecordDesignReport& report);
 /// As docs/reports.md describes it.
 [[nodiscard]] nlohmann::ordered_json json(const RecordDesignReport& report);
-/// The map of the objective and the motion of each record; the map takes a second scan.
+/// The map of the objective, the motion of each record and the spectra about the chosen period;
+/// they are computed here.
 [[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
 
 /// The ids of the figures that the page may have: the map and the first eleven motions.

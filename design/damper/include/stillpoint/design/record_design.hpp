@@ -7,6 +7,7 @@
 #include <stillpoint/core/forced_motion.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -37,6 +38,9 @@ struct SuiteRecord {
   Record record;
   double scale{1};  ///< not 0
 };
+
+/// The record times its scale.
+[[nodiscard]] Record scaled(const SuiteRecord& record);
 
 /// 0 <= low <= high; low = high fixes the variable.
 struct SearchRange {
@@ -107,6 +111,7 @@ struct SuiteSearch {
   double wall_time_s{0};
   std::int64_t scan_points{0};
   std::int64_t scan_feasible{0};
+  bool interrupted{false};  ///< the best so far; a whole search may find a better one
 };
 
 /// What dampers within f (1 +- R), delta (1 +- R) do: the corners and random points, no proof.
@@ -158,8 +163,18 @@ struct RecordDesign {
   SuiteSearch search;
 };
 
+/// How far a search has come.
+struct RecordProgress {
+  std::int64_t evaluations{0};
+  std::int64_t expected{0};  ///< about so many at the end
+  std::optional<SuitePoint>
+      best{};  ///< so far; if none is admissible, what breaks the limits least
+};
+/// Called now and then, once at a time but by several threads; false ends the search.
+using RecordWatch = std::function<bool(const RecordProgress&)>;
+
 /// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
-[[nodiscard]] RecordDesign design(const RecordDesignRequest& request);
+[[nodiscard]] RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask = {});
 
 /// The figures over f and delta for one p, in the middles of even cells: delta runs faster.
 struct SuiteMap {

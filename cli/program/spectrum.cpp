@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "motion_input.hpp"
+#include "pages.hpp"
+#include "progress.hpp"
+#include "record_suite_input.hpp"
+#include "surface_input.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/report/spectrum.hpp>
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <string>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// Each with its motions; a page shows some thousand.
+constexpr std::int64_t most_periods = 100'000;
+
+std::vector<double> periods(const Settings& settings) {
+  const auto axis = settings.axis("period");
+  if (!axis) {
+    throw InputError::missing("period", "give --period LOW:HIGH:N, in s");
+  }
+  if (axis->size() > most_periods) {
+    throw InputError("period", axis->text(),
+                     fmt::format("must be at most {} values", most_periods));
+  }
+  std::vector<double> list;
+  list.reserve(static_cast<std::size_t>(axis->size()));
+  for (std::int64_t i = 0; i < axis->size(); ++i) {
+    require_within("period", (*axis)[i], smallest_physical, largest_physical);
+    list.push_back((*axis)[i]);
+  }
+  return list;
+}
+
+report::SpectrumReport spectrum_input(const Settings& settings) {
+  static_cast<void>(is_physical(settings, Command::spectrum));
+  const std::vector<double> list = periods(settings);
+  design::PhysicalIsolator isolator;
+  isolator.period_s = list.back();
+  isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
+  report::SpectrumReport report{{}, design::physical_input(isolator, 0, 0)};
+  const design::Scales& scales = report.physical.scales;
+  design::SpectrumRequest& request = report.result.request;
+  for (const double period : list) {
+    request.p.push_back(2 * std::numbers::pi * scales.time_s / period);
+  }
+  request.f = settings.required("f", "give --f, the constant friction");
+  const auto delta = point_friction(settings, "delta", "delta-m", report.physical);
+  if (!delta) {
+    throw InputError::missing("delta-m", "give --delta-m, the point friction in m");
+  }
+  request.delta = *delta;
+  if (const auto wanted = settings.known("combine")) {
+    request.combine = design::parse_combine(*wanted);
+  }
+  request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
+  request.notch_width = notch_width(settings, report.physical);
+  request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
+  if (!settings.has("record") && !settings.has("records-list")) {
+    throw InputError::missing("record", "give --record FILE or --records-list FILE");
+  }
+  request.records = read_suite(settings, {"s", scales.time_s, scales.p}, std::nullopt);
+  return report;
+}
+
+/// Interrupted where it was.
+design::Spectrum watched_spectrum(const design::SpectrumRequest& request) {
+  Progress progress([](double done, double) { return fmt::format("{:.0f} %", 100 * done); }, 1);
+  std::mutex one_at_a_time;
+  design::Spectrum result = design::spectrum(request, [&](double done) {
+    const std::lock_guard lock(one_at_a_time);
+    return progress.goes_on(done);
+  });
+  if (Progress::interrupted()) {
+    throw Interrupted("interrupted: nothing is written");
+  }
+  return result;
+}
+
+}  // namespace
+
+ExitCode run_spectrum(const Settings& settings, Output& output) {
+  const auto table = settings.text("table");
+  const bool json_printed = settings.flag("json");
+  if (table == "-" && json_printed) {
+    throw UsageError("json and the table would both go to standard output: give --table FILE");
+  }
+  report::SpectrumReport report = spectrum_input(settings);
+  report.result = watched_spectrum(report.result.request);
+  if (table == "-") {
+    output.print(report::spectrum_csv(report));
+  } else if (table) {
+    output.write_file(
+        "table", *table,
+        table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report));
+  }
+  if (wants_page(settings)) {
+    write_page(settings, Command::spectrum, page(report), output);
+  }
+  constexpr int indent = 2;
+  const auto path = settings.text("output");
+  const std::string written = json_printed || path ? json(report).dump(indent) + "\n" : "";
+  if (table != "-") {
+    output.print(json_printed ? written : shown(document(report), settings));
+  }
+  if (path) {
+    output.write_file("output", *path, written);
+  }
+  return exit_done;
+}
+
+}  // namespace stillpoint::cli

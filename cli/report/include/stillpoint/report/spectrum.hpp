@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The report of a response spectrum, in metres and seconds.
+
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/spectrum.hpp>
+#include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/report/document.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::report {
+
+struct SpectrumReport {
+  design::Spectrum result;
+  design::PhysicalInput physical;  ///< its period is none of the spectrum's
+};
+
+[[nodiscard]] Document document(const SpectrumReport& report);
+/// As docs/reports.md describes it.
+[[nodiscard]] nlohmann::ordered_json json(const SpectrumReport& report);
+[[nodiscard]] figures::HtmlPage page(const SpectrumReport& report);
+
+/// A row for each record and period. What does not exist is left out in CSV, NaN in NumPy's format.
+[[nodiscard]] std::string spectrum_csv(const SpectrumReport& report);
+[[nodiscard]] std::string spectrum_npy(const SpectrumReport& report);
+
+/// The ids of the figures of a spectrum, here and on the page of a design under records.
+inline constexpr std::array<std::string_view, 3> spectrum_figure_names{
+    "spectrum-acceleration", "spectrum-peak", "spectrum-residual"};
+
+}  // namespace stillpoint::report

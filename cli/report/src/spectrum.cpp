@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/spectrum.hpp>
+#include "units.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace stillpoint::report {
+
+using fmt::format;
+
+namespace {
+
+using design::SpectrumFigures;
+using design::SpectrumPoint;
+
+/// More do not fit a screen; a file has all.
+constexpr std::size_t most_shown_periods = 20;
+
+std::string period_shown(const SpectrumReport& report, std::size_t point) {
+  return with_unit(
+      2 * std::numbers::pi / report.result.request.p[point] * report.physical.scales.time_s, "s");
+}
+
+std::string residual_shown(const SpectrumReport& report, const SpectrumFigures& figures) {
+  return figures.residual ? length_shown(report.physical, *figures.residual) : "none";
+}
+
+std::size_t count_lower(const std::vector<SpectrumPoint>& points,
+                        double (*value)(const SpectrumFigures&)) {
+  return static_cast<std::size_t>(std::ranges::count_if(points, [&](const SpectrumPoint& point) {
+    return value(point.with_notch) < value(point.without);
+  }));
+}
+
+std::string verdict(const SpectrumReport& report) {
+  const std::vector<SpectrumPoint>& points = report.result.combined;
+  const design::SpectrumRequest& task = report.result.request;
+  if (task.delta == 0) {
+    return "Delta is 0, so there is no notch to compare with.";
+  }
+  const auto count = [&](double (*value)(const SpectrumFigures&)) {
+    const std::size_t lower = count_lower(points, value);
+    return lower == 0               ? std::string("at no period")
+           : lower == points.size() ? std::string("at every period")
+                                    : format("at {} of {} periods", lower, points.size());
+  };
+  const bool largest = *task.combine == design::Combine::max;
+  const std::string of =
+      task.records.size() == 1
+          ? std::string("under the record")
+          : format("({} of {} records)", largest ? "largest" : "mean", task.records.size());
+  return format(
+      "The notch lowers the residual {} {}, the transmitted acceleration {}, the peak {}.", of,
+      count([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
+      count([](const SpectrumFigures& one) { return one.acceleration; }),
+      count([](const SpectrumFigures& one) { return one.peak; }));
+}
+
+Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
+  Table table{{"period", "acceleration", "without", "peak", "without", "residual", "without"}, {}};
+  const std::size_t shown = std::min(points.size(), most_shown_periods);
+  for (std::size_t row = 0; row < shown; ++row) {
+    const std::size_t i = shown > 1 ? row * (points.size() - 1) / (shown - 1) : 0;
+    const auto& [with_notch, without] = points[i];
+    table.rows.push_back(
+        {{period_shown(report, i), acceleration_shown(with_notch.acceleration),
+          acceleration_shown(without.acceleration), length_shown(report.physical, with_notch.peak),
+          length_shown(report.physical, without.peak), residual_shown(report, with_notch),
+          residual_shown(report, without)}});
+  }
+  return table;
+}
+
+void add_points(Section& section, const SpectrumReport& report,
+                const std::vector<SpectrumPoint>& points) {
+  section.parts.emplace_back(spectrum_table(report, points));
+  if (points.size() > most_shown_periods) {
+    section.line(
+        format("{} of {} periods; --table FILE has all.", most_shown_periods, points.size()),
+        Tone::faint);
+  }
+}
+
+void add_damper(Document& document, const SpectrumReport& report) {
+  const design::SpectrumRequest& task = report.result.request;
+  Section& section = document.detail("Damper");
+  section.row("f", digits(task.f));
+  section.row("delta", length_shown(report.physical, task.delta));
+  if (std::isfinite(task.hold)) {
+    section.row("notch", format("holds {} besides f", acceleration_shown(task.hold)));
+  }
+  if (task.notch_width) {
+    section.row("notch", format("{} wide", length_shown(report.physical, *task.notch_width)));
+  }
+}
+
+}  // namespace
+
+Document document(const SpectrumReport& report) {
+  const design::Spectrum& result = report.result;
+  Document document;
+  document.title = "Response spectrum";
+  document.verdict = verdict(report);
+  const std::size_t count = result.records.size();
+  add_points(document.section(count == 1 ? "With the notch and without it"
+                              : *result.request.combine == design::Combine::max
+                                  ? format("Largest of {} records", count)
+                                  : format("Mean of {} records", count)),
+             report, result.combined);
+  for (std::size_t i = 0; i < count && count > 1; ++i) {
+    const design::SuiteRecord& record = result.request.records[i];
+    add_points(document.detail((record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +
+                               spelled_out(record.name.substr(record.name.rfind('/') + 1))),
+               report, result.records[i]);
+  }
+  add_damper(document, report);
+  return document;
+}
+
+}  // namespace stillpoint::report

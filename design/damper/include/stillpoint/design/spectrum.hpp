@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What one damper does under records when the period changes: docs/records-design.md section 5.
+
+#include <stillpoint/design/record_design.hpp>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace stillpoint::design {
+
+struct SpectrumRequest {
+  std::vector<SuiteRecord> records;
+  std::vector<double> p;  ///< of each point; the frictions are the same in all
+  double f{0};
+  double delta{0};
+  std::optional<Combine> combine{};  ///< as of a RecordDesignRequest
+  double hold{std::numeric_limits<double>::infinity()};
+  std::optional<double> notch_width{};  ///< not beside a finite hold
+  int threads{0};                       ///< 0: all. No result depends on it
+};
+
+/// Of one motion from rest at x = 0, or of the motions under all records, combined.
+struct SpectrumFigures {
+  double peak{0};          ///< largest |x|
+  double acceleration{0};  ///< largest transmitted one, in g
+  /// |x| at the final rest; empty where the motion never rests, or not within 10 000 half-cycles.
+  std::optional<double> residual{};
+};
+
+struct SpectrumPoint {
+  SpectrumFigures with_notch;
+  SpectrumFigures without;  ///< the same with delta = 0
+};
+
+/// A point for each p of the request.
+struct Spectrum {
+  SpectrumRequest request;  ///< with the combination that was chosen
+  std::vector<std::vector<SpectrumPoint>> records;
+  std::vector<SpectrumPoint> combined;
+};
+
+/// `go_on`, if not empty, is asked by several threads with the share that is done; after a false
+/// the rest is skipped and the spectrum of no use. Throws InputError.
+[[nodiscard]] Spectrum spectrum(const SpectrumRequest& request,
+                                const std::function<bool(double)>& go_on = {});
+
+}  // namespace stillpoint::design
