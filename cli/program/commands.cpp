@@ -9,7 +9,6 @@
 #include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -29,23 +28,6 @@ void write_page_of(const Report& report, Command command, const Settings& settin
                    Output& output) {
   if (wants_page(settings)) {
     write_page(settings, command, page(report), output);
-  }
-}
-
-/// The report on standard output: JSON where it was asked for, else the document; and where
-/// `print` is false nothing. Each is made only if wanted.
-template <class Report>
-void print_report(const Report& report, const Settings& settings, Output& output,
-                  bool print = true) {
-  constexpr int indent = 2;
-  const auto path = settings.text("output");
-  const bool print_json = settings.flag("json");
-  const std::string written = print_json || path ? json(report).dump(indent) + "\n" : "";
-  if (print) {
-    output.print(print_json ? written : shown(document(report), settings));
-  }
-  if (path) {
-    output.write_file("output", *path, written);
   }
 }
 
@@ -210,15 +192,6 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
   }
   write_page_of(report, Command::simulate, settings, output);
   print_report(report, settings, output, trajectory != "-");
-  return exit_done;
-}
-
-ExitCode run_accuracy(const Settings& settings, Output& output) {
-  const SimulateInput input = simulate_input(settings);
-  const peers::Scene scene = peers::comparison_scene(input.request);
-  print_report(
-      report::AccuracyReport{input.request, peers::compare(scene), input.record, input.physical},
-      settings, output);
   return exit_done;
 }
 

@@ -6,6 +6,8 @@
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/sweep/output.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 namespace stillpoint::cli {
@@ -19,5 +21,22 @@ using sweep::Output;
 /// How wide help may be: $COLUMNS, else the width of the terminal on standard output, else 80; at
 /// least 50.
 [[nodiscard]] std::size_t help_width();
+
+/// The report on standard output: JSON where it was asked for, else the document; and where
+/// `print` is false nothing. Each is made only if wanted.
+template <class Report>
+void print_report(const Report& report, const Settings& settings, Output& output,
+                  bool print = true) {
+  constexpr int indent = 2;
+  const auto path = settings.text("output");
+  const bool print_json = settings.flag("json");
+  const std::string written = print_json || path ? json(report).dump(indent) + "\n" : "";
+  if (print) {
+    output.print(print_json ? written : shown(document(report), settings));
+  }
+  if (path) {
+    output.write_file("output", *path, written);
+  }
+}
 
 }  // namespace stillpoint::cli

@@ -39,7 +39,7 @@ double bound_of(const Way& way, Objective objective) {
   return 0;
 }
 
-struct Best {
+struct WayBest {
   std::optional<DesignPoint> point;
   double cost{HUGE_VAL};
 
@@ -57,7 +57,7 @@ struct Best {
 /// Where to begin: any f, or for `time` the best of a grid, because the stop time jumps where the
 /// number of half-cycles does.
 DesignPoint start_of(const Way& way, Objective objective, const WayPoint& inside) {
-  Best best;
+  WayBest best;
   best.consider(way, objective,
                 {inside.f, inside.delta, largest_tolerance(way, inside.f, inside.delta).value()});
   best.consider(way, objective, with_best_delta(way, inside.f));
@@ -92,7 +92,7 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
   const NloptProblem posed = way_posed(algorithm.constraints, way, objective, start, tried);
   NloptOutcome outcome = run(posed, algorithm.name, options, [&] { return tried.best; });
 
-  Best best;
+  WayBest best;
   best.consider(way, objective, start);
   const auto consider = [&](double x) {
     if (std::isnan(x) || !(x > 0)) {

@@ -70,10 +70,10 @@ struct AtF {
     const double most = worth(best);
     // Far above the rounding of a tolerance, far below what can be built.
     constexpr double equal = 1e-12;
-    constexpr int halvings = 20;  // which Delta of equals is no matter of digits
+    constexpr int bisections = 20;  // which Delta of equals is no matter of digits
     const auto end_towards = [&](double out) {
       double in = best;
-      for (int i = 0; i < halvings; ++i) {
+      for (int i = 0; i < bisections; ++i) {
         const double now = std::midpoint(in, out);
         (worth(now) >= most - equal ? in : out) = now;
       }

@@ -8,6 +8,8 @@
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <unistd.h>
 
