@@ -94,8 +94,9 @@ if(STILLPOINT_BUILD_PYTHON)
   else()
     set(python_dir "lib/python${version}/dist-packages")
   endif()
-  set(STILLPOINT_PYTHON_DIR "${python_dir}" CACHE STRING
-    "Where the Python package goes, below the prefix")
+  if(NOT STILLPOINT_PYTHON_DIR)  # below the prefix
+    set(STILLPOINT_PYTHON_DIR "${python_dir}")
+  endif()
   install(TARGETS stillpoint_python
           DESTINATION "${STILLPOINT_PYTHON_DIR}/stillpoint" COMPONENT python)
   install(FILES cli/python/stillpoint/__init__.py cli/python/stillpoint/py.typed

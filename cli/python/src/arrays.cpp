@@ -152,19 +152,25 @@ Doubles peaks(const Dampers& given, int threads) {
   const Values delta(given, at_delta);
   const Values v0(given, at_v0);
   const Values p(given, at_p);
-  constexpr py::ssize_t block = 4096;
+  const auto run = [&](py::ssize_t i, py::ssize_t end) {
+    try {
+      for (; i < end; ++i) {
+        peak[i] = peak_of(f[i], delta[i], v0[i], p[i]);
+      }
+    } catch (const InputError& error) {
+      throw error.in_entry(i);
+    }
+  };
+  constexpr py::ssize_t block = 4096;  // some 0.1 ms, which no thread is worth
+  if (given.size <= block) {
+    const py::gil_scoped_release released;
+    run(0, given.size);
+    return found;
+  }
   interruptible([&](const std::stop_token& stop) {
     const auto goes_on = [&] { return !stop.stop_requested(); };
     for_each_entry((given.size + block - 1) / block, threads, goes_on, [&](std::ptrdiff_t piece) {
-      py::ssize_t i = piece * block;
-      const py::ssize_t end = std::min(i + block, given.size);
-      try {
-        for (; i < end; ++i) {
-          peak[i] = peak_of(f[i], delta[i], v0[i], p[i]);
-        }
-      } catch (const InputError& error) {
-        throw error.in_entry(i);
-      }
+      run(piece * block, std::min((piece + 1) * block, given.size));
     });
   });
   return found;

@@ -54,9 +54,12 @@ class Bounds final : public Result {
   [[nodiscard]] report::Document document() const override { return report::document(whole()); }
   [[nodiscard]] figures::HtmlPage page() const override { return report::page(whole()); }
 
-  [[nodiscard]] py::object region() const {
-    return to_python(report::region_fields(region_.feasible ? design::RegionVerdict{region_}
-                                                            : design::answer(request_)));
+  [[nodiscard]] const py::object& region() {
+    if (!fields_) {
+      fields_ = to_python(report::region_fields(region_.feasible ? design::RegionVerdict{region_}
+                                                                 : design::answer(request_)));
+    }
+    return fields_;
   }
 
  private:
@@ -66,6 +69,7 @@ class Bounds final : public Result {
 
   design::RegionRequest request_;
   design::Region region_;
+  py::object fields_;
 };
 
 /// With a trajectory, if samples or an end were asked for.
