@@ -108,7 +108,7 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
       if (option.name == "friction-zones" && value.is_array()) {
         return zones_text(value);
       }
-      if (option.traits.repeats && value.is_array() && command == Command::design) {
+      if (option.repeats_in(command) && value.is_array()) {
         return joined_texts(option, value);
       }
       if (!value.is_string()) {

@@ -21,8 +21,8 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// Each with its motions; a page shows some thousand.
-constexpr std::int64_t most_periods = 100'000;
+/// A page still shows as many.
+constexpr std::int64_t most_periods = 10'000;
 
 std::vector<double> periods(const Settings& settings) {
   const auto axis = settings.axis("period");

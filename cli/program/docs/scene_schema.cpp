@@ -76,7 +76,9 @@ ordered_json described(const Option& option) {
   ordered_json entry = type_of(option);
   entry["description"] =
       std::string(option.help) + " (" + command_names(&option, ", ") + ")" +
-      (option.traits.sweeps ? "; only a sweep takes an axis" : "") +
+      (option.traits.axis_of_spectrum ? "; only a sweep and a spectrum take an axis"
+       : option.traits.sweeps         ? "; only a sweep takes an axis"
+                                      : "") +
       (option.traits.range != RangeEnd::none ? "; design and region also take a range [LOW, HIGH]"
                                              : "") +
       units_text(option);

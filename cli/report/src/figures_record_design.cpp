@@ -130,8 +130,13 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   return drawn;
 }
 
-Figure record_figure(const design::RecordDesign& result, std::size_t index,
-                     const FigureUnits& units) {
+struct DrawnRecord {
+  Figure motion;
+  Figure load;
+};
+
+DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
+                         const FigureUnits& units) {
   const design::RecordDesignRequest& task = result.request;
   const design::SuiteDamper& damper = result.finding->point.damper;
   const design::SuiteRecord& record = task.records[index];
@@ -142,14 +147,50 @@ Figure record_figure(const design::RecordDesign& result, std::size_t index,
   request.excitation = design::scaled(record);
   DrawnMotion motion = drawn_motion(request, simulate(request));
   motion.beta = task.limits.peak;
-  Figure figure = motion_figure(motion, units);
-  figure.id = format("record-{}", index + 1);
-  figure.title = record.name.substr(record.name.rfind('/') + 1);
+  DrawnRecord drawn{motion_figure(motion, units),
+                    excitation_figure(request.excitation, motion, units)};
+  drawn.motion.id = format("record-{}", index + 1);
+  drawn.motion.title = record.name.substr(record.name.rfind('/') + 1);
   if (record.scale != 1) {
-    figure.title += format(", {:.4g} times", record.scale);
+    drawn.motion.title += format(", {:.4g} times", record.scale);
   }
-  figure.height = 130;
-  return figure;
+  return drawn;
+}
+
+/// The record with the largest figure of the objective.
+std::size_t worst_record(const design::RecordDesign& result) {
+  const auto value = [&](const ForcedResponse& response) {
+    switch (result.request.objective) {
+      case design::SuiteObjective::amplitude:
+        return response.peak_amplitude;
+      case design::SuiteObjective::residual:
+        return std::abs(response.stop_position.value_or(0));
+      case design::SuiteObjective::acceleration:
+        break;
+    }
+    return response.peak_absolute_acceleration;
+  };
+  const std::vector<ForcedResponse>& all = result.finding->responses;
+  return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
+}
+
+/// The worst one large with its load, then all small; a single one only large.
+void add_records(std::vector<Figure>& figures, const design::RecordDesign& result,
+                 const FigureUnits& units) {
+  const std::size_t count = result.request.records.size();
+  DrawnRecord worst = drawn_record(result, worst_record(result), units);
+  if (count > 1) {
+    worst.motion.id = "worst";
+    worst.motion.title = "The worst record: " + worst.motion.title;
+  }
+  worst.load.id = "worst-load";
+  figures.push_back(std::move(worst.motion));
+  figures.push_back(std::move(worst.load));
+  constexpr double small = 130;
+  for (std::size_t i = 0; i < std::min(most_drawn_records, count) && count > 1; ++i) {
+    figures.push_back(drawn_record(result, i, units).motion);
+    figures.back().height = small;
+  }
 }
 
 /// Of the chosen damper, from a quarter of its period to twice that.
@@ -185,10 +226,7 @@ figures::HtmlPage page(const RecordDesignReport& report) {
     page.figures.push_back(map_figure(result, result.nearest, units));
   }
   if (result.finding) {
-    const std::size_t most = record_design_figures.size() - 1;
-    for (std::size_t i = 0; i < std::min(most, task.records.size()); ++i) {
-      page.figures.push_back(record_figure(result, i, units));
-    }
+    add_records(page.figures, result, units);
     std::ranges::move(design_spectra(result, units), std::back_inserter(page.figures));
   }
   return page;

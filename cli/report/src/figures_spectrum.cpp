@@ -67,13 +67,18 @@ void add_curves(Figure& figure, const design::Spectrum& spectrum, const Spectrum
                             : *spectrum.request.combine == design::Combine::max ? "largest, "
                                                                                 : "mean, ";
   if (several) {
-    FigureCurve each{"each record with the notch", {}, Ink::grey};
+    FigureCurve each{"each record", {}, Ink::grey};
     each.hover = false;
     for (const auto& record : spectrum.records) {
       std::ranges::move(axes.strokes(record, &SpectrumPoint::with_notch),
                         std::back_inserter(each.strokes));
     }
     figure.curves.push_back(std::move(each));
+  }
+  if (spectrum.request.delta == 0) {
+    figure.curves.push_back(
+        {which + "friction alone", axes.strokes(spectrum.combined, &SpectrumPoint::without)});
+    return;
   }
   figure.curves.push_back({which + "without point friction",
                            axes.strokes(spectrum.combined, &SpectrumPoint::without), Ink::orange,

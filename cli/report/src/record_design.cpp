@@ -193,8 +193,8 @@ void add_task(Document& document, const RecordDesignReport& report) {
 
 void add_search(Document& document, const design::SuiteSearch& search) {
   Section& section = document.detail("Search");
-  section.row("scan",
-              format("{} dampers, {} within the limits", search.scan_points, search.scan_feasible));
+  section.row("scan", format("{} damper{}, {} within the limits", search.scan_points,
+                             search.scan_points == 1 ? "" : "s", search.scan_feasible));
   section.row("NLopt", format("{} evaluations; the best by {} ({})", search.evaluations,
                               search.algorithm, search.status));
   section.row("time", format("{:.3g} s{}", search.wall_time_s,

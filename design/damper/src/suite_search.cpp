@@ -2,7 +2,8 @@
 
 // The objective jumps where a motion rests elsewhere, and has dozens of local minima, so that a
 // search from one start fails: a scan, then local searches from its best valleys, and a global one
-// as a second opinion.
+// as a second opinion. The scan is too coarse for thin islands, so that slices through the best
+// points, where all variables but one vary, are scanned as well.
 
 #include "suite_search.hpp"
 
@@ -12,7 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace stillpoint::design {
@@ -24,25 +26,18 @@ constexpr std::size_t most_starts = 10;
 constexpr int local_evaluations = 1000;
 constexpr std::int64_t usual_local_evaluations = 300;
 constexpr int global_evaluations = 10'000;
+/// Slices go through so many points that are further apart than this in a coordinate.
+constexpr std::size_t sliced_points = 2;
+constexpr double apart = 0.05;
+constexpr std::int64_t slice_points = 2304;  ///< a line, or 48 by 48
+constexpr std::size_t slice_starts = 3;
+constexpr int most_slice_rounds = 4;
 /// Of a coordinate: a millionth of the range of f or delta is as good as none, if the objective is
 /// no more than a millionth worse without it.
 constexpr double vanishing = 1e-3;
 constexpr double no_difference = 1e-6;
-/// Dampers of a scan between two looks at whether it goes on: under seven records a fifth of a
-/// second.
-constexpr std::int64_t scan_block = 1000;
 /// No time ends a search, so that the result depends on no machine.
 constexpr double no_time_limit = 1e9;
-
-double square_between(const SearchRange& range, double unit) {
-  return unit == 1 ? range.high : range.low + (range.high - range.low) * unit * unit;
-}
-
-double period_between(const SearchRange& p, double unit) {
-  return unit == 0   ? p.high
-         : unit == 1 ? p.low
-                     : 1 / (1 / p.high + (1 / p.low - 1 / p.high) * unit);
-}
 
 /// A point with its rank. Of equal ones the first stays.
 struct Ranked {
@@ -56,10 +51,10 @@ double merit(const SuiteRank& rank) {
   return rank.off > 0 ? 1 + rank.off : rank.value / (1 + rank.value);
 }
 
-/// The points of the scan that no neighbour betters, best first.
-std::vector<std::size_t> valleys(const SuiteScan& scan, std::size_t variables,
-                                 const std::vector<SuiteRank>& ranks) {
-  const auto side = static_cast<std::size_t>(scan.side);
+/// The points of a grid that no neighbour betters, best first; at most `most`.
+std::vector<std::size_t> valleys(std::int64_t points, std::size_t variables,
+                                 const std::vector<SuiteRank>& ranks, std::size_t most) {
+  const auto side = static_cast<std::size_t>(points);
   std::size_t around = 1;
   for (std::size_t i = 0; i < variables; ++i) {
     around *= 3;
@@ -88,180 +83,224 @@ std::vector<std::size_t> valleys(const SuiteScan& scan, std::size_t variables,
     }
   }
   std::ranges::sort(list, {}, [&](std::size_t i) { return std::pair(ranks[i], i); });
+  list.resize(std::min(list.size(), most));
   return list;
 }
 
 /// Leaves NLopt where the user has had enough.
 struct Stopped {};
 
-/// Runs NLopt and keeps the best point that it tried, from `best` on.
-NloptOutcome improve(Ranked& best, const std::function<Ranked(std::vector<double>)>& ranked,
-                     const char* algorithm, double first_step, int evaluations,
-                     const SuiteWatch& watch) {
-  const auto size = static_cast<Eigen::Index>(best.unit.size());
-  NloptProblem problem;
-  problem.lower = Eigen::VectorXd::Zero(size);
-  problem.upper = Eigen::VectorXd::Ones(size);
-  problem.start = Eigen::Map<const Eigen::VectorXd>(best.unit.data(), size);
-  problem.first_step = first_step;
-  int done = 0;
-  problem.objective = [&](const Eigen::VectorXd& x, Eigen::VectorXd& /*gradient*/) {
-    Ranked now = ranked({x.begin(), x.end()});
-    const double value = merit(now.rank);
-    if (now.rank < best.rank) {
-      best = std::move(now);
+class Search {
+ public:
+  Search(const Suite& suite, const SuiteBox& box, SuiteObjective objective,
+         const SuiteLimits& limits, int threads, SuiteWatch& watch)
+      : suite_(suite),
+        box_(box),
+        objective_(objective),
+        limits_(limits),
+        threads_(threads),
+        watch_(watch) {}
+
+  SuiteOptimum run(const SuiteScan& scan) {
+    std::vector<Ranked> starts = best_of(scan, {}, most_starts);
+    best_ = starts.front();
+    if (box_.variables() > 0 && !watch_.stopped()) {
+      std::vector<Ranked> found = descend(starts, scan.side, true);
+      if (box_.variables() > 1) {
+        slice(found);
+      }
     }
-    ++done;
-    if (watch.stopped()) {
-      throw Stopped();
-    }
-    return value;
-  };
-  try {
-    return minimise(problem, algorithm, {evaluations, no_time_limit});
-  } catch (const Stopped&) {
-    return {{}, "INTERRUPTED", done};
+    leave_out_what_vanishes();
+    result_.point = {box_.at(best_.unit), best_.figures};
+    return result_;
   }
-}
+
+ private:
+  [[nodiscard]] SuiteRank rank_of(const SuiteFigures& figures) const {
+    return rank(figures, objective_, limits_);
+  }
+
+  Ranked ranked(std::vector<double> unit) {
+    const SuiteDamper damper = box_.at(unit);
+    const SuiteFigures figures = suite_.figures(damper);
+    watch_.evaluated(damper, figures);
+    return {std::move(unit), figures, rank_of(figures)};
+  }
+
+  /// The best valleys of a scan of the box, or of a slice of it, whose points are `units`.
+  [[nodiscard]] std::vector<Ranked> best_of(const SuiteScan& scan,
+                                            const std::vector<std::vector<double>>& units,
+                                            std::size_t most) const {
+    std::vector<SuiteRank> ranks;
+    ranks.reserve(scan.figures.size());
+    for (const SuiteFigures& figures : scan.figures) {
+      ranks.push_back(rank_of(figures));
+    }
+    const std::size_t variables = box_.variables() - (units.empty() ? 0 : 1);
+    std::vector<Ranked> list;
+    for (const std::size_t i : valleys(scan.side, variables, ranks, most)) {
+      list.push_back(
+          {units.empty() ? scan.unit(i, variables) : units[i], scan.figures[i], ranks[i]});
+    }
+    return list;
+  }
+
+  /// Runs NLopt and keeps the best point that it tried, from `best` on.
+  NloptOutcome improve(Ranked& best, const char* algorithm, double first_step, int evaluations) {
+    const auto size = static_cast<Eigen::Index>(best.unit.size());
+    NloptProblem problem;
+    problem.lower = Eigen::VectorXd::Zero(size);
+    problem.upper = Eigen::VectorXd::Ones(size);
+    problem.start = Eigen::Map<const Eigen::VectorXd>(best.unit.data(), size);
+    problem.first_step = first_step;
+    int done = 0;
+    problem.objective = [&](const Eigen::VectorXd& x, Eigen::VectorXd& /*gradient*/) {
+      Ranked now = ranked({x.begin(), x.end()});
+      const double value = merit(now.rank);
+      if (now.rank < best.rank) {
+        best = std::move(now);
+      }
+      ++done;
+      if (watch_.stopped()) {
+        throw Stopped();
+      }
+      return value;
+    };
+    try {
+      return minimise(problem, algorithm, {evaluations, no_time_limit});
+    } catch (const Stopped&) {
+      return {{}, "INTERRUPTED", done};
+    }
+  }
+
+  /// From each start, of a grid with so many points to a side; where asked, first a global search,
+  /// which takes longest, and a descent from its best. What each ends with.
+  std::vector<Ranked> descend(const std::vector<Ranked>& starts, std::int64_t side, bool global) {
+    const std::size_t before = global ? 1 : 0;
+    std::vector<Ranked> ends(starts.size() + before, starts.front());
+    std::ranges::copy(starts, ends.begin() + static_cast<std::ptrdiff_t>(before));
+    std::vector<NloptOutcome> outcomes(ends.size());
+    watch_.expect((global ? global_evaluations : 0) +
+                  static_cast<std::int64_t>(ends.size()) * usual_local_evaluations);
+    const double step = 1 / static_cast<double>(side);
+    for_each_entry(static_cast<std::ptrdiff_t>(ends.size()), threads_, {}, [&](std::ptrdiff_t i) {
+      const auto index = static_cast<std::size_t>(i);
+      int so_far = 0;
+      if (index < before) {
+        so_far = improve(ends[index], "GN_ISRES", 0, global_evaluations).evaluations;
+      }
+      outcomes[index] = improve(ends[index], "LN_SBPLX", step, local_evaluations);
+      outcomes[index].evaluations += so_far;
+    });
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      result_.evaluations += outcomes[i].evaluations;
+      if (ends[i].rank < best_.rank) {
+        best_ = ends[i];
+        result_.algorithm = i < before ? "GN_ISRES" : "LN_SBPLX";
+        result_.status = outcomes[i].status;
+      }
+    }
+    return ends;
+  }
+
+  [[nodiscard]] std::int64_t slice_side() const {
+    return box_.variables() == 3 ? 48 : slice_points;
+  }
+
+  /// Valleys of the grid through a point in all variables but one.
+  std::vector<Ranked> valleys_of_slice(const std::vector<double>& through, std::size_t fixed) {
+    SuiteScan grid;
+    grid.side = slice_side();
+    std::vector<std::vector<double>> units;
+    std::vector<SuiteDamper> dampers;
+    for (std::size_t i = 0; i < slice_points; ++i) {
+      std::vector<double> unit = grid.unit(i, box_.variables() - 1);
+      unit.insert(unit.begin() + static_cast<std::ptrdiff_t>(fixed), through[fixed]);
+      dampers.push_back(box_.at(unit));
+      units.push_back(std::move(unit));
+    }
+    grid.figures = suite_.figures(dampers, threads_);
+    for (std::size_t i = 0; i < dampers.size(); ++i) {
+      watch_.evaluated(dampers[i], grid.figures[i]);
+    }
+    result_.evaluations += slice_points;
+    return best_of(grid, units, slice_starts);
+  }
+
+  /// The best of `found` that are apart.
+  static std::vector<Ranked> apart_of(std::vector<Ranked> found) {
+    std::ranges::stable_sort(found, {}, &Ranked::rank);
+    std::vector<Ranked> list;
+    for (Ranked& each : found) {
+      const bool is_new = std::ranges::none_of(list, [&](const Ranked& other) {
+        for (std::size_t i = 0; i < each.unit.size(); ++i) {
+          if (std::abs(each.unit[i] - other.unit[i]) > apart) {
+            return false;
+          }
+        }
+        return true;
+      });
+      if (is_new && list.size() < sliced_points) {
+        list.push_back(std::move(each));
+      }
+    }
+    return list;
+  }
+
+  /// Until the slices through the best points show no better one.
+  void slice(std::vector<Ranked> found) {
+    for (int round = 0; round < most_slice_rounds; ++round) {
+      std::vector<Ranked> starts;
+      for (const Ranked& through : apart_of(found)) {
+        for (std::size_t fixed = 0; fixed < box_.variables(); ++fixed) {
+          if (watch_.stopped()) {
+            return;
+          }
+          watch_.expect(slice_points);
+          std::ranges::move(valleys_of_slice(through.unit, fixed), std::back_inserter(starts));
+        }
+      }
+      const SuiteRank before = best_.rank;
+      std::ranges::move(descend(starts, slice_side(), false), std::back_inserter(found));
+      const bool better =
+          best_.rank.off < before.off || best_.rank.value < before.value * (1 - no_difference);
+      if (!better) {
+        return;
+      }
+    }
+  }
+
+  /// A search creeps towards a friction of 0 and never arrives.
+  void leave_out_what_vanishes() {
+    for (std::size_t i = 0; i < best_.unit.size() && !watch_.stopped(); ++i) {
+      if (box_.may_vanish(i) && best_.unit[i] > 0 && best_.unit[i] < vanishing) {
+        std::vector<double> without = best_.unit;
+        without[i] = 0;
+        const Ranked now = ranked(std::move(without));
+        if (now.rank.off <= best_.rank.off &&
+            now.rank.value <= best_.rank.value * (1 + no_difference)) {
+          best_ = now;
+        }
+      }
+    }
+  }
+
+  const Suite& suite_;
+  const SuiteBox& box_;
+  SuiteObjective objective_;
+  SuiteLimits limits_;
+  int threads_;
+  SuiteWatch& watch_;
+  Ranked best_;
+  SuiteOptimum result_{{}, "scan", "SUCCESS", 0};
+};
 
 }  // namespace
-
-SuiteBox::SuiteBox(const RecordDesignRequest& request)
-    : f_(request.f.value()), delta_(request.delta.value()), p_(request.p) {
-  for (const auto& [range, variable] :
-       {std::pair(&f_, Variable::f), std::pair(&delta_, Variable::delta),
-        std::pair(&p_, Variable::p)}) {
-    if (range->low < range->high) {
-      variables_.push_back(variable);
-    }
-  }
-}
-
-SuiteDamper SuiteBox::at(const std::vector<double>& unit) const {
-  SuiteDamper damper{p_.low, f_.low, delta_.low};
-  for (std::size_t i = 0; i < variables_.size(); ++i) {
-    switch (variables_[i]) {
-      case Variable::f:
-        damper.f = square_between(f_, unit[i]);
-        break;
-      case Variable::delta:
-        damper.delta = square_between(delta_, unit[i]);
-        break;
-      case Variable::p:
-        damper.p = period_between(p_, unit[i]);
-        break;
-    }
-  }
-  return damper;
-}
-
-std::vector<double> SuiteScan::unit(std::size_t index, std::size_t variables) const {
-  std::vector<double> unit(variables);
-  for (std::size_t i = variables; i > 0; --i, index /= static_cast<std::size_t>(side)) {
-    const auto place = static_cast<double>(index % static_cast<std::size_t>(side));
-    unit[i - 1] = side > 1 ? place / static_cast<double>(side - 1) : 0;
-  }
-  return unit;
-}
-
-SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points, int threads,
-               SuiteWatch& watch) {
-  SuiteScan scan;
-  std::int64_t size = 1;
-  if (box.variables() > 0) {
-    const double root =
-        std::pow(static_cast<double>(points), 1.0 / static_cast<double>(box.variables()));
-    scan.side = std::max<std::int64_t>(2, std::llround(root));
-    for (std::size_t i = 0; i < box.variables(); ++i) {
-      size *= scan.side;
-    }
-  }
-  SuiteFigures unknown;
-  unknown.settled = false;
-  scan.figures.assign(static_cast<std::size_t>(size), unknown);
-  watch.expect(size);
-  std::vector<SuiteDamper> block;
-  for (std::int64_t begin = 0; begin < size && !watch.stopped(); begin += scan_block) {
-    block.clear();
-    for (std::int64_t i = begin; i < std::min(begin + scan_block, size); ++i) {
-      block.push_back(box.at(scan.unit(static_cast<std::size_t>(i), box.variables())));
-    }
-    const std::vector<SuiteFigures> figures = suite.figures(block, threads);
-    std::ranges::copy(figures, scan.figures.begin() + begin);
-    scan.evaluated += static_cast<std::int64_t>(block.size());
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      watch.evaluated(block[i], figures[i]);
-    }
-  }
-  return scan;
-}
 
 SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
                      SuiteObjective objective, const SuiteLimits& limits, int threads,
                      SuiteWatch& watch) {
-  std::vector<SuiteRank> ranks;
-  ranks.reserve(scan.figures.size());
-  for (const SuiteFigures& figures : scan.figures) {
-    ranks.push_back(rank(figures, objective, limits));
-  }
-  const auto ranked = [&](std::vector<double> unit) {
-    const SuiteDamper damper = box.at(unit);
-    const SuiteFigures figures = suite.figures(damper);
-    watch.evaluated(damper, figures);
-    return Ranked{std::move(unit), figures, rank(figures, objective, limits)};
-  };
-  std::vector<std::size_t> starts = valleys(scan, box.variables(), ranks);
-  starts.resize(std::min(starts.size(), most_starts));
-  const auto at = [&](std::size_t index) {
-    return Ranked{scan.unit(index, box.variables()), scan.figures[index], ranks[index]};
-  };
-  Ranked best = at(starts.front());
-  SuiteOptimum found{{}, "scan", "SUCCESS", 0};
-  if (box.variables() > 0 && !watch.stopped()) {
-    watch.expect(global_evaluations +
-                 static_cast<std::int64_t>(starts.size() + 1) * usual_local_evaluations);
-    // The global search takes longest, so it begins first.
-    struct Run {
-      Ranked best;
-      NloptOutcome outcome;
-    };
-    std::vector<Run> runs(starts.size() + 1);
-    const double step = 1 / static_cast<double>(scan.side);
-    for_each_entry(static_cast<std::ptrdiff_t>(runs.size()), threads, {}, [&](std::ptrdiff_t i) {
-      Run& run = runs[static_cast<std::size_t>(i)];
-      run.best = at(starts[i == 0 ? 0 : static_cast<std::size_t>(i) - 1]);
-      if (i == 0) {
-        run.outcome = improve(run.best, ranked, "GN_ISRES", 0, global_evaluations, watch);
-        const int so_far = run.outcome.evaluations;
-        run.outcome = improve(run.best, ranked, "LN_SBPLX", step, local_evaluations, watch);
-        run.outcome.evaluations += so_far;
-      } else {
-        run.outcome = improve(run.best, ranked, "LN_SBPLX", step, local_evaluations, watch);
-      }
-    });
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      found.evaluations += runs[i].outcome.evaluations;
-      if (runs[i].best.rank < best.rank) {
-        best = runs[i].best;
-        found.algorithm = i == 0 ? "GN_ISRES" : "LN_SBPLX";
-        found.status = runs[i].outcome.status;
-      }
-    }
-  }
-  // A search creeps towards a friction of 0 and never arrives.
-  for (std::size_t i = 0; i < best.unit.size(); ++i) {
-    if (!watch.stopped() && box.may_vanish(i) && best.unit[i] > 0 && best.unit[i] < vanishing) {
-      std::vector<double> without = best.unit;
-      without[i] = 0;
-      const Ranked now = ranked(std::move(without));
-      if (now.rank.off <= best.rank.off &&
-          now.rank.value <= best.rank.value * (1 + no_difference)) {
-        best = now;
-      }
-    }
-  }
-  found.point = {box.at(best.unit), best.figures};
-  return found;
+  return Search(suite, box, objective, limits, threads, watch).run(scan);
 }
 
 }  // namespace stillpoint::design

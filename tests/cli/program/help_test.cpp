@@ -21,7 +21,8 @@ namespace {
 using namespace stillpoint::cli_test;
 using stillpoint::cli::Command;
 
-constexpr std::array commands{Command::design, Command::region, Command::simulate, Command::sweep};
+constexpr std::array commands{Command::design, Command::region, Command::simulate,
+                              Command::spectrum, Command::sweep};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

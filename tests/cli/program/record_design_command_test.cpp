@@ -32,6 +32,17 @@ constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
 const Arguments held{"design", "--record",         "a.txt", "--period", "2.8s", "--search-f",
                      "2:2",    "--search-delta-m", "0:0"};
 
+/// A search under it takes seconds.
+const Arguments long_search{"design", "--record", "long.txt", "--record-step", "0.01", "--period",
+                            "2.8",    "--hold",   "0.1"};
+std::string long_record() {
+  std::string record;
+  for (int i = 0; i < 20'000; ++i) {
+    record += i % 7 < 3 ? "0.3\n" : "-0.2\n";
+  }
+  return record + "0\n";
+}
+
 json failed_report(const Sandbox& sandbox, const Arguments& arguments, int exit_code) {
   const ProgramRun answer = sandbox.run(joined(arguments, {"--json"}));
   BOOST_TEST(answer.exit_code == exit_code, answer.err);
@@ -220,6 +231,35 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Sandbox) {
   for (const char* const part : {"id=\"map-title\"", "id=\"record-1-title\"", "chosen", "a.txt"}) {
     BOOST_TEST((page.find(part) != std::string::npos), part);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(an_interrupt_ends_with_the_best_so_far, Sandbox) {
+  write("long.txt", long_record());
+  Surroundings interrupted;
+  interrupted.interrupt = true;
+  const ProgramRun stopped =
+      run(joined(long_search, {"--json", "--output", "r.json"}), interrupted);
+  BOOST_TEST(stopped.exit_code == 130, stopped.err);
+  BOOST_TEST(stopped.err.empty(), stopped.err);
+  check_report_schema(stopped.out);
+  BOOST_TEST(stopped.json()["search"]["interrupted"] == true);
+  BOOST_TEST(stopped.json()["search"]["scan"]["points"] < 10'000);
+  BOOST_TEST(read("r.json") == stopped.out);
+  BOOST_TEST((run(long_search, interrupted).out.find("Interrupted, the best so far: ") !=
+              std::string::npos));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_terminal_shows_the_best_so_far, Sandbox,
+                        *boost::unit_test::precondition(if_terminals)) {
+  write("long.txt", long_record());
+  Surroundings interrupted;
+  interrupted.interrupt = true;
+  interrupted.error_is_terminal = true;
+  const ProgramRun stopped = run(long_search, interrupted);
+  BOOST_TEST(stopped.exit_code == 130);
+  BOOST_TEST((stopped.err.find(" of about ") != std::string::npos), stopped.err);
+  BOOST_TEST((stopped.err.find(" dampers, best ") != std::string::npos), stopped.err);
+  BOOST_TEST((stopped.err.find(", stroke ") != std::string::npos), stopped.err);
 }
 
 BOOST_DATA_TEST_CASE_F(Sandbox, wrong_input_is_refused, data::make(wrong_inputs), wrong) {

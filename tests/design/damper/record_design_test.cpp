@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <numbers>
@@ -141,6 +142,62 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
   for (const int threads : {2, 3}) {
     request.threads = threads;
     check_same(one, design::design(request));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_search_that_is_watched_to_its_end_finds_the_same) {
+  RecordDesignRequest request = two_records();
+  request.hold = 0.05;
+  request.scan_points = 400;
+  std::int64_t evaluations = 0;
+  SuitePoint best;
+  const RecordDesign watched = design::design(request, [&](const RecordProgress& progress) {
+    BOOST_TEST(progress.evaluations == ++evaluations);
+    best = progress.best.value();
+    return true;
+  });
+  check_same(design::design(request), watched);
+  BOOST_TEST(!watched.search.interrupted);
+  BOOST_TEST(evaluations > watched.search.scan_points);
+  BOOST_TEST(best.figures.acceleration == watched.nearest.figures.acceleration);
+}
+
+BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_has_the_best_so_far) {
+  RecordDesignRequest request = two_records();
+  request.hold = 0.05;
+  request.threads = 1;
+  // Within the first block of the scan of 2500, and within the searches that follow.
+  for (const std::int64_t last : {700, 2600, 9000}) {
+    std::int64_t asked = 0;
+    SuitePoint best;
+    const RecordDesign stopped = design::design(request, [&](const RecordProgress& progress) {
+      best = progress.best.value();
+      return ++asked < last;
+    });
+    BOOST_TEST_CONTEXT("stopped after " << last) {
+      BOOST_TEST(stopped.search.interrupted);
+      BOOST_TEST(asked == last);
+      BOOST_TEST(stopped.search.scan_points == (last == 700 ? 1000 : 2500));
+      // The block is evaluated to its end, and nothing beyond it.
+      BOOST_TEST(admissible(best.figures, request.limits));
+      BOOST_TEST(stopped.finding.has_value());
+      BOOST_TEST(stopped.nearest.figures.acceleration <= best.figures.acceleration);
+      if (last > 2500) {
+        BOOST_TEST(stopped.nearest.damper.f == best.damper.f);
+        BOOST_TEST(stopped.nearest.damper.delta == best.damper.delta);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_says_of_no_limit_that_it_would_do) {
+  RecordDesignRequest request = two_records();
+  request.limits = {0.5 * metre, 0.1, 0.001 * metre};
+  const RecordDesign stopped = design::design(request, [](const RecordProgress&) { return false; });
+  BOOST_TEST(!stopped.finding.has_value());
+  BOOST_TEST(stopped.shortfalls.size() == 3U);
+  for (const SuiteShortfall& shortfall : stopped.shortfalls) {
+    BOOST_TEST(!shortfall.relaxed.has_value());
   }
 }
 

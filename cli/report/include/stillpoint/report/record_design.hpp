@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,9 +42,10 @@ struct RecordDesignReport {
 /// they are computed here.
 [[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
 
-/// The ids of the figures that the page may have: the map and the first eleven motions.
-inline constexpr std::array<std::string_view, 12> record_design_figures{
-    "map",      "record-1", "record-2", "record-3", "record-4",  "record-5",
-    "record-6", "record-7", "record-8", "record-9", "record-10", "record-11"};
+inline constexpr std::size_t most_drawn_records = 11;
+/// The ids of the figures that the page may have, beside those of a spectrum.
+inline constexpr std::array<std::string_view, 3 + most_drawn_records> record_design_figures{
+    "map",      "worst",    "worst-load", "record-1", "record-2", "record-3",  "record-4",
+    "record-5", "record-6", "record-7",   "record-8", "record-9", "record-10", "record-11"};
 
 }  // namespace stillpoint::report

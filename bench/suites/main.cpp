@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The tables of docs/records-design.md: whether the search finds the best damper, and what a notch
+// brings.
+
+#include "dense_scan.hpp"
+#include "suites.hpp"
+
+#include <fmt/format.h>
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::bench {
+
+namespace {
+
+using design::Combine;
+using design::RecordDesign;
+using design::RecordDesignRequest;
+using design::SearchRange;
+using design::SuiteFigures;
+using design::SuitePoint;
+
+/// What the docs promise.
+constexpr double largest_excess = 1e-4;
+
+double processor_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) +
+         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
+std::string damper_text(const design::SuiteDamper& damper) {
+  return fmt::format("{:.5f} | {:.2f} mm | {:.3f} s", damper.f, 1e3 * damper.delta / metre,
+                     2.8 / damper.p);
+}
+
+/// Whether no suite's dense scan beats its design.
+bool compare_with_dense_scans(const std::vector<NamedSuite>& all) {
+  fmt::print(
+      "| suite | notch | f | delta | period | objective | found by | the design over the scan's "
+      "best, "
+      "less 1 | points | processor time of the design "
+      "|\n|---|---|---|---|---|---|---|---|---|---|\n");
+  bool good = true;
+  for (const auto& [name, request] : all) {
+    const double begin = processor_seconds();
+    const RecordDesign result = design::design(request);
+    const double seconds = processor_seconds() - begin;
+    const SuitePoint& point = result.nearest;
+    const double found = result.finding ? figure(point.figures, request.objective) : HUGE_VAL;
+    const DenseBest dense = dense_best(result.request, point.damper, found);
+    const double excess = found / dense.value - 1;
+    good = good && (excess <= largest_excess || std::isinf(dense.value));
+    const bool is_length = request.objective != design::SuiteObjective::acceleration;
+    fmt::print(
+        "| {} | {} | {} | {} | {} | {:.1e} | {} | {:.1f} s |\n", name, notch_words(request),
+        damper_text(point.damper),
+        is_length ? fmt::format("{:.2f} mm", 1e3 * found / metre) : fmt::format("{:.5f} g", found),
+        result.search.algorithm, excess, dense.points, seconds);
+    if (excess > largest_excess) {
+      fmt::print(stderr, "{}: the scan has {:.17g} at {}, {:.17g} {:.17g}\n", name, dense.value,
+                 damper_text(dense.damper), dense.damper.f, dense.damper.delta);
+    }
+    std::fflush(stdout);
+  }
+  return good;
+}
+
+/// The best design with one of these notches; empty where none was found.
+std::optional<RecordDesign> best_of(const RecordDesignRequest& suite,
+                                    const std::vector<RecordDesignRequest>& notches) {
+  std::optional<RecordDesign> best;
+  for (const RecordDesignRequest& request : notches) {
+    RecordDesign now = design::design(request);
+    if (now.finding && (!best || figure(now.finding->point.figures, suite.objective) <
+                                     figure(best->finding->point.figures, suite.objective))) {
+      best = std::move(now);
+    }
+  }
+  return best;
+}
+
+void print_gains(const std::vector<NamedSuite>& all) {
+  fmt::print(
+      "| suite | notch | f | delta | period | transmitted | stroke | residual | of the residual "
+      "removed |\n|---|---|---|---|---|---|---|---|---|\n");
+  std::string last;
+  for (const auto& [name, suite] : all) {
+    if (std::exchange(last, name) == name) {
+      continue;  // another notch of the same suite
+    }
+    RecordDesignRequest paper = suite;
+    paper.hold = std::numeric_limits<double>::infinity();
+    paper.notch_width.reset();
+    RecordDesignRequest none = paper;
+    none.delta = SearchRange{0, 0};
+    std::vector<RecordDesignRequest> holding;
+    for (const double hold : {0.05, 0.1, 0.2}) {
+      holding.push_back(paper);
+      holding.back().hold = hold;
+    }
+    std::vector<RecordDesignRequest> wide;
+    for (const double width : {20, 50, 100}) {
+      wide.push_back(paper);
+      wide.back().notch_width = width * 1e-3 * metre;
+    }
+    std::optional<double> without;
+    for (const auto& notches : {std::vector{none}, std::vector{paper}, holding, wide}) {
+      const bool is_none = notches[0].delta.has_value();
+      const std::optional<RecordDesign> best = best_of(suite, notches);
+      if (!best) {
+        fmt::print(
+            "| {} | {} | no damper found | | | | | | |\n", name,
+            is_none ? "none" : notch_words(notches[0]) + (notches.size() > 1 ? ", or more" : ""));
+        continue;
+      }
+      const auto& [damper, figures] = best->finding->point;
+      if (is_none) {
+        without = figures.residual;
+      }
+      fmt::print("| {} | {} | {} | {:.4f} g | {:.1f} mm | {:.2f} mm | {} |\n", name,
+                 is_none ? "none" : notch_words(best->request), damper_text(damper),
+                 figures.acceleration, 1e3 * figures.peak / metre, 1e3 * figures.residual / metre,
+                 is_none || !without || *without == 0
+                     ? std::string()
+                     : fmt::format("{:.0f} %", 100 * (1 - figures.residual / *without)));
+      std::fflush(stdout);
+    }
+  }
+}
+
+int run(int argc, const char* const* argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() < 2 || (words[0] != "truth" && words[0] != "notches")) {
+    fmt::print(stderr, "usage: stillpoint_suites truth|notches RECORDS_FOLDER [RECORD...]\n");
+    return 2;
+  }
+  const std::vector<NamedSuite> all = suites(words[1], {words.begin() + 2, words.end()});
+  if (words[0] == "truth") {
+    return compare_with_dense_scans(all) ? 0 : 1;
+  }
+  print_gains(all);
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace stillpoint::bench
+
+int main(int argc, char** argv) {
+  try {
+    return stillpoint::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "suites.hpp"
+
+#include <stillpoint/records/record_file.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stillpoint::bench {
+
+namespace {
+
+using design::RecordDesignRequest;
+using design::SearchRange;
+using design::SuiteObjective;
+using design::SuiteRecord;
+
+SuiteRecord read(const std::string& path) {
+  records::RecordOptions options;
+  options.clock = {"s", 1 / omega, 1};
+  return {path, records::read_record(path, options).record, 1};
+}
+
+SuiteRecord times(double scale, SuiteRecord record) {
+  record.scale = scale;
+  return record;
+}
+
+/// So many half-waves of a sine of 0.4 g, sampled, and a second of quiet.
+SuiteRecord sine(double seconds, int half_waves) {
+  constexpr int samples = 200;
+  Record record;
+  record.step = seconds * omega / samples;
+  for (int i = 0; i <= samples; ++i) {
+    record.values.push_back(0.4 * std::sin(std::numbers::pi * half_waves * i / samples));
+  }
+  record.values.back() = 0;
+  record.values.push_back(0);
+  return {fmt::format("{} s", seconds), std::move(record), 1};
+}
+
+NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, double stroke_mm,
+                 double residual_mm) {
+  RecordDesignRequest request;
+  request.records = std::move(records);
+  request.limits.peak = stroke_mm * 1e-3 * metre;
+  request.limits.residual = residual_mm * 1e-3 * metre;
+  return {fmt::format("{}; stroke {} mm, residual {} mm", name, stroke_mm, residual_mm),
+          std::move(request)};
+}
+
+SearchRange periods(double shortest_s, double longest_s) {
+  return {2.8 / longest_s, 2.8 / shortest_s};
+}
+
+}  // namespace
+
+std::string notch_words(const RecordDesignRequest& request) {
+  return request.notch_width ? fmt::format("{:.0f} mm wide", 1e3 * *request.notch_width / metre)
+         : std::isinf(request.hold) ? std::string("the paper's")
+                                    : fmt::format("holds {} g", request.hold);
+}
+
+std::vector<NamedSuite> suites(const std::string& folder,
+                               const std::vector<std::string>& recorded) {
+  const SuiteRecord pulse = read(folder + "/near_fault_pulse.txt");
+  const SuiteRecord strong = read(folder + "/strong_motion.AT2");
+  const std::vector both{pulse, strong};
+  std::vector<NamedSuite> all;
+  all.push_back(suite("both", both, 300, 5));
+  all.push_back(suite("both", both, 400, 5));
+  all.back().request.hold = 0.1;
+  all.push_back(suite("both", both, 250, 5));
+  all.back().request.notch_width = 0.05 * metre;
+  all.push_back(suite("pulse 1, 1.5, -1 times, least stroke at 0.3 g",
+                      {pulse, times(1.5, pulse), times(-1, pulse)}, 1000, 10));
+  all.back().request.objective = SuiteObjective::amplitude;
+  all.back().request.limits.acceleration = 0.3;
+  all.back().request.hold = 0.2;
+  all.push_back(
+      suite("half-sines of 0.3, 0.6, 1 s", {sine(0.3, 1), sine(0.6, 1), sine(1, 1)}, 400, 2));
+  all.back().request.hold = 0.05;
+  all.push_back(suite("full sines of 0.8, 1.2 s and the pulse, least stroke at 0.3 g",
+                      {sine(0.8, 2), sine(1.2, 2), pulse}, 600, 10));
+  all.back().request.objective = SuiteObjective::amplitude;
+  all.back().request.limits.acceleration = 0.3;
+  all.back().request.hold = 0.1;
+  all.push_back(suite("seven: both scaled by 0.7 to 1.3, mean",
+                      {times(0.7, pulse), pulse, times(1.3, pulse), times(0.8, strong), strong,
+                       times(1.2, strong), times(-1, strong)},
+                      300, 5));
+  all.back().request.hold = 0.1;
+  all.push_back(suite("both, period 2 to 4 s", both, 400, 5));
+  all.back().request.hold = 0.1;
+  all.back().request.p = periods(2, 4);
+  all.push_back(suite("both, period 1.5 to 3.5 s", both, 250, 5));
+  all.back().request.p = periods(1.5, 3.5);
+  all.push_back(suite("strong motion doubled, pulse halved, period 2 to 4 s, least stroke at 0.2 g",
+                      {times(2, strong), times(0.5, pulse)}, 600, 10));
+  all.back().request.objective = SuiteObjective::amplitude;
+  all.back().request.limits.acceleration = 0.2;
+  all.back().request.hold = 0.15;
+  all.back().request.p = periods(2, 4);
+  if (!recorded.empty()) {
+    std::vector<SuiteRecord> doubled;
+    for (const std::string& path : recorded) {
+      doubled.push_back(times(2, read(path)));
+    }
+    all.push_back(suite("recorded motions doubled", doubled, 250, 2));
+    all.push_back(suite("recorded motions doubled", doubled, 250, 2));
+    all.back().request.hold = 0.1;
+  }
+  return all;
+}
+
+}  // namespace stillpoint::bench

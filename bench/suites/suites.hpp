@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/record_design.hpp>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace stillpoint::bench {
+
+/// All suites have p = 1 at a period of 2.8 s, so that lengths are in g/omega^2, 1.947 m.
+inline constexpr double omega = 2 * std::numbers::pi / 2.8;
+inline constexpr double metre = omega * omega / 9.80665;
+
+struct NamedSuite {
+  std::string name;
+  design::RecordDesignRequest request;
+};
+
+/// "holds 0.1 g"
+[[nodiscard]] std::string notch_words(const design::RecordDesignRequest& request);
+
+/// Of the two synthetic records in `folder`, of pulses and of both scaled, with two variables and
+/// with three; and where there are `recorded` files, of those.
+[[nodiscard]] std::vector<NamedSuite> suites(const std::string& folder,
+                                             const std::vector<std::string>& recorded);
+
+}  // namespace stillpoint::bench

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "json_schema.hpp"
+#include "refusal.hpp"
+#include "report_fields.hpp"
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(spectrum_command_test)
+
+// stillpoint spectrum, from the flags to the report. The figures are in spectrum_test.
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+namespace data = boost::unit_test::data;
+
+/// Metres and seconds on the way there and back.
+constexpr double units_tolerance = 1e-12;
+
+constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
+
+const Arguments asked{"spectrum", "--record",  "a.txt", "--period", "1s:3s:5", "--f",
+                      "0.02",     "--delta-m", "20mm",  "--hold",   "0.1"};
+
+Arguments but(const std::string& option, const std::string& value) {
+  Arguments changed = asked;
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    if (changed[i] == option) {
+      changed[i + 1] = value;
+    }
+  }
+  return changed;
+}
+
+const std::vector<Wrong> wrong_inputs{
+    {"no record",
+     {"spectrum", "--period", "1:2:3", "--f", "0", "--delta-m", "0"},
+     {"record is missing"}},
+    {"no such file", but("--record", "b.txt"), {"b.txt"}},
+    {"no period",
+     {"spectrum", "--record", "a.txt", "--f", "0", "--delta-m", "0"},
+     {"period is missing", "LOW:HIGH:N"}},
+    {"no f",
+     {"spectrum", "--record", "a.txt", "--period", "1:2:3", "--delta-m", "0"},
+     {"f is missing"}},
+    {"no delta",
+     {"spectrum", "--record", "a.txt", "--period", "1:2:3", "--f", "0"},
+     {"delta-m is missing"}},
+    {"period of 0", but("--period", "0:2:3"), {"period = 0", "1e-30"}},
+    {"no count", but("--period", "1:2"), {"period = 1:2"}},
+    {"count of 0", but("--period", "1:2:0"), {"period = 1:2:0", "count"}},
+    {"too many", but("--period", "1:2:10001"), {"period = 1:2:10001", "10000"}},
+    {"wrong unit", but("--period", "1m:2m:3"), {"period"}},
+    {"negative f", but("--f", "-0.1"), {"f = -0.1"}},
+    {"negative delta", but("--delta-m", "-1mm"), {"delta-m = -0.001"}},
+    {"negative hold", but("--hold", "-1"), {"hold = -1"}},
+    {"hold and width", joined(asked, {"--notch-width-m", "1mm"}), {"exclude each other"}},
+    {"combination", joined(asked, {"--combine", "median"}), {"combine = median", "max or mean"}},
+    {"dimensionless", joined(asked, {"--p", "1"}), {"--p: is not an option of spectrum"}},
+    {"two reports on standard output",
+     joined(asked, {"--json", "--table", "-"}),
+     {"json and the table", "--table FILE"}},
+    {"threads", joined(asked, {"--threads", "-1"}), {"threads = -1"}},
+};
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(each_point_is_that_of_simulate, Sandbox) {
+  write("a.txt", small_record);
+  const json report = report_of(*this, asked);
+  check_report_schema(report.dump());
+  BOOST_TEST(report["input"]["combine"] == "max");
+  const json& points = report["records"][0]["points"];
+  BOOST_TEST_REQUIRE(points.size() == 5U);
+  BOOST_TEST(report["combined"] == points);
+  for (const json& point : points) {
+    const std::string period = in_full(point["period_s"]);
+    const auto check = [&](const json& figures, const Arguments& damper) {
+      const json response = report_of(
+          *this,
+          joined({"simulate", "--record", "a.txt", "--period", period, "--f", "0.02"}, damper));
+      const json& physical = response["physical"];
+      BOOST_TEST(near(figures["peak_m"], physical["peak_m"], units_tolerance));
+      BOOST_TEST(near(figures["peak_absolute_acceleration"],
+                      response["response"]["peak_absolute_acceleration"], units_tolerance));
+      BOOST_TEST(std::abs(figures["residual_m"].get<double>() -
+                          std::abs(physical["stop_position_m"].get<double>())) <=
+                 units_tolerance * figures["peak_m"].get<double>());
+    };
+    check(point, {"--delta-m", "20mm", "--hold", "0.1"});
+    check(point["without_notch"], {"--delta-m", "0"});
+  }
+  BOOST_TEST(near(points[0]["period_s"], 1, units_tolerance));
+  BOOST_TEST(near(points[4]["period_s"], 3, units_tolerance));
+}
+
+BOOST_FIXTURE_TEST_CASE(the_table_has_the_numbers_of_the_report, Sandbox) {
+  write("a.txt", small_record);
+  write("list.csv", "file,scale\na.txt,-3\n");
+  const Arguments two = joined(asked, {"--records-list", "list.csv"});
+  const json report =
+      report_of(*this, joined(two, {"--table", "t.csv", "--output", "report.json"}));
+  BOOST_TEST(json::parse(read("report.json")) == report);
+  BOOST_TEST(run(joined(two, {"--table", "t.npy"})).exit_code == 0);
+  BOOST_TEST(run(joined(two, {"--table", "-"})).out == read("t.csv"));
+  const SweepTable csv = read_csv(read("t.csv"));
+  const NpyFile npy = read_npy(read("t.npy"));
+  BOOST_TEST_REQUIRE(csv.rows.size() == 10U);
+  BOOST_TEST_REQUIRE(npy.count == 10);
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    const json& point = report["records"][i / 5]["points"][i % 5];
+    BOOST_TEST(csv.number(i, "record") == static_cast<double>(i / 5 + 1));
+    for (const char* const name :
+         {"period_s", "peak_m", "residual_m", "peak_absolute_acceleration"}) {
+      BOOST_TEST(csv.number(i, name) == point[name].get<double>());
+    }
+    for (const char* const name : {"peak_m", "residual_m", "peak_absolute_acceleration"}) {
+      BOOST_TEST(csv.number(i, name + std::string("_without_notch")) ==
+                 point["without_notch"][name].get<double>());
+    }
+    for (const NpyField& field : npy.fields) {
+      BOOST_TEST(npy.number(static_cast<std::int64_t>(i), field.name) == csv.number(i, field.name));
+    }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(what_does_not_exist_is_left_out, Sandbox) {
+  write("a.txt", small_record);
+  const Arguments endless{"spectrum", "--record", "a.txt",     "--period", "2s",
+                          "--f",      "0",        "--delta-m", "0"};
+  BOOST_TEST(report_of(*this, endless)["combined"][0]["residual_m"] == nullptr);
+  const ProgramRun table = run(joined(endless, {"--table", "-"}));
+  BOOST_TEST(read_csv(table.out).at(0, "residual_m").empty());
+  BOOST_TEST(run(joined(endless, {"--table", "t.npy", "--quiet"})).exit_code == 0);
+  BOOST_TEST(std::isnan(read_npy(read("t.npy")).number(0, "residual_m")));
+}
+
+BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Sandbox) {
+  write("a.txt", small_record);
+  const ProgramRun answer = run(joined(asked, {"--html", "p.html", "--svg", "figures"}));
+  BOOST_TEST(answer.exit_code == 0, answer.err);
+  BOOST_TEST((answer.out.find("The notch lowers the residual") != std::string::npos), answer.out);
+  BOOST_TEST((answer.out.find("1.5 s") != std::string::npos), answer.out);
+  const std::string page = read("p.html");
+  for (const char* const part : {"spectrum-acceleration", "spectrum-peak", "spectrum-residual"}) {
+    BOOST_TEST((page.find(std::string("id=\"") + part + "-title\"") != std::string::npos), part);
+    BOOST_TEST(std::filesystem::exists(path(std::string("figures/") + part + ".svg")), part);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_scene_has_the_same_keys, Sandbox) {
+  write("a.txt", small_record);
+  write("scene.json", R"({"record": ["a.txt"], "period": "1s:3s:5", "f": 0.02, "delta_m": "20mm",
+                          "hold": 0.1})");
+  BOOST_TEST(report_of(*this, {"spectrum", "scene.json"}) == report_of(*this, asked));
+}
+
+BOOST_FIXTURE_TEST_CASE(an_interrupt_writes_nothing, Sandbox) {
+  std::string record;
+  for (int i = 0; i < 20000; ++i) {
+    record += i % 7 < 3 ? "0.3\n" : "-0.2\n";
+  }
+  write("long.txt", record);
+  Surroundings interrupted;
+  interrupted.interrupt = true;
+  const ProgramRun stopped =
+      run({"spectrum", "--record", "long.txt", "--record-step", "0.01", "--period", "0.5:4:10000",
+           "--f", "0.01", "--delta-m", "1mm", "--hold", "0.1", "--table", "t.csv"},
+          interrupted);
+  BOOST_TEST(stopped.exit_code == 130);
+  BOOST_TEST(stopped.err == "stillpoint: interrupted: nothing is written\n");
+  BOOST_TEST(contents().size() == 1U);
+}
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_input_is_refused, data::make(wrong_inputs), wrong) {
+  write("a.txt", small_record);
+  check_refused(*this, wrong);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

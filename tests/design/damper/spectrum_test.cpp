@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "suite_check.hpp"
+
+#include "random_source.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/spectrum.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(spectrum_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using design_test::RandomSource;
+
+/// Of closed forms: some roundings of sines.
+constexpr double closed_form_tolerance = 1e-13;
+/// As in record_design_test: what Runge-Kutta may be off, where no decision is close.
+constexpr double integrator_tolerance = 1e-6;
+
+/// 0.4 g for two units of time, then nothing.
+SuiteRecord rectangle(double scale = 1) {
+  return {"rectangle", Record{{0.4, 0.4}, 2, {}}, scale};
+}
+
+/// Some shaking that returns often, W in g.
+SuiteRecord shaking() {
+  SuiteRecord record{"shaking", Record{{}, 0.25, {}}, 1};
+  for (int i = 0; i < 60; ++i) {
+    record.record.values.push_back(0.3 * std::sin(0.7 * i) + 0.2 * std::sin(0.23 * i));
+  }
+  return record;
+}
+
+SpectrumRequest request_of(std::vector<SuiteRecord> records, double f, double delta) {
+  SpectrumRequest request;
+  request.records = std::move(records);
+  request.p = {0.4, 1, 1.5};
+  request.f = f;
+  request.delta = delta;
+  return request;
+}
+
+bool same(const SpectrumFigures& one, const SpectrumFigures& other) {
+  return one.peak == other.peak && one.acceleration == other.acceleration &&
+         one.residual == other.residual;
+}
+
+}  // namespace
+
+// Without friction a load of w0 for the time L moves the mass to 2 w0/p^2, or, where it ends before
+// half a period, to 2 w0/p^2 sin(p L/2); docs/theory.md section 9.
+BOOST_AUTO_TEST_CASE(without_friction_a_rectangle_has_its_closed_form_and_no_residual) {
+  const Spectrum found = spectrum(request_of({rectangle()}, 0, 0));
+  for (std::size_t i = 0; i < found.request.p.size(); ++i) {
+    const double p = found.request.p[i];
+    const double half = p * 2 / 2;
+    const double peak = 0.8 / (p * p) * (half >= std::numbers::pi / 2 ? 1 : std::sin(half));
+    const SpectrumFigures& figures = found.records[0][i].with_notch;
+    BOOST_TEST(std::abs(figures.peak - peak) <= closed_form_tolerance * peak,
+               figures.peak << " " << peak);
+    BOOST_TEST(std::abs(figures.acceleration - p * p * peak) <=
+               closed_form_tolerance * p * p * peak);
+    BOOST_TEST(!figures.residual.has_value());
+    BOOST_TEST(same(figures, found.records[0][i].without));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_friction_that_takes_too_long_has_the_peak_but_no_residual) {
+  const Spectrum found = spectrum(request_of({rectangle()}, 1e-9, 1e-9));
+  const Spectrum none = spectrum(request_of({rectangle()}, 0, 0));
+  for (std::size_t i = 0; i < found.request.p.size(); ++i) {
+    // Up to the peak friction takes at most 2 f/p^2 of each of two half-cycles, and the notch, of
+    // one passage, Delta of v^2/2 = (p x)^2/2: Delta/(p^2 x) of x.
+    const double p = found.request.p[i];
+    const double peak = none.records[0][i].with_notch.peak;
+    BOOST_TEST(std::abs(found.records[0][i].with_notch.peak - peak) <=
+               (4e-9 + 1e-9 / peak) / (p * p));
+    BOOST_TEST(!found.records[0][i].with_notch.residual.has_value());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(each_point_is_that_of_the_independent_integrator) {
+  RandomSource random(2203);
+  int compared = 0;
+  for (int i = 0; i < 30; ++i) {
+    SpectrumRequest request =
+        request_of({shaking()}, random.uniform(0.01, 0.1), random.uniform(0.001, 0.05));
+    request.p = {random.uniform(0.5, 2)};
+    if (i % 3 == 1) {
+      request.hold = random.uniform(0, 0.2);
+    } else if (i % 3 == 2) {
+      request.notch_width = random.uniform(0.01, 0.1);
+    }
+    const Record load = scaled(request.records[0]);
+    const SpectrumPoint point = spectrum(request).records[0][0];
+    const Oscillator with_notch{request.p[0], request.f, request.delta, request.hold};
+    const Oscillator without{request.p[0], request.f, 0};
+    for (const auto& [figures, oscillator, surface] :
+         {std::tuple(point.with_notch, with_notch, Surface{request.notch_width, {}}),
+          std::tuple(point.without, without, Surface{})}) {
+      if (forced_response(oscillator, {}, load, {}, surface).decision_margin.value_or(1) <
+          least_suite_margin) {
+        continue;
+      }
+      ++compared;
+      const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, load);
+      BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
+                                   << ", delta = " << oscillator.delta) {
+        BOOST_TEST(std::abs(figures.peak - other.peak) <= integrator_tolerance * other.peak);
+        BOOST_TEST(std::abs(figures.acceleration - other.acceleration) <=
+                   integrator_tolerance * other.acceleration);
+        BOOST_TEST(std::abs(figures.residual.value() - other.residual) <=
+                   integrator_tolerance * other.peak);
+      }
+    }
+  }
+  BOOST_TEST(compared >= 50);
+}
+
+// Two records, one three times the other, and no friction: everything is in proportion.
+BOOST_AUTO_TEST_CASE(the_largest_and_the_mean_of_records) {
+  SpectrumRequest request = request_of({rectangle(), rectangle(-3)}, 0, 0);
+  const Spectrum largest = spectrum(request);
+  BOOST_TEST((largest.request.combine == Combine::max));
+  request.combine = Combine::mean;
+  const Spectrum mean = spectrum(request);
+  for (std::size_t i = 0; i < request.p.size(); ++i) {
+    const double one = largest.records[0][i].without.peak;
+    BOOST_TEST(std::abs(largest.combined[i].without.peak - 3 * one) <= closed_form_tolerance * one);
+    BOOST_TEST(std::abs(mean.combined[i].without.peak - 2 * one) <= closed_form_tolerance * one);
+    BOOST_TEST(!mean.combined[i].without.residual.has_value());
+  }
+  request.combine.reset();
+  request.records.resize(7, request.records.front());
+  BOOST_TEST((spectrum(request).request.combine == Combine::mean));
+}
+
+// A friction above the load: it is passed on, and nothing moves.
+BOOST_AUTO_TEST_CASE(a_mass_that_does_not_move_feels_the_load) {
+  const Spectrum found = spectrum(request_of({rectangle(), rectangle(2)}, 3, 0.01));
+  for (const SpectrumPoint& point : found.combined) {
+    BOOST_TEST(same(point.with_notch, {0, 0.8, 0}));
+    BOOST_TEST(same(point.without, {0, 0.8, 0}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
+  SpectrumRequest request = request_of({shaking(), rectangle()}, 0.03, 0.02);
+  request.hold = 0.1;
+  request.threads = 1;
+  const Spectrum one = spectrum(request);
+  for (const int threads : {2, 3}) {
+    request.threads = threads;
+    const Spectrum other = spectrum(request);
+    for (std::size_t i = 0; i < request.p.size(); ++i) {
+      BOOST_TEST(same(one.combined[i].with_notch, other.combined[i].with_notch));
+      BOOST_TEST(same(one.records[1][i].without, other.records[1][i].without));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_no_ends_it) {
+  SpectrumRequest request = request_of({shaking()}, 0.03, 0.02);
+  request.threads = 1;
+  request.p.assign(50, 1);
+  int asked = 0;
+  const Spectrum stopped = spectrum(request, [&asked](double done) {
+    BOOST_TEST(std::abs(done - asked / 50.0) <= 1e-15);
+    return ++asked <= 5;
+  });
+  BOOST_TEST(asked == 6);
+  BOOST_TEST(stopped.records[0][4].with_notch.peak > 0);
+  BOOST_TEST(stopped.records[0][5].with_notch.peak == 0);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
+  const auto refused = [](const std::string& field,
+                          const std::function<void(SpectrumRequest&)>& spoil) {
+    SpectrumRequest request = request_of({rectangle()}, 0.1, 0.01);
+    spoil(request);
+    BOOST_TEST_CONTEXT(field) {
+      BOOST_CHECK_EXCEPTION(static_cast<void>(spectrum(request)), InputError,
+                            [&](const InputError& error) { return error.field() == field; });
+    }
+  };
+  refused("records", [](auto& request) { request.records.clear(); });
+  refused("scale", [](auto& request) { request.records[0].scale = 0; });
+  refused("p", [](auto& request) { request.p.clear(); });
+  refused("p", [](auto& request) { request.p[1] = 0; });
+  refused("f", [](auto& request) { request.f = -1; });
+  refused("delta", [](auto& request) { request.delta = -1; });
+  refused("hold", [](auto& request) { request.hold = -1; });
+  refused("notch-width", [](auto& request) { request.notch_width = 0; });
+  refused("threads", [](auto& request) { request.threads = -1; });
+}
+
+BOOST_AUTO_TEST_SUITE_END()
