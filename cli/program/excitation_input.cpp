@@ -93,11 +93,13 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
       value *= factor;
     }
   }
-  return {std::move(file.record),
-          report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
-                               settings.number("record-step"), settings.number("record-scale"),
-                               target.peak, target.spectrum,
-                               settings.number("record-spectrum-period"), options.scale * factor}};
+  const std::string units(name(file.units));
+  return {
+      std::move(file.record),
+      report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
+                           settings.number("record-step"), settings.number("record-scale"),
+                           target.peak, target.spectrum, settings.number("record-spectrum-period"),
+                           options.scale * factor, units}};
 }
 
 }  // namespace

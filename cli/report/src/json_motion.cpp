@@ -32,6 +32,7 @@ ordered_json excitation_json(const Excitation& excitation,
                     {"record_peak", number(origin.peak)},
                     {"record_spectrum", number(origin.spectrum)},
                     {"record_spectrum_period", number(origin.spectrum_period)},
+                    {"record_units_read", text_or_null(origin.units_read)},
                     {"record_factor", nullptr},
                     {"pga", nullptr}};
   std::visit(

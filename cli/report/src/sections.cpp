@@ -90,10 +90,12 @@ void add_excitation(Section& section, const Excitation& excitation,
     if (!record->description.empty()) {
       section.row("", spelled_out(record->description));
     }
+    std::string values = "values in " + record->units_read;
     if (record->factor != 1) {
-      section.row("", format("times {:.6g}; the peak is then {:.6g} g", record->factor,
-                             records::peak_acceleration(std::get<Record>(excitation))));
+      values += format(", times {:.6g}; the peak is then {:.6g} g", record->factor,
+                       records::peak_acceleration(std::get<Record>(excitation)));
     }
+    section.row("", values);
   }
   if (const auto lasts = duration(excitation)) {
     section.row("duration", time_text(physical, *lasts));

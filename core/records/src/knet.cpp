@@ -99,9 +99,14 @@ KnetHeader read_knet_header(RecordReader& reader) {
       reader.refuse(fmt::format("the heading ends here without {}", key));
     }
   }
-  const double count = header.frequency * header.duration;
+  // 59.99 s at 100 Hz are 5999 counts, though the product of the doubles is not.
+  constexpr double rounding = 1e-6;
+  double count = header.frequency * header.duration;
+  if (std::abs(count - std::round(count)) <= rounding) {
+    count = std::round(count);
+  }
   header.block.count =
-      whole_count(reader, header.block.count_name, fmt::format("{}", count), count);
+      whole_count(reader, header.block.count_name, fmt::format("{:.10g}", count), count);
   return header;
 }
 

@@ -50,6 +50,8 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
   const json excitation = peak["input"]["excitation"];
   BOOST_TEST(excitation["record_scale"] == nullptr);
   BOOST_TEST(excitation["record_peak"] == 0.8);
+  BOOST_TEST(excitation["record_units"] == nullptr);
+  BOOST_TEST(excitation["record_units_read"] == "g");
   BOOST_TEST(excitation["record_factor"] == 2);
   BOOST_TEST(excitation["pga"] == 0.8);
   BOOST_TEST(twice["input"]["excitation"]["record_factor"] == -2);
@@ -57,7 +59,8 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
   // The other way round, the motion is the same.
   BOOST_TEST(peak["response"]["peak_amplitude"] == twice["response"]["peak_amplitude"]);
   const ProgramRun text = run(joined(record, {"--record-peak", "0.8g", "--verbose"}));
-  BOOST_TEST(text.out.find("times 2; the peak is then 0.8 g") != std::string::npos, text.out);
+  BOOST_TEST(text.out.find("values in g, times 2; the peak is then 0.8 g") != std::string::npos,
+             text.out);
 }
 
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {

@@ -117,6 +117,8 @@ const std::vector<Variant> right{
     {"esm_of_version_1", "ASC", "ORIGINAL_DATA_CREATOR: \n", "", 2e-6},
     {"esm_in_m_s2", "ASC", "UNITS: cm/s^2", "UNITS: m/s^2", 2e-4, 100},
     {"knet_with_another_frequency_unit", "EW", "50Hz", "50", 1e-3},
+    {"knet_with_a_broken_duration", "EW", "50Hz\nDuration Time(s)  2\n",
+     "50 Hz\nDuration Time(s)  2.00\n", 1e-3},
     {"knet_with_a_trailer", "EW", "7428     7927\n", "7428     7927\n\nEND\n", 1e-3},
     {"csmip_in_capitals", "V2", "accel data equally spaced at 0.020 sec, in cm/sec2. (8f10.5)\n",
      "ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)\n", 1e-5},
@@ -151,10 +153,19 @@ BOOST_AUTO_TEST_CASE(fields_without_a_format_part_at_a_sign) {
              {"line 48, column 33:", "is not a number"});
 }
 
+namespace {
+
+/// 50 Hz for so many seconds.
+std::string knet_heading(const std::string& duration) {
+  const std::string& text = text_of("EW");
+  return replaced(text.substr(0, text.find("    8000     8073")), "Time(s)  2",
+                  "Time(s)  " + duration);
+}
+
+}  // namespace
+
 BOOST_AUTO_TEST_CASE(mean_of_counts_is_taken_off) {
-  std::string text = text_of("EW");
-  text = text.substr(0, text.find("    8000     8073"));
-  text = replaced(text, "Duration Time(s)  2", "Duration Time(s)  0.06");
+  const std::string text = knet_heading("0.06");
   const RecordFile file = records::parse_record(text + "1 2 6\n", "record");  // the mean is 3
   const double gal = 3920.0 / 6182761;
   const std::vector<double> expected{-2 * gal / cm_per_s2, -gal / cm_per_s2, 3 * gal / cm_per_s2};
@@ -162,6 +173,16 @@ BOOST_AUTO_TEST_CASE(mean_of_counts_is_taken_off) {
   for (std::size_t i = 0; i < 3; ++i) {
     BOOST_TEST(std::abs(file.record.values[i] - expected[i]) <= 1e-15 * std::abs(expected[i]));
   }
+}
+
+// 0.58 times 50 is 29 - 4e-15.
+BOOST_AUTO_TEST_CASE(duration_is_a_decimal) {
+  std::string counts;
+  for (int i = 0; i < 29; ++i) {
+    counts += "7 ";
+  }
+  const RecordFile file = records::parse_record(knet_heading("0.58") + counts, "record");
+  BOOST_TEST(file.record.values == std::vector<double>(29, 0.0), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -121,7 +121,7 @@ const std::vector<Wrong> wrong_knet{
      "EW",
      "Time(s)  2",
      "Time(s)  2.01",
-     {"line 17: Sampling Freq times Duration Time = 100.49999999999999: must be a whole number"}},
+     {"line 17: Sampling Freq times Duration Time = 100.5: must be a whole number"}},
     {"too_few",
      "EW",
      "Time(s)  2",

@@ -59,7 +59,8 @@ struct RecordOrigin {
   std::optional<double> peak;  ///< to be scaled to, in g, as the next
   std::optional<double> spectrum;
   std::optional<double> spectrum_period;
-  double factor{1};  ///< that the values of the file were multiplied by
+  double factor{1};        ///< that the values of the file were multiplied by
+  std::string units_read;  ///< of the values in the file
 };
 
 struct MotionReport {
