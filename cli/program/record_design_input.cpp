@@ -5,22 +5,26 @@
 #include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
-#include <stillpoint/records/record_list.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace stillpoint::cli {
 
 namespace {
+
+constexpr std::size_t largest_list = std::size_t{1} << 20U;
 
 /// What a design for a hit does not take.
 constexpr std::array only_of_records{
@@ -61,14 +65,68 @@ std::optional<design::SearchRange> search_range(const Settings& settings, std::s
   return range;
 }
 
+struct ListedRecord {
+  std::string path;
+  double scale{1};
+};
+
+/// A file beside the list, or else from where the program runs.
+std::string beside(const std::string& list, const std::string& file) {
+  std::filesystem::path place = std::filesystem::path(list).parent_path() / file;
+  std::error_code unreachable;
+  return std::filesystem::exists(place, unreachable) ? place.string() : file;
+}
+
+std::vector<ListedRecord> listed_records(const std::string& path) {
+  const std::string text = records::read_text_file("records-list", path, largest_list);
+  std::vector<ListedRecord> list;
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    ++number;
+    if (line.ends_with('\r')) {
+      line.pop_back();
+    }
+    const records::FilePlace place{"records-list", path, number};
+    if (number == 1) {
+      if (line != "file,scale") {
+        throw records::FileError(place, "must be the header file,scale");
+      }
+      continue;
+    }
+    if (line.empty() || line.starts_with('#')) {
+      continue;
+    }
+    const std::size_t comma = line.rfind(',');
+    if (comma == std::string::npos || comma == 0) {
+      throw records::FileError(place, "must be FILE,SCALE");
+    }
+    try {
+      const double scale = parse_number("scale", line.substr(comma + 1));
+      if (scale == 0) {
+        throw InputError("scale", 0, "must not be 0");
+      }
+      list.push_back({beside(path, line.substr(0, comma)), scale});
+    } catch (const InputError& error) {
+      throw records::FileError(place, error.what());
+    }
+  }
+  if (list.empty()) {
+    throw records::FileError({"records-list", path}, "has no record");
+  }
+  return list;
+}
+
 std::vector<design::SuiteRecord> read_suite(const Settings& settings,
                                             const records::RecordClock& clock) {
-  std::vector<records::ListedRecord> files;
+  std::vector<ListedRecord> files;
   for (std::string& path : settings.texts("record")) {
     files.push_back({std::move(path), 1});
   }
   if (const auto list = settings.text("records-list")) {
-    std::ranges::copy(records::read_record_list(*list), std::back_inserter(files));
+    std::ranges::copy(listed_records(*list), std::back_inserter(files));
   }
   records::RecordOptions options;
   options.step = settings.number("record-step");
