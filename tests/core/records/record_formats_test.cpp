@@ -5,6 +5,7 @@
 
 #include "refusal.hpp"
 #include "samples.hpp"
+#include "testing/printing.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
