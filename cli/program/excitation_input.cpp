@@ -86,7 +86,7 @@ ExcitationInput record(const Settings& settings, const records::RecordClock& clo
     throw InputError::missing("record", "give --record FILE");
   }
   records::RecordFile file = records::read_record(*path, options);
-  const RecordTarget target = record_target(settings);
+  const records::RecordTarget target = record_target(settings);
   const double factor = RecordScaling(settings, clock, p).factor(file.record, *path, target);
   if (target.is_given()) {
     for (double& value : file.record.values) {

@@ -21,8 +21,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-using nlohmann::json;
-
 /// A scene has some hundred bytes.
 constexpr std::size_t largest_scene = std::size_t{1} << 20U;
 
@@ -39,7 +37,7 @@ std::string hyphened(std::string key) {
 }
 
 /// A number, a text "first:last:count" or an array of numbers.
-Axis axis(const Option& option, const json& value) {
+Axis axis(const Option& option, const nlohmann::json& value) {
   const std::string field(option.name);
   const auto wrong = [&] {
     return InputError(field, value.dump(),
@@ -49,7 +47,7 @@ Axis axis(const Option& option, const json& value) {
     return axis_value(option, value.get<std::string>());
   }
   std::vector<double> values;
-  for (const json& entry : value.is_array() ? value : json::array({value})) {
+  for (const nlohmann::json& entry : value.is_array() ? value : nlohmann::json::array({value})) {
     if (entry.is_string() && option.traits.dimension != Dimension::none &&
         has_unit(entry.get<std::string>())) {
       values.push_back(parse_value(option, entry.get<std::string>()));
@@ -66,9 +64,9 @@ Axis axis(const Option& option, const json& value) {
 }
 
 /// A line for each, as repeated flags give them.
-std::string joined_texts(const Option& option, const json& list) {
+std::string joined_texts(const Option& option, const nlohmann::json& list) {
   std::string text;
-  for (const json& entry : list) {
+  for (const nlohmann::json& entry : list) {
     if (!entry.is_string()) {
       throw InputError(std::string(option.name), entry.dump(), "must be a text in quotes");
     }
@@ -81,7 +79,7 @@ std::string joined_texts(const Option& option, const json& list) {
 }
 
 /// Of what is not a number with its unit in a text.
-Settings::Value typed(const Option& option, const json& value, Command command) {
+Settings::Value typed(const Option& option, const nlohmann::json& value, Command command) {
   const auto wrong_type = [&](std::string_view wanted) {
     return InputError(std::string(option.name), value.dump(), fmt::format("must be {}", wanted));
   };
@@ -125,11 +123,11 @@ Settings::Value typed(const Option& option, const json& value, Command command) 
 }
 
 /// "LOW:HIGH" of [LOW, HIGH], as the command line has it.
-std::string range_text(const Option& option, const json& value) {
+std::string range_text(const Option& option, const nlohmann::json& value) {
   if (value.is_string()) {
     return value.get<std::string>();
   }
-  const auto end = [&](const json& number) {
+  const auto end = [&](const nlohmann::json& number) {
     if (!number.is_number() && !number.is_string()) {
       throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
     }
@@ -141,8 +139,8 @@ std::string range_text(const Option& option, const json& value) {
   return fmt::format("{}:{}", end(value[0]), end(value[1]));
 }
 
-void add_key(Settings& settings, const std::string& key, const json& value, const Option* option,
-             Command command) {
+void add_key(Settings& settings, const std::string& key, const nlohmann::json& value,
+             const Option* option, Command command) {
   if (option == nullptr) {
     throw InputError(shown(key), value.dump(),
                      fmt::format("is not a key of a scene{}", suggestion(hyphened(key))));
@@ -167,7 +165,8 @@ void add_key(Settings& settings, const std::string& key, const json& value, cons
 }
 
 /// "excitation" may be an object of its own; its "type" is the option excitation.
-void add_keys(Settings& settings, const json& object, std::string_view within, Command command) {
+void add_keys(Settings& settings, const nlohmann::json& object, std::string_view within,
+              Command command) {
   for (const auto& [key, value] : object.items()) {
     const std::string wanted = hyphened(key);
     const Option* option = find_option(wanted);
@@ -194,7 +193,7 @@ void add_keys(Settings& settings, const json& object, std::string_view within, C
 
 Settings parse_scene(std::string_view text, std::string_view source, Command command) {
   sweep::require_json_object(text, {"scene", std::string(source)});
-  return scene_settings(json::parse(text, nullptr, true, true), command);
+  return scene_settings(nlohmann::json::parse(text, nullptr, true, true), command);
 }
 
 Settings scene_settings(const nlohmann::json& scene, Command command) {

@@ -91,8 +91,7 @@ design::Spectrum watched_spectrum(const design::SpectrumRequest& request) {
 
 ExitCode run_spectrum(const Settings& settings, Output& output) {
   const auto table = settings.text("table");
-  const bool json_printed = settings.flag("json");
-  if (table == "-" && json_printed) {
+  if (table == "-" && settings.flag("json")) {
     throw UsageError("json and the table would both go to standard output: give --table FILE");
   }
   report::SpectrumReport report = spectrum_input(settings);
@@ -107,15 +106,7 @@ ExitCode run_spectrum(const Settings& settings, Output& output) {
   if (wants_page(settings)) {
     write_page(settings, Command::spectrum, page(report), output);
   }
-  constexpr int indent = 2;
-  const auto path = settings.text("output");
-  const std::string written = json_printed || path ? json(report).dump(indent) + "\n" : "";
-  if (table != "-") {
-    output.print(json_printed ? written : shown(document(report), settings));
-  }
-  if (path) {
-    output.write_file("output", *path, written);
-  }
+  print_report(report, settings, output, table != "-");
   return exit_done;
 }
 
