@@ -3,7 +3,8 @@
 // The objective jumps where a motion rests elsewhere, and has dozens of local minima, so that a
 // search from one start fails: a scan, then local searches from its best valleys, and a global one
 // as a second opinion. The scan is too coarse for thin islands, so that slices through the best
-// points, where all variables but one vary, are scanned as well.
+// points, where all variables but one vary, and ever smaller boxes about the best are scanned as
+// well.
 
 #include "suite_search.hpp"
 
@@ -32,6 +33,14 @@ constexpr double apart = 0.05;
 constexpr std::int64_t slice_points = 2304;  ///< a line, or 48 by 48
 constexpr std::size_t slice_starts = 3;
 constexpr int most_slice_rounds = 4;
+/// About the best: so many points to a side, from a reach in each coordinate to a 64th of it.
+constexpr std::int64_t zoom_side_of_two = 36;
+constexpr std::int64_t zoom_side_of_three = 11;
+constexpr double first_reach = 0.04;
+constexpr double last_reach = first_reach / 64;
+constexpr double shrinkage = 0.25;
+constexpr int most_zooms = 12;
+constexpr std::int64_t fine_side = 1000;  ///< whose cell is the first step of the last descent
 /// Of a coordinate: a millionth of the range of f or delta is as good as none, if the objective is
 /// no more than a millionth worse without it.
 constexpr double vanishing = 1e-3;
@@ -212,19 +221,67 @@ class Search {
     SuiteScan grid;
     grid.side = slice_side();
     std::vector<std::vector<double>> units;
-    std::vector<SuiteDamper> dampers;
     for (std::size_t i = 0; i < slice_points; ++i) {
       std::vector<double> unit = grid.unit(i, box_.variables() - 1);
       unit.insert(unit.begin() + static_cast<std::ptrdiff_t>(fixed), through[fixed]);
-      dampers.push_back(box_.at(unit));
       units.push_back(std::move(unit));
     }
-    grid.figures = suite_.figures(dampers, threads_);
-    for (std::size_t i = 0; i < dampers.size(); ++i) {
-      watch_.evaluated(dampers[i], grid.figures[i]);
-    }
-    result_.evaluations += slice_points;
+    grid.figures = figures_at(units);
     return best_of(grid, units, slice_starts);
+  }
+
+  std::vector<SuiteFigures> figures_at(const std::vector<std::vector<double>>& units) {
+    std::vector<SuiteDamper> dampers;
+    dampers.reserve(units.size());
+    for (const std::vector<double>& unit : units) {
+      dampers.push_back(box_.at(unit));
+    }
+    watch_.expect(static_cast<std::int64_t>(units.size()));
+    std::vector<SuiteFigures> figures = suite_.figures(dampers, threads_);
+    for (std::size_t i = 0; i < dampers.size(); ++i) {
+      watch_.evaluated(dampers[i], figures[i]);
+    }
+    result_.evaluations += static_cast<std::int64_t>(units.size());
+    return figures;
+  }
+
+  /// Scans boxes about the best point, where a local search is caught between limits: about a
+  /// better one again, else a smaller box.
+  void zoom() {
+    SuiteScan grid;
+    grid.side = box_.variables() == 3 ? zoom_side_of_three : zoom_side_of_two;
+    std::size_t size = 1;
+    for (std::size_t i = 0; i < box_.variables(); ++i) {
+      size *= static_cast<std::size_t>(grid.side);
+    }
+    double reach = first_reach;
+    for (int i = 0; i < most_zooms && reach > last_reach / 2 && !watch_.stopped(); ++i) {
+      std::vector<std::vector<double>> units;
+      for (std::size_t index = 0; index < size; ++index) {
+        std::vector<double> unit = grid.unit(index, box_.variables());
+        for (std::size_t k = 0; k < unit.size(); ++k) {
+          unit[k] = std::clamp(best_.unit[k] + reach * (2 * unit[k] - 1), 0.0, 1.0);
+        }
+        units.push_back(std::move(unit));
+      }
+      const std::vector<SuiteFigures> figures = figures_at(units);
+      const SuiteRank before = best_.rank;
+      for (std::size_t index = 0; index < size; ++index) {
+        if (rank_of(figures[index]) < best_.rank) {
+          best_ = {units[index], figures[index], rank_of(figures[index])};
+          result_.algorithm = "scan";
+          result_.status = "SUCCESS";
+        }
+      }
+      if (!is_better(before)) {
+        reach *= shrinkage;
+      }
+    }
+  }
+
+  /// Than it was, by more than rounding.
+  [[nodiscard]] bool is_better(const SuiteRank& before) const {
+    return best_.rank.off < before.off || best_.rank.value < before.value * (1 - no_difference);
   }
 
   /// The best of `found` that are apart.
@@ -256,15 +313,14 @@ class Search {
           if (watch_.stopped()) {
             return;
           }
-          watch_.expect(slice_points);
           std::ranges::move(valleys_of_slice(through.unit, fixed), std::back_inserter(starts));
         }
       }
       const SuiteRank before = best_.rank;
       std::ranges::move(descend(starts, slice_side(), false), std::back_inserter(found));
-      const bool better =
-          best_.rank.off < before.off || best_.rank.value < before.value * (1 - no_difference);
-      if (!better) {
+      zoom();
+      std::ranges::move(descend({best_}, fine_side, false), std::back_inserter(found));
+      if (!is_better(before)) {
         return;
       }
     }
