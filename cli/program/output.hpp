@@ -16,8 +16,4 @@ using sweep::Output;
 /// terminal, NO_COLOR is not set (or empty) and TERM is not "dumb".
 [[nodiscard]] std::string shown(const report::Document& document, const Settings& settings);
 
-/// How wide help may be: $COLUMNS, else the width of the terminal on standard output, else 80; at
-/// least 50.
-[[nodiscard]] std::size_t help_width();
-
 }  // namespace stillpoint::cli
