@@ -5,14 +5,18 @@
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/report/wrapped.hpp>
 #include "embedded.hpp"
-#include "output.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdlib>
 #include <map>
 #include <string_view>
 #include <vector>
@@ -47,6 +51,24 @@ constexpr std::string_view about =
     "Designs friction dampers. A linear oscillator with constant friction f and point friction "
     "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move further than "
     "beta.";
+
+/// How wide help may be: $COLUMNS, else the width of the terminal on standard output, else 80; at
+/// least 50.
+std::size_t help_width() {
+  constexpr std::size_t usual = 80;
+  constexpr std::size_t least = 50;
+  const char* const columns = std::getenv("COLUMNS");
+  const std::string_view given = columns == nullptr ? "" : columns;
+  std::size_t width = 0;
+  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), width);
+  if (error == std::errc() && end == given.data() + given.size() && width > 0) {
+    return std::max(width, least);
+  }
+  ::winsize size{};
+  const bool known = ::isatty(STDOUT_FILENO) == 1 &&
+                     ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? std::max<std::size_t>(size.ws_col, least) : usual;
+}
 
 /// What CLI11 collects for one subcommand; texts, which are converted once the command is known.
 struct Collected {

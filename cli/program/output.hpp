@@ -18,10 +18,6 @@ using sweep::Output;
 /// terminal, NO_COLOR is not set (or empty) and TERM is not "dumb".
 [[nodiscard]] std::string shown(const report::Document& document, const Settings& settings);
 
-/// How wide help may be: $COLUMNS, else the width of the terminal on standard output, else 80; at
-/// least 50.
-[[nodiscard]] std::size_t help_width();
-
 /// The report on standard output: JSON where it was asked for, else the document; and where
 /// `print` is false nothing. Each is made only if wanted.
 template <class Report>

@@ -141,8 +141,8 @@ Document document(const AccuracyReport& report) {
   document.title = "Accuracy";
   Section& scene = document.section("Scene");
   scene.row("dimensionless",
-            format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}   f = {:.6g}   delta = {:.6g}", start.v0,
-                   p, start.x0, f, delta));
+            format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}, f = {:.6g}, delta = {:.6g}", start.v0, p,
+                   start.x0, f, delta));
   add_surface(scene, report.request, report.physical);
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);

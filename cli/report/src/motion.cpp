@@ -159,9 +159,8 @@ Document document(const MotionReport& report) {
   if (report.physical) {
     add_physical_input(scene, *report.physical);
   }
-  scene.row("dimensionless",
-            format("v0 = {:.6g}   p = {:.6g}   x0 = {:.6g}", start.v0, p, start.x0));
-  scene.row("damper", format("f = {:.6g}   delta = {}", f, length_text(report.physical, delta)));
+  scene.row("dimensionless", format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}", start.v0, p, start.x0));
+  scene.row("damper", format("f = {:.6g}, delta = {}", f, length_text(report.physical, delta)));
   add_surface(scene, report.request, report.physical);
   add_damper_physics(scene, report.physical, f, delta);
   if (is_forced(report.request)) {

@@ -117,8 +117,8 @@ Section& add_problem(Document& document, const design::Problem& problem,
   if (physical) {
     add_physical_input(section, *physical);
   }
-  section.row("dimensionless", format("{}p = {:.6g}   beta = {:.6g}",
-                                      problem.v0 != 0 ? format("v0 = {:.6g}   ", problem.v0) : "",
+  section.row("dimensionless", format("{}p = {:.6g}, beta = {:.6g}",
+                                      problem.v0 != 0 ? format("v0 = {:.6g}, ", problem.v0) : "",
                                       problem.p, problem.beta));
   const double velocity = physical ? physical->scales.velocity_m_per_s : 1;
   if (problem.v0_low) {

@@ -56,8 +56,14 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-/// Levenshtein's distance.
+constexpr std::size_t most_slips = 2;
+
+/// Levenshtein's distance, or a lower bound of it that is too far to suggest.
 std::size_t slips(std::string_view a, std::string_view b) {
+  const std::size_t least = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+  if (least > most_slips) {
+    return least;
+  }
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -149,8 +155,9 @@ std::string suggestion(std::string_view wrong, std::span<const std::string_view>
   const auto nearest = std::ranges::min_element(
       names, {}, [&](std::string_view name) { return slips(wrong, name); });
   const std::size_t distance = slips(wrong, *nearest);
-  return distance <= 2 && distance < wrong.size() ? fmt::format("; did you mean {}?", *nearest)
-                                                  : "";
+  return distance <= most_slips && distance < wrong.size()
+             ? fmt::format("; did you mean {}?", *nearest)
+             : "";
 }
 
 std::string quoted(std::string_view text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure_map.hpp"
+#include "testing/contains.hpp"
 #include "testing/printing.hpp"
 
 #include <stillpoint/figures/figure.hpp>
@@ -50,9 +51,7 @@ std::string golden(const std::string& name) {
   return text.str();
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using stillpoint::test::contains;
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The text of a report: the answer first, short enough for a terminal, the rest on demand.
 #include "run_program.hpp"
+#include "testing/contains.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -21,9 +22,7 @@ constexpr std::size_t lines_at_most = 16;  ///< some ten, with title, blank line
 /// Parts or a trade-off were asked for: 20 rows and what stands around them.
 constexpr std::size_t lines_of_a_table = 26;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using stillpoint::test::contains;
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 #include "run_program.hpp"
+#include "testing/contains.hpp"
 
 #include <stillpoint/report/version.hpp>
 
@@ -24,9 +25,7 @@ using stillpoint::cli::Command;
 constexpr std::array commands{Command::design, Command::region, Command::simulate,
                               Command::spectrum, Command::sweep};
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using stillpoint::test::contains;
 
 Surroundings of_width(const char* columns) {
   Surroundings surroundings;

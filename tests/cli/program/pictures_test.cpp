@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 #include "run_program.hpp"
+#include "testing/contains.hpp"
 #include "testing/printing.hpp"
 
 #include <boost/property_tree/ptree.hpp>
@@ -33,9 +34,7 @@ ptree parsed(const std::string& text) {
   return tree;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using stillpoint::test::contains;
 
 /// Nothing is loaded from anywhere.
 void check_offline(const std::string& page) {

@@ -297,17 +297,6 @@ std::vector<std::string> ProgramRun::err_lines() const {
   return lines_of(err);
 }
 
-Sandbox::Sandbox() {
-  std::string wanted = (std::filesystem::temp_directory_path() / "stillpoint-XXXXXX").string();
-  require(::mkdtemp(wanted.data()) != nullptr, "mkdtemp");
-  path_ = std::filesystem::canonical(wanted);
-}
-
-Sandbox::~Sandbox() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surroundings) const {
   std::vector<std::string> words = joined({STILLPOINT_PROGRAM}, arguments);
   std::vector<std::string> variables = environment(surroundings);

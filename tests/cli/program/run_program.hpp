@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "testing/folder.hpp"
+
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -52,13 +54,6 @@ struct Surroundings {
 /// A directory that lives as long as the test and in which the program runs. A fixture.
 class Sandbox {
  public:
-  Sandbox();
-  Sandbox(const Sandbox&) = delete;
-  Sandbox& operator=(const Sandbox&) = delete;
-  Sandbox(Sandbox&&) = delete;
-  Sandbox& operator=(Sandbox&&) = delete;
-  ~Sandbox();
-
   /// Runs the program with this directory as its own.
   [[nodiscard]] ProgramRun run(const Arguments& arguments,
                                const Surroundings& surroundings = {}) const;
@@ -72,7 +67,8 @@ class Sandbox {
   [[nodiscard]] std::map<std::string, std::string> contents() const;
 
  private:
-  std::filesystem::path path_;
+  test::Folder folder_;
+  std::filesystem::path path_{std::filesystem::canonical(folder_.path(""))};
 };
 
 /// A precondition of tests: a pseudo-terminal can be had. A bare root without /dev/pts has none.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "testing/contains.hpp"
+
 #include <stillpoint/report/document.hpp>
 
 #include <boost/test/unit_test.hpp>
@@ -12,9 +14,7 @@ using namespace stillpoint::report;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using stillpoint::test::contains;
 
 Document sample() {
   Document document;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "testing/contains.hpp"
+
 #include <stillpoint/report/report.hpp>
 
 #include <stillpoint/core/simulation.hpp>
@@ -22,9 +24,7 @@ using figures::HtmlPage;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using stillpoint::test::contains;
 
 const Figure& figure(const HtmlPage& page, const std::string& id) {
   const auto found = std::ranges::find(page.figures, id, &Figure::id);

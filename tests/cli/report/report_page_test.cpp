@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "testing/contains.hpp"
+
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
@@ -14,9 +16,7 @@ using namespace stillpoint::report;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using stillpoint::test::contains;
 
 DesignReport isolator() {
   design::PhysicalIsolator isolator;
