@@ -16,6 +16,9 @@ class Suite {
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
+  /// Of many dampers, many at once: the same. `threads` as in record_batch.
+  [[nodiscard]] std::vector<SuiteFigures> figures(const std::vector<SuiteDamper>& dampers,
+                                                  int threads) const;
   /// The same, with each motion.
   [[nodiscard]] std::vector<ForcedResponse> responses(const SuiteDamper& damper) const;
 
@@ -26,6 +29,16 @@ class Suite {
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
  private:
+  /// What one record adds.
+  struct Motion {
+    double peak;
+    double acceleration;
+    double residual;
+    double margin;
+  };
+  void add(SuiteFigures& all, const Motion& one) const;
+  /// Of all records.
+  void combine(SuiteFigures& all) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
 
   std::vector<Excitation> loads_;

@@ -158,11 +158,12 @@ SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points, int
       size *= scan.side;
     }
   }
-  scan.figures.resize(static_cast<std::size_t>(size));
-  for_each_entry(size, threads, {}, [&](std::ptrdiff_t i) {
-    const auto index = static_cast<std::size_t>(i);
-    scan.figures[index] = suite.figures(box.at(scan.unit(index, box.variables())));
-  });
+  std::vector<SuiteDamper> dampers;
+  dampers.reserve(static_cast<std::size_t>(size));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
+    dampers.push_back(box.at(scan.unit(i, box.variables())));
+  }
+  scan.figures = suite.figures(dampers, threads);
   return scan;
 }
 
