@@ -137,8 +137,12 @@ class RecordMotion {
 
   void give_margin() {
     const TippingMargin<double>& margin = run_.state().margin;
-    columns_.slack[lane_] = margin.any() ? margin.slack() : infinite;
-    columns_.scale[lane_] = margin.any() ? margin.scale() : 1;
+    columns_.slack[lane_] = infinite;
+    columns_.scale[lane_] = 1;
+    if (margin.any()) {
+      columns_.slack[lane_] = margin.slack();
+      columns_.scale[lane_] = margin.scale();
+    }
   }
 
   /// Takes the state back from the lane.
