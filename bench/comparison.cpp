@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <utility>
+#include <variant>
 
 namespace stillpoint::bench {
 
@@ -72,6 +73,10 @@ Comparison compare(const std::vector<peers::ReferenceScene>& scenes,
     all.scenes.push_back(compare(scene, options));
     if (scene.name == "S2") {
       all.free_modes = free_modes(scene.scene, options);
+    }
+    if (scene.name == "S5") {
+      fmt::print(stderr, "bench: S6, eleven records and 10^4 dampers\n");
+      all.many = many_dampers(std::get<Record>(scene.scene.excitation), options);
     }
   }
   all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

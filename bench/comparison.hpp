@@ -4,6 +4,7 @@
 #include <stillpoint/peers/measure.hpp>
 #include "free_modes.hpp"
 #include "machine.hpp"
+#include "many_dampers.hpp"
 #include "methods.hpp"
 #include "verdict.hpp"
 
@@ -51,6 +52,7 @@ struct Comparison {
   double seconds{0};  ///< duration of the run
   std::vector<SceneRows> scenes;
   std::vector<Unit> free_modes;  ///< on scene S2
+  ManyDampers many;              ///< scene S6
 };
 
 [[nodiscard]] Comparison compare(const std::vector<peers::ReferenceScene>& scenes,

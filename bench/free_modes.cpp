@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t roots = 1024;  // two arrays of them stay in the first cache
 
-void divide(peers::Timing& timing, double by) {
-  timing.median /= by;
-  timing.low /= by;
-  timing.high /= by;
-}
-
 }  // namespace
+
+void scale(peers::Timing& timing, double by) {
+  timing.median *= by;
+  timing.low *= by;
+  timing.high *= by;
+}
 
 std::vector<Unit> free_modes(const peers::Scene& scene, const peers::MeasureOptions& options) {
   volatile double sink = 0;
@@ -45,10 +45,10 @@ std::vector<Unit> free_modes(const peers::Scene& scene, const peers::MeasureOpti
   const double half_cycles = free_response(scene.oscillator, scene.start).half_cycles.value();
   std::vector<peers::Timing> timings = measure(calls, options);
   for (std::size_t i = 0; i < 3; ++i) {
-    divide(timings[i], half_cycles);
+    scale(timings[i], 1 / half_cycles);
   }
-  divide(timings[4], static_cast<double>(roots));
-  divide(timings[5], static_cast<double>(roots));
+  scale(timings[4], 1.0 / roots);
+  scale(timings[5], 1.0 / roots);
   return {{"a half-cycle, counts and peaks only", timings[0]},
           {"a half-cycle, with times", timings[1]},
           {"a half-cycle, with times and decision margin", timings[2]},

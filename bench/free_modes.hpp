@@ -16,6 +16,9 @@ struct Unit {
   peers::Timing seconds;
 };
 
+/// In other units.
+void scale(peers::Timing& timing, double by);
+
 /// Times of the free kernel per half-cycle in each mode, of free_peak per motion, and of the
 /// hardware square root.
 [[nodiscard]] std::vector<Unit> free_modes(const peers::Scene& scene,

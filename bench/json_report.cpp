@@ -90,6 +90,13 @@ std::string json_report(const Comparison& comparison) {
   for (const Unit& unit : comparison.free_modes) {
     json["free_kernel"].push_back({{"what", unit.what}, {"seconds", time(unit.seconds)}});
   }
+  json["many_dampers"] = {{"what", "S6: eleven records, 10000 dampers"},
+                          {"run_one_by_one", comparison.many.sampled},
+                          {"error_of_peak_of_rk4", four_digits(comparison.many.error_of_peak)},
+                          {"wrong_counts_of_rk4", four_digits(comparison.many.wrong_counts)}};
+  for (const Unit& unit : comparison.many.rows) {
+    json["many_dampers"]["rows"].push_back({{"what", unit.what}, {"seconds", time(unit.seconds)}});
+  }
   return json.dump() + "\n";
 }
 

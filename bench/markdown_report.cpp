@@ -56,6 +56,7 @@ std::string markdown_report(const Comparison& comparison) {
   heading(text, comparison);
   ratios(text, comparison);
   each_peer(text, comparison);
+  many_dampers(text, comparison);
   how(text, comparison);
   free_kernel(text, comparison);
   add(text,

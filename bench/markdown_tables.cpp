@@ -89,6 +89,28 @@ void each_peer(Text& text, const Comparison& comparison) {
   add(text, "\n");
 }
 
+void many_dampers(Text& text, const Comparison& comparison) {
+  const ManyDampers& many = comparison.many;
+  const double entries = 1e4 * many.samples;
+  add(text,
+      "## S6: eleven records and 10^4 dampers\n\n"
+      "This is what the scan of a record design does: the record of S5 with eleven scales and "
+      "steps, p = 1, a grid of f and "
+      "Delta, one thread. The lanes run all dampers. The others run {:.0f} of them under each "
+      "record, and their times are "
+      "scaled up. This project follows each motion to its rest, RK4 to the end of the record; its "
+      "peaks are off by "
+      "{} at most, and {:.1f} % of its motions have a wrong count.\n\n"
+      "| | whole scene, s | per sample and damper, ns | times the lanes |\n|---|---|---|---|\n",
+      many.sampled, error(many.error_of_peak), 100 * many.wrong_counts);
+  for (const Unit& unit : many.rows) {
+    add(text, "| {} | {:.2f} | {:.2f} | {} |\n", unit.what, unit.seconds.median,
+        unit.seconds.median / entries * 1e9,
+        factor(unit.seconds.median / many.rows.front().seconds.median));
+  }
+  add(text, "\n");
+}
+
 void free_kernel(Text& text, const Comparison& comparison) {
   add(text,
       "## The free kernel and the square root\n\n"

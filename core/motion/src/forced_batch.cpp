@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "batch_work.hpp"
 #include "forced_response_of_valid.hpp"
+#include "scene_check.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
 
 #include <cstddef>
-#include <optional>
 
 namespace stillpoint {
 
 namespace {
-
-/// Checks scene after scene. The check of an excitation depends only on p, and a record is long, so
-/// consecutive equal values of p are checked once.
-class SceneCheck {
- public:
-  SceneCheck(const Excitation& excitation, const std::optional<double>& t_end)
-      : excitation_(excitation), t_end_(t_end) {}
-
-  void require(const Oscillator& oscillator, const Start& start) {
-    if (oscillator.p == checked_p_) {
-      require_valid(oscillator, start);
-      return;
-    }
-    require_valid(oscillator, start, excitation_, t_end_);
-    checked_p_ = oscillator.p;
-  }
-
- private:
-  const Excitation& excitation_;
-  const std::optional<double>& t_end_;
-  std::optional<double> checked_p_;
-};
 
 std::vector<ForcedResponse> run(const BatchEntries& entries, const Excitation& excitation,
                                 const ForcedBatchOptions& options) {

@@ -125,26 +125,21 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
   end_at_rest(response, free.outcome, stop_time, free.rest / p);
 }
 
+/// Before the run begins: its limit, and what it asks for.
 template <class Run>
-ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitation& excitation,
-                           const ForcedOptions& options) {
+void prepare(Run& run, const Oscillator& oscillator, const Excitation& excitation,
+             const ForcedOptions& options) {
   constexpr bool in_zones = std::decay_t<decltype(run.law())>::in_zones;
-  const bool free_end = !options.t_end;
-  const double free_limit = FreeOptions().half_cycle_limit;
-  if (options.half_cycle_limit || (in_zones && free_end)) {
-    run.allow_half_cycles(options.half_cycle_limit.value_or(free_limit));
+  if (options.half_cycle_limit || (in_zones && !options.t_end)) {
+    run.allow_half_cycles(options.half_cycle_limit.value_or(FreeOptions().half_cycle_limit));
   }
   run.state().transmitted.largest_load = load_while_held(excitation, oscillator.p);
-  std::visit(
-      [&](const auto& kind) {
-        if (free_end) {
-          run_to_free_turn(run, kind);
-        } else {
-          run_until(run, kind, *options.t_end);
-        }
-      },
-      excitation);
-  const double end = options.t_end ? *options.t_end : duration(excitation).value();
+}
+
+/// After the run, which ended at tau = `end` or went on free from there.
+template <class Run>
+ForcedResponse response_to(Run& run, double end, const Oscillator& oscillator,
+                           const ForcedOptions& options) {
   feel_the_end(run.state(), run.law(), ExactSum<double>::product(oscillator.p, end));
   ForcedResponse response = so_far(run);
   const ForcedState<double>& state = run.state();
@@ -153,12 +148,30 @@ ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitat
   } else if (state.outcome) {
     end_at_rest(response, *state.outcome, state.rest_begin.value() / oscillator.p,
                 state.u / oscillator.p);
-  } else if (!free_end || run.cancelled()) {
+  } else if (options.t_end || run.cancelled()) {
     end_running(response, run);
   } else {
-    end_free(response, run, oscillator, options.half_cycle_limit.value_or(free_limit));
+    end_free(response, run, oscillator,
+             options.half_cycle_limit.value_or(FreeOptions().half_cycle_limit));
   }
   return response;
+}
+
+template <class Run>
+ForcedResponse response_of(Run& run, const Oscillator& oscillator, const Excitation& excitation,
+                           const ForcedOptions& options) {
+  prepare(run, oscillator, excitation, options);
+  std::visit(
+      [&](const auto& kind) {
+        if (options.t_end) {
+          run_until(run, kind, *options.t_end);
+        } else {
+          run_to_free_turn(run, kind);
+        }
+      },
+      excitation);
+  const double end = options.t_end ? *options.t_end : duration(excitation).value();
+  return response_to(run, end, oscillator, options);
 }
 
 }  // namespace stillpoint

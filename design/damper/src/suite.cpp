@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "suite.hpp"
 
-#include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/record_batch.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace stillpoint::design {
 
@@ -84,19 +85,35 @@ std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
   return list;
 }
 
-SuiteFigures Suite::figures(const SuiteDamper& damper) const {
-  SuiteFigures all;
+void Suite::add(SuiteFigures& all, const Motion& one) const {
   const auto add = [this](double& figure, double value) {
     figure = combine_ == Combine::max ? std::max(figure, value) : figure + value;
   };
+  add(all.peak, one.peak);
+  add(all.acceleration, one.acceleration);
+  add(all.residual, std::abs(one.residual));
+  all.margin = std::min(all.margin, one.margin);
+}
+
+void Suite::combine(SuiteFigures& all) const {
+  if (all.settled && combine_ == Combine::mean) {
+    const auto count = static_cast<double>(loads_.size());
+    all.peak /= count;
+    all.acceleration /= count;
+    all.residual /= count;
+  }
+}
+
+SuiteFigures Suite::figures(const SuiteDamper& damper) const {
+  SuiteFigures all;
   for (const Excitation& load : loads_) {
     try {
       const ForcedResponse one = response(damper, load);
-      add(all.peak, one.peak_amplitude);
-      add(all.acceleration, one.peak_absolute_acceleration);
-      add(all.residual, std::abs(one.stop_position.value_or(0)));
-      all.margin = std::min(all.margin, one.decision_margin.value_or(1));
-      all.settled = all.settled && one.stop_position.has_value();
+      all.settled = one.stop_position.has_value();
+      if (all.settled) {
+        add(all, {one.peak_amplitude, one.peak_absolute_acceleration, *one.stop_position,
+                  one.decision_margin.value_or(1)});
+      }
     } catch (const TooManyHalfCycles&) {
       all.settled = false;
     }
@@ -104,21 +121,37 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
       return all;
     }
   }
-  if (combine_ == Combine::mean) {
-    const auto count = static_cast<double>(loads_.size());
-    all.peak /= count;
-    all.acceleration /= count;
-    all.residual /= count;
-  }
+  combine(all);
   return all;
 }
 
 std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers, int threads) const {
+  const auto size = static_cast<Eigen::Index>(dampers.size());
+  const auto column = [&](double SuiteDamper::*member) -> Eigen::ArrayXd {
+    return Eigen::ArrayXd::NullaryExpr(
+        size, [&](Eigen::Index i) { return dampers[static_cast<std::size_t>(i)].*member; });
+  };
+  const Eigen::ArrayXd p = column(&SuiteDamper::p);
+  const Eigen::ArrayXd f = column(&SuiteDamper::f);
+  const Eigen::ArrayXd delta = column(&SuiteDamper::delta);
+  const RecordBatchOptions options{hold_, surface_, most_suite_half_cycles, threads};
   std::vector<SuiteFigures> list(dampers.size());
-  for_each_entry(static_cast<std::ptrdiff_t>(dampers.size()), threads, {}, [&](std::ptrdiff_t i) {
-    const auto index = static_cast<std::size_t>(i);
-    list[index] = figures(dampers[index]);
-  });
+  RecordBatchResult found;
+  for (const Excitation& load : loads_) {
+    record_batch(0, p, f, delta, std::get<Record>(load), options, found);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      SuiteFigures& all = list[static_cast<std::size_t>(i)];
+      all.settled = all.settled && found.outcome[i] != Outcome::running &&
+                    found.outcome[i] != Outcome::never_stops;
+      if (all.settled) {
+        add(all, {found.peak_amplitude[i], found.peak_absolute_acceleration[i],
+                  found.stop_position[i], found.decision_margin[i]});
+      }
+    }
+  }
+  for (SuiteFigures& all : list) {
+    combine(all);
+  }
   return list;
 }
 

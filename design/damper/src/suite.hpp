@@ -32,7 +32,7 @@ class Suite {
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
-  /// The same of many, in their order.
+  /// The same of many, in their order, many at once; `threads` as in record_batch.
   [[nodiscard]] std::vector<SuiteFigures> figures(std::span<const SuiteDamper> dampers,
                                                   int threads) const;
   /// Of one, with each motion.
@@ -45,6 +45,16 @@ class Suite {
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
  private:
+  /// What one record adds.
+  struct Motion {
+    double peak;
+    double acceleration;
+    double residual;
+    double margin;
+  };
+  void add(SuiteFigures& all, const Motion& one) const;
+  /// Of all records.
+  void combine(SuiteFigures& all) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
 
   std::vector<Excitation> loads_;

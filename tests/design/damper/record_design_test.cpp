@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "suite.hpp"
 #include "suite_check.hpp"
 
 #include "random_source.hpp"
@@ -114,6 +115,29 @@ void check_same(const RecordDesign& one, const RecordDesign& other) {
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
+  RecordDesignRequest request = two_records();
+  for (const Combine combine : {Combine::max, Combine::mean}) {
+    request.combine = combine;
+    const Suite suite(request);
+    std::vector<SuiteDamper> dampers{
+        {1, 0, 0}, {1, 1e-7, 0}, {1, 1e-9, 1e-9}};  // never or hardly rest
+    for (int i = 0; i < 60; ++i) {
+      dampers.push_back({1 + 0.05 * (i % 7), 0.005 * (i % 10), 0.002 * (i % 6)});
+    }
+    const std::vector<SuiteFigures> together = suite.figures(dampers, 2);
+    BOOST_TEST_REQUIRE(together.size() == dampers.size());
+    for (std::size_t i = 0; i < dampers.size(); ++i) {
+      const SuiteFigures alone = suite.figures(dampers[i]);
+      BOOST_TEST(together[i].settled == alone.settled);
+      BOOST_TEST(together[i].peak == alone.peak);
+      BOOST_TEST(together[i].acceleration == alone.acceleration);
+      BOOST_TEST(together[i].residual == alone.residual);
+      BOOST_TEST(together[i].margin == alone.margin);
+    }
+  }
+}
 
 BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
   // 10^4 dampers in the usual run; STILLPOINT_DENSE_SIDE=1000 makes it 10^6,

@@ -18,6 +18,7 @@
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/outcome.hpp>
 #include <stillpoint/core/pulse_speed.hpp>
+#include <stillpoint/core/record_batch.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>

@@ -163,19 +163,14 @@ void run_until(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitati
   decide_end(run, nothing.load());
 }
 
-/// The motion through an excitation that ends, and then up to the next turn or to its rest; in
+/// The motion after an excitation that ended with `load`, up to the next turn or to its rest; in
 /// zones always to its rest, if there is one.
-template <class Real, class Watcher, class Law, class AnyExcitation>
-void run_to_free_turn(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation) {
+template <class Real, class Watcher, class Law>
+void to_free_turn(ForcedRun<Real, Watcher, Law>& run, const Load<Real>& load) {
   if (run.over()) {
     return;
   }
   LinearDrive<Real> nothing;
-  const Load<Real> load =
-      excite(run, excitation, ExactSum<Real>::product(run.map().p, duration_of<Real>(excitation)));
-  if (run.over()) {
-    return;
-  }
   decide_jump(run, load, nothing.load());
   run.event(ForcedEventKind::excitation_end);
   if constexpr (Law::in_zones) {
@@ -183,6 +178,15 @@ void run_to_free_turn(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& e
   } else {
     run.slide_to_turn(nothing);
     run.settle();
+  }
+}
+
+/// The same from the start.
+template <class Real, class Watcher, class Law, class AnyExcitation>
+void run_to_free_turn(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitation) {
+  if (!run.over()) {
+    to_free_turn(run, excite(run, excitation,
+                             ExactSum<Real>::product(run.map().p, duration_of<Real>(excitation))));
   }
 }
 

@@ -200,6 +200,14 @@ class ForcedRun {
     }
   }
 
+  /// The same on a piece that begins now, where no notch is.
+  template <class Piece, class AnyCrossing>
+  void cross(const Piece& piece, const typename Piece::End& end, std::optional<AnyCrossing>& last) {
+    pass();
+    last.emplace(piece, end);
+    watch_crossing(*last);
+  }
+
   /// Where the motion sets off or goes on, in its own direction.
   [[nodiscard]] Sliding<Real> own_direction(const Real& w) const {
     const Real sign(s_.direction);
@@ -356,9 +364,7 @@ class ForcedRun {
     }
     if (map_.notch == 0 && inward &&
         (end.at.y > 0 || (end.at.y == 0 && end.event == PieceEvent::none))) {
-      pass();
-      last.emplace(piece, end);
-      watch_crossing(*last);
+      cross(piece, end, last);
     }
     left.add(-end.h);
     s_.now.add(end.h);

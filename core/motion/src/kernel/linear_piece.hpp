@@ -31,6 +31,11 @@ struct LinearTerms {
   Real versine;
   Real lag;
 
+  LinearTerms(Real sin_h, Real one_minus_cos_h, Real h_minus_sin_h)
+      : sine(std::move(sin_h)),
+        versine(std::move(one_minus_cos_h)),
+        lag(std::move(h_minus_sin_h)) {}
+
   explicit LinearTerms(const Real& h) {
     if constexpr (std::is_same_v<Real, double>) {
       if (h * h < 1.0 / 64) {
@@ -55,6 +60,18 @@ struct LinearTerms {
     }
   }
 
+  /// From t = tan(h/2) up to this, which is 0.55 / 8: docs/forced.md (F31). The neglected terms are
+  /// below 4e-19 of the first.
+  static constexpr double largest_half_tangent = 0.06875;
+  static LinearTerms of_half_tangent(const Real& t) {
+    const Real z = t * t;
+    const Real z2 = z * z;
+    const Real low = (4.0 / 3 - z * (8.0 / 5)) + z2 * (12.0 / 7 - z * (16.0 / 9));
+    const Real high = (20.0 / 11 - z * (24.0 / 13)) + z2 * (28.0 / 15 - z * (32.0 / 17));
+    const Real sine = 2 * t / (1 + z);
+    return {sine, t * sine, t * z * (low + z2 * z2 * high)};
+  }
+
  private:
   /// Between the samples of a record h is small. The neglected terms are below 4e-18 of each for
   /// h < 1/8.
@@ -76,20 +93,13 @@ class LinearPiece {
   LinearPiece(Point start, Real rate) : start_(std::move(start)), rate_(std::move(rate)) {}
 
   /// (F16).
-  [[nodiscard]] Point at(const Real& h) const {
-    const LinearTerms<Real> terms(h);
-    const Point& s = start_;
-    return {s.y + (s.v * terms.sine + s.a * terms.versine - rate_ * terms.lag),
-            s.v + (s.a * terms.sine - (s.v + rate_) * terms.versine),
-            s.a - s.a * terms.versine - (s.v + rate_) * terms.sine};
-  }
+  [[nodiscard]] Point at(const Real& h) const { return after(LinearTerms<Real>(h)); }
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
     const std::optional<HalfAngle> half = first_turn();
-    const Real turn = half && !beyond(*half, limit) ? angle(*half) : Real(0);
-    End end{PieceEvent::turn, turn, {}};
-    if (turn > 0 && turn <= limit) {
-      end.at = at(turn);
+    End end = half && !beyond(*half, limit) ? turn_after(*half, limit)
+                                            : End{PieceEvent::turn, Real(0), {}};
+    if (end.h > 0 && end.h <= limit) {
       polish_turn(end, limit);
     } else {
       // No piece is so long that the rounding of its time matters.
@@ -139,8 +149,13 @@ class LinearPiece {
     }
     while (true) {
       const Point now = at(h);
+      if (const std::optional<End> found = arrival_near(h, now)) {
+        return *found;
+      }
       (now.y < 0 ? low : high) = h;
-      Real next = h - now.y / now.v;
+      const Real z = now.y / now.v;
+      const Real bend = z * now.a / (2 * now.v);
+      Real next = h - z * (bend < 1 && bend > -1 ? Real(1 + bend) : Real(1));
       if (!(next > low && next < high)) {
         next = low + (high - low) / 2;
       }
@@ -199,6 +214,44 @@ class LinearPiece {
     return limit < 1 && !(half.rise > 0 && half.rise <= Real(0.55) * limit * half.run);
   }
 
+  /// Where y = 0 next to the state `now` at h, if the neglected orders are below rounding there.
+  [[nodiscard]] std::optional<End> arrival_near(const Real& h, const Point& now) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      using std::abs;
+      constexpr double small = 0x1p-18;  // its third power is below rounding
+      const Real z = now.y / now.v;
+      const Real jerk = -(now.v + rate_);
+      if (abs(z) <= small * h && abs(z * now.a) <= small * now.v &&
+          abs(z * z * jerk) <= small * small * now.v) {
+        const Real d = -z * (1 + z * now.a / (2 * now.v));
+        return End{
+            PieceEvent::arrival,
+            h + d,
+            {Real(0), now.v + d * (now.a + d * jerk / 2), now.a + d * (jerk - d * now.a / 2)}};
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Not at 0, and at a place only if it comes within `limit`.
+  [[nodiscard]] End turn_after(const HalfAngle& half, const Real& limit) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      if (limit * limit < 1.0 / 64) {
+        const auto terms = LinearTerms<Real>::of_half_tangent(half.rise / half.run);
+        return {PieceEvent::turn, terms.sine + terms.lag, after(terms)};
+      }
+    }
+    const Real turn = angle(half);
+    return {PieceEvent::turn, turn, turn > 0 && turn <= limit ? at(turn) : Point{}};
+  }
+
+  [[nodiscard]] Point after(const LinearTerms<Real>& terms) const {
+    const Point& s = start_;
+    return {s.y + (s.v * terms.sine + s.a * terms.versine - rate_ * terms.lag),
+            s.v + (s.a * terms.sine - (s.v + rate_) * terms.versine),
+            s.a - s.a * terms.versine - (s.v + rate_) * terms.sine};
+  }
+
   static HalfAngle half_angle(const Real& rise, const Real& run) {
     return run < 0 ? HalfAngle{-rise, -run} : HalfAngle{rise, run};
   }
@@ -224,9 +277,16 @@ class LinearPiece {
     const Real size = d < 0 ? Real(-d) : d;
     if (end.at.a < 0 && size < end.h / 1000 && h <= limit) {
       end.h = h;
-      end.at = at(h);
+      if (size < end.h * first_order) {
+        end.at = {end.at.y, Real(0), end.at.a - (end.at.v + rate_) * d};
+      } else {
+        end.at = at(h);
+      }
     }
   }
+
+  /// A step so short changes a by its first order and y by less than rounding.
+  static constexpr double first_order = std::is_same_v<Real, double> ? 0x1p-28 : 0;
 
   Point start_;
   Real rate_;

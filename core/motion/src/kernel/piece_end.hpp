@@ -3,6 +3,8 @@
 
 // What both kinds of pieces (linear_piece.hpp, harmonic_piece.hpp) report to the forced run.
 
+#include <utility>
+
 namespace stillpoint {
 
 enum class PieceEvent {
@@ -25,6 +27,11 @@ struct PieceEnd {
 template <class Real>
 class TippingMargin {
  public:
+  TippingMargin() = default;
+  /// The smallest so far.
+  TippingMargin(Real slack, Real scale)
+      : any_(true), slack_(std::move(slack)), scale_(std::move(scale)) {}
+
   /// Whether that would make it smaller.
   [[nodiscard]] bool matters(const Real& slack, const Real& scale) const {
     return !any_ || slack * scale_ < slack_ * scale;
@@ -40,6 +47,8 @@ class TippingMargin {
 
   [[nodiscard]] bool any() const { return any_; }
   [[nodiscard]] Real value() const { return slack_ / scale_; }
+  [[nodiscard]] const Real& slack() const { return slack_; }
+  [[nodiscard]] const Real& scale() const { return scale_; }
 
  private:
   bool any_{false};

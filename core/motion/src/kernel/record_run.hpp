@@ -12,6 +12,7 @@
 #include <stillpoint/core/excitation.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -64,6 +65,17 @@ class RecordTimes {
   [[nodiscard]] std::size_t latest(const ExactSum<Real>& when) const {
     std::size_t low = 0;
     std::size_t high = record_.values.size() - 1;
+    if (even()) {
+      const auto about = static_cast<double>(Real(when.value() / even_));
+      std::size_t i = !(about < static_cast<double>(high)) ? high
+                      : about > 0                          ? static_cast<std::size_t>(about)
+                                                           : 0;
+      for (; i > 0 && when.minus(at(i)) < 0; --i) {
+      }
+      for (; i < high && !(when.minus(at(i + 1)) < 0); ++i) {
+      }
+      return i;
+    }
     while (low < high) {
       const std::size_t middle = high - (high - low) / 2;
       if (when.minus(at(middle)) < 0) {
@@ -97,13 +109,53 @@ class RecordRun {
 
   /// Through the record, or until p tau = `end`; the load there.
   Load<Real> through(const ExactSum<Real>& end) {
-    before_first_sample(end);
-    if (record_.values.size() > 1 && end.minus(times_.at(0)) > 0) {
-      decide_jump(run_, load_, load(0));
-      between_samples(end);
-      run_.arrived(crossing_);
+    if (begin(end)) {
+      finish(between_samples(), end);
     }
     return load_;
+  }
+
+  // One interval at a time: record_motion.hpp.
+
+  /// Up to the first sample; whether any interval follows.
+  bool begin(const ExactSum<Real>& end) {
+    before_first_sample(end);
+    if (record_.values.size() < 2 || !(end.minus(times_.at(0)) > 0)) {
+      return false;
+    }
+    decide_jump(run_, load_, load(0));
+    last_ = times_.latest(end);
+    return true;
+  }
+
+  /// The last sample that is not after the end.
+  [[nodiscard]] std::size_t last() const { return last_; }
+
+  /// Through the whole interval after sample i, whatever happens in it.
+  void through_interval(std::size_t i) { through_interval(i, ExactSum<Real>(times_.length(i))); }
+
+  /// From sample i to the end; the load there.
+  Load<Real> finish(std::size_t i, const ExactSum<Real>& end) {
+    to_end(i, end);
+    run_.arrived(crossing_);
+    return load_;
+  }
+
+  /// Whether the load at sample i holds the mass where it rests.
+  template <class AnyHold>
+  [[nodiscard]] bool held(std::size_t i, const AnyHold& hold) const {
+    return held(i, hold, hold.held_for_certain());
+  }
+
+  /// Looks at a crest of the load at sample i; `crest` is the largest load of this rest so far,
+  /// since only what is larger can matter to the margin. At first -1.
+  template <class AnyHold>
+  void look_at_crest(std::size_t i, const AnyHold& hold, Real& crest) {
+    if (const Real size = Run::magnitude(Real(hold.u() + sample(i))); size > crest) {
+      if (decide_held_crest(i, hold)) {
+        crest = size;
+      }
+    }
   }
 
  private:
@@ -115,16 +167,19 @@ class RecordRun {
     run_.through(nothing, end.minus(first) < 0 ? end : first, false);
   }
 
-  void between_samples(const ExactSum<Real>& end) {
-    const std::size_t last = times_.latest(end);
+  std::size_t between_samples() {
     std::size_t i = 0;
-    while (i < last && !run_.over() && run_.tick()) {
-      i = run_.state().mode == ForcedMode::sliding ? slide_from(i, last) : rest_from(i, last);
-      if (i < last) {
-        through_interval(i, ExactSum<Real>(times_.length(i)));
+    while (i < last_ && !run_.over() && run_.tick()) {
+      i = run_.state().mode == ForcedMode::sliding ? slide_from(i, last_) : rest_from(i, last_);
+      if (i < last_) {
+        through_interval(i);
         ++i;
       }
     }
+    return i;
+  }
+
+  void to_end(std::size_t i, const ExactSum<Real>& end) {
     if (run_.over()) {
       return;
     }
@@ -221,7 +276,8 @@ class RecordRun {
     if (!(v > 0)) {
       return i;
     }
-    const Real arrival = run_.law().edge_ahead(y);
+    Real arrival = run_.law().edge_ahead(y);
+    const bool passes = !Law::in_zones && run_.map().notch == 0;
     take_terms(i);
     const IntervalTerms<Real>& t = terms_;
     Real matters = largest * t.cosine;
@@ -234,7 +290,8 @@ class RecordRun {
       const Real rise = next_w - w;
       const Real next_v = (v - v * t.versine) + (a * t.sine - rise * t.bend);
       const Real next_y = y + (v * t.sine + a * t.versine - rise * t.lag);
-      if (!(std::min(v, next_v) > std::max(t.least_v, Real(t.fall * rise))) || next_y >= arrival) {
+      if (!(std::min(v, next_v) > std::max(t.least_v, Real(t.fall * rise))) ||
+          (next_y >= arrival && !passes)) {
         break;
       }
       // By (F16) a does not need y, so v and a wait only for each other. Now and then a is computed
@@ -252,6 +309,12 @@ class RecordRun {
       if constexpr (Watcher::watches) {
         run_.watcher().piece(times_.at(i), s.direction,
                              LinearPiece<Real>({y, v, a}, Real(rise / t.h)));
+      }
+      if (next_y >= arrival) [[unlikely]] {
+        arrival = std::numeric_limits<Real>::max();
+        run_.state().now = times_.at(i);
+        run_.cross(LinearPiece<Real>({y, v, a}, Real(rise / t.h)),
+                   {PieceEvent::none, t.h, {next_y, next_v, next_a}}, crossing_);
       }
       y = next_y;
       v = next_v;
@@ -277,24 +340,22 @@ class RecordRun {
     const ForcedState<Real>& s = run_.state();
     const auto hold = run_.law().hold_at(s.u);
     const Real certain = hold.held_for_certain();
-    const auto held = [&](std::size_t at) {
-      return Run::magnitude(Real(s.u + sample(at))) <= certain || hold.drives(load(at)) == 0;
-    };
-    if (s.fresh || !held(i)) {
+    if (s.fresh || !held(i, hold, certain)) {
       return i;
     }
-    Real crest{-1};  // only what is larger can matter to the margin
+    Real crest{-1};
     for (; i < last; ++i) {
-      if (const Real size = Run::magnitude(Real(s.u + sample(i))); size > crest) {
-        if (decide_held_crest(i, hold)) {
-          crest = size;
-        }
-      }
-      if (!held(i + 1)) {
+      look_at_crest(i, hold, crest);
+      if (!held(i + 1, hold, certain)) {
         break;
       }
     }
     return i;
+  }
+
+  template <class AnyHold>
+  [[nodiscard]] bool held(std::size_t i, const AnyHold& hold, const Real& certain) const {
+    return Run::magnitude(Real(hold.u() + sample(i))) <= certain || hold.drives(load(i)) == 0;
   }
 
   Run& run_;
@@ -303,6 +364,7 @@ class RecordRun {
   IntervalTerms<Real> terms_;
   std::optional<Crossing<LinearDrive<Real>, Real>> crossing_;  ///< the last without a notch
   Real inverse_p_;
+  std::size_t last_{0};
   Load<Real> load_;  ///< at the end
 };
 
@@ -326,12 +388,20 @@ Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum
     const Real part = when.minus(times.at(i)) / times.length(i);
     return Real(record.values[i] + (record.values[i + 1] - record.values[i]) * part);
   };
-  Real largest = max(Real(abs(load(begin))), Real(abs(load(until))));
-  const std::size_t last = times.latest(until);
-  for (std::size_t i = times.latest(begin) + 1; i <= last; ++i) {
-    largest = max(largest, Real(abs(record.values[i])));
+  const Real largest = max(Real(abs(load(begin))), Real(abs(load(until))));
+  std::array<Real, 8> most;  // several, which need not wait for each other
+  most.fill(largest);
+  const std::size_t end = times.latest(until) + 1;
+  std::size_t i = times.latest(begin) + 1;
+  for (; i + most.size() <= end; i += most.size()) {
+    for (std::size_t k = 0; k < most.size(); ++k) {
+      most[k] = max(most[k], Real(abs(record.values[i + k])));
+    }
   }
-  return largest;
+  for (; i < end; ++i) {
+    most[0] = max(most[0], Real(abs(record.values[i])));
+  }
+  return *std::max_element(most.begin(), most.end());
 }
 
 }  // namespace stillpoint

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "batch_work.hpp"
+#include "forced_response_of_valid.hpp"
+#include "record_lanes.hpp"
+#include "record_motion.hpp"
+#include "scene_check.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/record_batch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace stillpoint {
+
+namespace {
+
+/// After so many samples the lanes that have ended give up their places.
+constexpr std::size_t samples_between_looks = 128;
+
+void resize(RecordBatchResult& result, Eigen::Index size) {
+  result.outcome.resize(size);
+  for (Eigen::ArrayXd RecordBatchResult::*const column :
+       {&RecordBatchResult::peak_amplitude, &RecordBatchResult::peak_absolute_acceleration,
+        &RecordBatchResult::stop_position, &RecordBatchResult::locked_from,
+        &RecordBatchResult::half_cycles, &RecordBatchResult::turning_points,
+        &RecordBatchResult::sticks, &RecordBatchResult::decision_margin}) {
+    (result.*column).resize(size);
+  }
+}
+
+void keep(RecordBatchResult& result, Eigen::Index i, const std::optional<ForcedResponse>& found) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const ForcedResponse response = found.value_or(ForcedResponse());
+  result.outcome[i] = found ? response.outcome : Outcome::running;
+  result.peak_amplitude[i] = response.peak_amplitude;
+  result.peak_absolute_acceleration[i] = response.peak_absolute_acceleration;
+  result.stop_position[i] = response.stop_position.value_or(0);
+  result.locked_from[i] = response.locked_from.value_or(infinite);
+  result.half_cycles[i] = response.half_cycles.value_or(0);
+  result.turning_points[i] = response.turning_points.value_or(0);
+  result.sticks[i] = response.sticks;
+  result.decision_margin[i] = response.decision_margin.value_or(infinite);
+}
+
+/// The motions of one block of entries.
+class RecordBlock final : public RecordEvents {
+ public:
+  RecordBlock(const Excitation& excitation, const ForcedOptions& options)
+      : excitation_(excitation), record_(std::get<Record>(excitation)), options_(options) {}
+
+  void add(std::size_t lane, const Oscillator& oscillator, const Start& start) {
+    RecordMotion& motion =
+        motions_.at(lane).emplace(oscillator, start, excitation_, options_, columns_, lane);
+    if (motion.begin()) {
+      live_.at(count_++) = lane;
+    }
+  }
+
+  /// All of them through the record, and no lane remains.
+  void run() {
+    std::size_t begin = 0;
+    while (count_ > 0) {
+      const std::size_t end = std::min(begin + samples_between_looks, reach());
+      run_record_lanes(record_.values.data(), begin, end, live_.data(), count_, columns_, *this);
+      begin = end;
+      const auto ended = [&](std::size_t lane) {
+        return motion(lane).over() || motion(lane).last() == begin;
+      };
+      auto* const live_end = live_.data() + count_;
+      auto* const rest = std::remove_if(live_.data(), live_end, ended);
+      count_ = static_cast<std::size_t>(rest - live_.data());
+      // Those that rest together, since they need less.
+      std::partition(live_.data(), rest,
+                     [&](std::size_t lane) { return columns_.sign[lane] != 0; });
+    }
+  }
+
+  /// Of a lane since it was added.
+  std::optional<ForcedResponse> take(std::size_t lane) {
+    std::optional<ForcedResponse> response = motion(lane).response();
+    motions_.at(lane).reset();
+    return response;
+  }
+  [[nodiscard]] bool has(std::size_t lane) const { return motions_.at(lane).has_value(); }
+
+  bool passes(std::size_t lane) override { return motion(lane).passes(); }
+  void through_interval(std::size_t lane, std::size_t i) override {
+    motion(lane).through_interval(i);
+  }
+
+ private:
+  RecordMotion& motion(std::size_t lane) { return *motions_[lane]; }
+
+  /// The first sample at which a lane is through the record: by rounding, they may differ by one.
+  std::size_t reach() {
+    std::size_t first = record_.values.size() - 1;
+    for (std::size_t k = 0; k < count_; ++k) {
+      first = std::min(first, motion(live_.at(k)).last());
+    }
+    return first;
+  }
+
+  const Excitation& excitation_;
+  const Record& record_;
+  const ForcedOptions& options_;
+  RecordColumns columns_{};
+  std::array<std::optional<RecordMotion>, record_lanes> motions_;
+  std::array<std::size_t, record_lanes> live_{};
+  std::size_t count_{0};
+};
+
+/// One by one: other surfaces, and records with times of their own.
+std::optional<ForcedResponse> alone(const Oscillator& oscillator, const Start& start,
+                                    const Excitation& excitation, const ForcedOptions& options,
+                                    const Surface& surface) {
+  try {
+    return forced_response_of_valid(oscillator, start, excitation, options, surface);
+  } catch (const TooManyHalfCycles&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void record_batch(double v0, const BatchValues& p, const BatchValues& f, const BatchValues& delta,
+                  const Record& record, const RecordBatchOptions& options,
+                  RecordBatchResult& result) {
+  require_within("half_cycle_limit", options.half_cycle_limit, 1, 1e15);
+  const Eigen::ArrayXd speeds = Eigen::ArrayXd::Constant(f.size(), v0);
+  BatchEntries entries = entries_of(speeds, p, f, delta);
+  entries.v0.stride = 0;
+  resize(result, entries.size);
+  ForcedOptions scene;
+  scene.half_cycle_limit = options.half_cycle_limit;
+  const Excitation excitation = record;
+  const bool in_lanes = options.surface.plain() && record.times.empty();
+  run_batch(entries, record_lanes, options.threads, [&](EntryThreads& work) {
+    SceneCheck check(excitation, scene.t_end);
+    const auto block = std::make_unique<RecordBlock>(excitation, scene);
+    const Start start{0, v0};
+    for (EntryRange range = work.next(); range.begin < range.end; range = work.next()) {
+      const auto lane = [&](Eigen::Index i) { return static_cast<std::size_t>(i - range.begin); };
+      for (Eigen::Index i = range.begin; i < range.end; ++i) {
+        work.guard(i, [&] {
+          const Oscillator oscillator{entries.p[i], entries.f[i], entries.delta[i], options.hold};
+          check.require(oscillator, start);
+          require_valid(oscillator, options.surface);
+          if (in_lanes) {
+            block->add(lane(i), oscillator, start);
+          } else {
+            keep(result, i, alone(oscillator, start, excitation, scene, options.surface));
+          }
+        });
+      }
+      block->run();
+      for (Eigen::Index i = range.begin; i < range.end; ++i) {
+        if (block->has(lane(i))) {
+          keep(result, i, block->take(lane(i)));
+        }
+      }
+    }
+  });
+}
+
+RecordBatchResult record_batch(double v0, const BatchValues& p, const BatchValues& f,
+                               const BatchValues& delta, const Record& record,
+                               const RecordBatchOptions& options) {
+  RecordBatchResult result;
+  record_batch(v0, p, f, delta, record, options, result);
+  return result;
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The vector kernel of the record batch, record_lanes.cpp, as the rest of core sees it. Plain
+// arrays only, as in batch_entries.hpp.
+
+#include <array>
+#include <cstddef>
+
+namespace stillpoint {
+
+/// So many motions share one pass over the record. More would not fit into the cache next to the
+/// processor with all their metrics; fewer leave more lanes idle once some have ended.
+inline constexpr std::size_t record_lanes = 128;
+
+/// What the vectors know of each motion, in the units of forced_run.hpp; not mirrored: u = p x.
+struct RecordColumns {
+  using Column = std::array<double, record_lanes>;
+
+  Column u;
+  Column v;
+  Column a;
+  Column sign;     ///< of v on a slide; 0 at rest
+  Column phi;      ///< friction, on a slide with that sign
+  Column edge;     ///< on a slide, y from which on it is looked at: x = 0 or never
+  Column certain;  ///< at rest: up to this |w + u| is held for certain
+  Column crest;    ///< at rest: no smaller |w + u| matters to the margin
+  Column slack;    ///< of the margin, TippingMargin; infinite where nothing was decided
+  Column scale;
+
+  // (F16) over an interval, IntervalTerms
+  Column inverse_p;
+  Column sine;
+  Column versine;
+  Column lag;
+  Column bend;
+  Column pull;
+  Column fall;
+  Column least_v;
+};
+
+/// Where a lane goes with what the vectors do not decide.
+class RecordEvents {
+ public:
+  RecordEvents() = default;
+  RecordEvents(const RecordEvents&) = delete;
+  RecordEvents(RecordEvents&&) = delete;
+  RecordEvents& operator=(const RecordEvents&) = delete;
+  RecordEvents& operator=(RecordEvents&&) = delete;
+  virtual ~RecordEvents() = default;
+
+  /// x = 0 is reached in an interval and nothing else happens: whether the lane goes on.
+  virtual bool passes(std::size_t lane) = 0;
+
+  /// Takes a lane from sample i to the next, with all rules, and its columns as well.
+  virtual void through_interval(std::size_t lane, std::size_t i) = 0;
+};
+
+/// Takes `count` lanes, those listed, from sample `begin` to sample `end` of the record.
+void run_record_lanes(const double* record, std::size_t begin, std::size_t end,
+                      const std::size_t* lanes, std::size_t count, RecordColumns& columns,
+                      RecordEvents& events);
+
+}  // namespace stillpoint

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "testing/forced_scene.hpp"
+#include "testing/random_scene.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/record_batch.hpp>
+
+#include <hwy/targets.h>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Many dampers under one record, each as it is alone: every instruction set of this machine, any
+// number of threads. Nothing is rounded differently, so that the values are equal.
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(record_batch_test)
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double half_cycles = 1000;  ///< more are not followed to the rest
+
+struct Dampers {
+  Eigen::ArrayXd p;
+  Eigen::ArrayXd f;
+  Eigen::ArrayXd delta;
+  double v0{0};
+  RecordBatchOptions options;
+
+  explicit Dampers(Eigen::Index size) : p(size), f(size), delta(size) {
+    options.half_cycle_limit = half_cycles;
+  }
+
+  void set(Eigen::Index i, const Oscillator& oscillator) {
+    p[i] = oscillator.p;
+    f[i] = oscillator.f;
+    delta[i] = oscillator.delta;
+  }
+
+  /// Empty where it has too many half-cycles.
+  [[nodiscard]] std::optional<ForcedResponse> alone(Eigen::Index i, const Record& record) const {
+    ForcedOptions scene;
+    scene.half_cycle_limit = half_cycles;
+    try {
+      return forced_response({p[i], f[i], delta[i], options.hold}, {0, v0}, record, scene,
+                             options.surface);
+    } catch (const TooManyHalfCycles&) {
+      return std::nullopt;
+    }
+  }
+};
+
+/// There are thousands of values, so only a difference is reported.
+void same(const char* what, double got, double expected, Eigen::Index i, const Dampers& dampers) {
+  if (got != expected) {
+    BOOST_ERROR(what << " = " << got << ", alone " << expected << ", entry " << i << ": p "
+                     << dampers.p[i] << ", f " << dampers.f[i] << ", delta " << dampers.delta[i]
+                     << ", v0 " << dampers.v0);
+  }
+}
+
+void is_that_of(const std::optional<ForcedResponse>& alone, const RecordBatchResult& result,
+                Eigen::Index i, const Dampers& dampers) {
+  const bool rests = alone && alone->outcome != Outcome::never_stops;
+  const Outcome outcome = alone ? alone->outcome : Outcome::running;
+  if (result.outcome[i] != outcome) {
+    BOOST_ERROR(name(result.outcome[i]) << ", alone " << name(outcome) << ", entry " << i);
+  }
+  if (!rests) {
+    return;
+  }
+  same("peak_amplitude", result.peak_amplitude[i], alone->peak_amplitude, i, dampers);
+  same("peak_absolute_acceleration", result.peak_absolute_acceleration[i],
+       alone->peak_absolute_acceleration, i, dampers);
+  same("stop_position", result.stop_position[i], alone->stop_position.value(), i, dampers);
+  same("locked_from", result.locked_from[i], alone->locked_from.value_or(infinite), i, dampers);
+  same("half_cycles", result.half_cycles[i], alone->half_cycles.value(), i, dampers);
+  same("turning_points", result.turning_points[i], alone->turning_points.value(), i, dampers);
+  same("sticks", result.sticks[i], alone->sticks, i, dampers);
+  same("decision_margin", result.decision_margin[i], alone->decision_margin.value_or(infinite), i,
+       dampers);
+}
+
+/// With each instruction set that this machine has.
+void is_identical(Dampers dampers, const Record& record, const std::vector<int>& threads = {1}) {
+  std::vector<std::optional<ForcedResponse>> alone;
+  for (Eigen::Index i = 0; i < dampers.f.size(); ++i) {
+    alone.push_back(dampers.alone(i, record));
+  }
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    for (const int number : threads) {
+      BOOST_TEST_CONTEXT(hwy::TargetName(target) << ", threads " << number) {
+        dampers.options.threads = number;
+        const RecordBatchResult result =
+            record_batch(dampers.v0, dampers.p, dampers.f, dampers.delta, record, dampers.options);
+        BOOST_TEST(result.size() == dampers.f.size());
+        for (Eigen::Index i = 0; i < result.size(); ++i) {
+          is_that_of(alone[static_cast<std::size_t>(i)], result, i, dampers);
+        }
+      }
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+/// data/records/strong_motion.AT2: four lines of heading, 2000 values at 0.01 s.
+Record strong_motion() {
+  std::ifstream file(std::string(STILLPOINT_DATA_DIR) + "/records/strong_motion.AT2");
+  std::string heading;
+  for (int line = 0; line < 4; ++line) {
+    std::getline(file, heading);
+  }
+  Record record;
+  record.step = 0.01;
+  for (double value = 0; file >> value;) {
+    record.values.push_back(value);
+  }
+  return record;
+}
+
+/// Sticking and sliding, locked and not, one friction and both, some without any.
+Oscillator any_damper(Dice& dice, double k) {
+  Oscillator damper;
+  damper.p = dice.power_of_ten(-0.5, 0.5);
+  damper.f = dice.once_in(8) ? 0 : k * dice.power_of_ten(-3, 0.1);
+  damper.delta = dice.once_in(3) ? 0 : k * k / damper.p * dice.power_of_ten(-6, -1);
+  return damper;
+}
+
+Dampers any_dampers(Eigen::Index size, Dice& dice, double k) {
+  Dampers dampers(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    dampers.set(i, any_damper(dice, k));
+  }
+  return dampers;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(random_dampers_under_a_record_are_those_of_the_scalar_kernel) {
+  const Record record = strong_motion();
+  BOOST_TEST_REQUIRE(record.values.size() == 2000U);
+  Dice dice(911);
+  Dampers dampers = any_dampers(300, dice, 0.35);
+  is_identical(dampers, record, {1, 3});
+  dampers.options.hold = 0.1;
+  is_identical(dampers, record);
+  dampers.options.hold = infinite;
+  dampers.v0 = -0.02;  // some of them are caught at the start
+  is_identical(dampers, record);
+}
+
+BOOST_AUTO_TEST_CASE(random_records_of_any_length) {
+  Dice dice(912);
+  for (int scene = 0; scene < 150; ++scene) {
+    BOOST_TEST_CONTEXT("scene " << scene) {
+      const double k = dice.power_of_ten(-1, 1);
+      const Record record = random_record(dice, k);
+      Dampers dampers = any_dampers(1 + scene % 20, dice, k);
+      dampers.v0 = dice.once_in(2) ? 0 : k * dice.power_of_ten(-2, 0);
+      dampers.options.hold = dice.once_in(2) ? infinite : k * dice.power_of_ten(-2, 0);
+      is_identical(dampers, record);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_plateau_of_exactly_f_holds_and_one_ulp_more_does_not) {
+  // W = 0.1 for three samples, then 0: with f = 0.1 it never moves, with one ulp less it slides.
+  const Record record{{0, 0.1, 0.1, 0.1, 0, 0}, 0.5, {}};
+  Dampers dampers(32);
+  for (Eigen::Index i = 0; i < 32; ++i) {
+    const double p = 0.3 + 0.1 * static_cast<double>(i / 2);
+    dampers.set(i, {p, i % 2 == 0 ? 0.1 : std::nextafter(0.1, 0), i % 4 < 2 ? 0 : 1e-3});
+  }
+  is_identical(dampers, record);
+  const RecordBatchResult result =
+      record_batch(0, dampers.p, dampers.f, dampers.delta, record, dampers.options);
+  for (Eigen::Index i = 0; i < 32; ++i) {
+    BOOST_TEST(result.half_cycles[i] == (i % 2 == 0 ? 0 : 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(exact_ties_at_turns_and_at_zero) {
+  // Under W = -1 with p = 1, f = 0 the mass turns at x = 2 and comes back to v = 0 at x = 0, both
+  // to within rounding of samples, for a step of pi / 2^n.
+  Record record{std::vector<double>(40, -1), std::acos(-1.0) / 4, {}};
+  Dampers dampers(24);
+  for (Eigen::Index i = 0; i < 24; ++i) {
+    dampers.set(i, {i % 3 == 0 ? 1.0 : std::nextafter(1.0, i % 3), i % 2 == 0 ? 0 : 0.25,
+                    i % 4 < 2 ? 0 : 0.125});
+  }
+  is_identical(dampers, record);
+  record.values.back() = 0;
+  is_identical(dampers, record);
+}
+
+BOOST_AUTO_TEST_CASE(steps_far_longer_and_far_shorter_than_a_period) {
+  Dice dice(913);
+  for (const double step : {1e-9, 0.3, 1.0, 7.0, 1e3}) {
+    Record record{{}, step, {}};
+    for (int i = 0; i < 60; ++i) {
+      record.values.push_back(dice.sign() * dice.power_of_ten(-2, 0));
+    }
+    is_identical(any_dampers(40, dice, 1), record);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_lanes_runs_all_the_same) {
+  Dice dice(914);
+  Dampers dampers = any_dampers(10, dice, 1);
+  is_identical(dampers, {{0.5, -0.4, 0.2, 0}, 0, {0, 0.3, 1, 2}});
+  is_identical(dampers, {{0.5}, 1, {}});
+  dampers.delta = dampers.delta + 1e-3;
+  dampers.options.surface.notch_width = 0.01;
+  is_identical(dampers, {{0.5, -0.4, 0.2, 0}, 0.5, {}});
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_is_named_with_its_entry) {
+  Dampers dampers(3);
+  dampers.p.setOnes();
+  dampers.f.setConstant(0.1);
+  dampers.delta.setZero();
+  const Record record{{0.5, 0}, 1, {}};
+  const auto field = [&](const Record& under) -> std::string {
+    try {
+      (void)record_batch(0, dampers.p, dampers.f, dampers.delta, under, dampers.options);
+    } catch (const InputError& error) {
+      return error.field();
+    }
+    return "";
+  };
+  BOOST_TEST(field(record).empty());
+  BOOST_TEST(field({{}, 1, {}}) == "record");
+  dampers.f[1] = -1;
+  BOOST_TEST(field(record) == "f[1]");
+  dampers.f[1] = 0;
+  dampers.p[2] = 0;
+  BOOST_TEST(field(record) == "p[2]");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test
