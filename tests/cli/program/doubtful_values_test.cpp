@@ -99,12 +99,16 @@ BOOST_DATA_TEST_CASE_F(Sandbox, doubtful, data::make(doubts), doubt) {
   const ProgramRun answer = run(doubt.arguments);
   BOOST_TEST((answer.exit_code == 0 || answer.exit_code == 3), answer.err);
   BOOST_TEST(!answer.out.empty());
-  BOOST_TEST(answer.err_lines().size() == (doubt.says.empty() ? 0U : 1U), answer.err);
+  std::vector<std::string> doubts_of_it = answer.err_lines();
+  std::erase_if(doubts_of_it, [](const std::string& line) {
+    return line.starts_with("stillpoint: never starts: ");  // what a notch too strong does
+  });
+  BOOST_TEST(doubts_of_it.size() == (doubt.says.empty() ? 0U : 1U), answer.err);
   for (const std::string& part : doubt.says) {
     BOOST_TEST(answer.err.find(part) != std::string::npos, "no " << part << " in " << answer.err);
   }
-  if (!doubt.says.empty()) {
-    BOOST_TEST(answer.err.starts_with("stillpoint: warning: "));
+  for (const std::string& line : doubts_of_it) {
+    BOOST_TEST(line.starts_with("stillpoint: warning: "));
   }
   const ProgramRun quiet = run(joined(doubt.arguments, {"--quiet"}));
   BOOST_TEST(quiet.err.empty(), quiet.err);
