@@ -15,7 +15,7 @@ design = stillpoint.design(v0=1, p=1, beta=0.9).design
 found = stillpoint.sweep(
     v0=np.linspace(0.8, 1.2, rows // side**2), p=1, f=np.linspace(0.8, 1.2, side) * design.f,
     delta=np.linspace(0.8, 1.2, side) * design.delta, columns="peak_amplitude,outcome")
-peaks = found.rows["peak_amplitude"]
+peaks = found.table["peak_amplitude"]
 print(f"{len(peaks)} motions, {found.outcomes.stopped_at_zero / len(peaks):.1%} stop at x = 0")
 
 counts, edges = np.histogram(peaks, bins=12)

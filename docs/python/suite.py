@@ -12,7 +12,7 @@ isolator = {"period": "2.8s", "hold": "0.1g"}
 
 for file in files:
     record = stillpoint.read_record(file)
-    print(f"{file}: {record.times[-1]:.1f} s, up to {np.abs(record['values']).max():.3f} g")
+    print(f"{file}: {record.times[-1]:.1f} s, up to {np.abs(record.accelerations).max():.3f} g")
 
 found = stillpoint.design(
     record=files, max_displacement="400mm", residual_m="5mm", search_f="0:0.2",

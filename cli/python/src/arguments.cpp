@@ -144,7 +144,7 @@ Settings settings(Command command, const py::object& scene, const py::dict& opti
       given[std::string(option.name)] = to_json(std::string(option.name), value);
     }
   }
-  const Settings flags = cli::scene_settings(given, command);
+  Settings flags = cli::scene_settings(given, command);
   if (scene.is_none()) {
     return flags;
   }

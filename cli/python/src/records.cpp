@@ -53,7 +53,7 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   found["step"] = file.record.times.empty() ? py::object(py::float_(file.record.step)) : py::none();
   found["times"] =
       to_array(file.record.times.empty() ? times_of(file.record) : std::move(file.record.times));
-  found["values"] = to_array(std::move(file.record.values));
+  found["accelerations"] = to_array(std::move(file.record.values));
   return found;
 }
 
@@ -76,7 +76,8 @@ record_scale  factor on every value
 gravity       m/s2, one g
 
 Returns Fields: file, description and units of the file as given, step in s (None where the
-file has times), times in s and values in g, both float64 arrays of shape (n,).)");
+file has times), times in s and
+accelerations in g, both float64 arrays of shape (n,).)");
 }
 
 }  // namespace stillpoint::python

@@ -52,13 +52,9 @@ void add_result(py::module_& module) {
       .def("__repr__", [](const Result& result) { return "<" + result.one_line() + ">"; })
       .def("__str__", &Result::text, "the report as the program prints it")
       .def("_repr_html_", &Result::html)
-      .def("__dir__", [](Result& result) {
-        py::list names;
-        for (const auto& [name, value] : result.report()) {
-          names.append(name);
-        }
-        names.append("report");
-        return names;
+      .def("__dir__", [](const py::object& self) {
+        const auto own = py::module_::import("builtins").attr("object").attr("__dir__")(self);
+        return own + py::list(self.attr("report"));
       });
 }
 

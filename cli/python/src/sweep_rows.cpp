@@ -7,6 +7,7 @@
 #include "request.hpp"
 #include "result.hpp"
 #include "values.hpp"
+#include "written_files.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/sweep.hpp>
@@ -68,8 +69,8 @@ class RowsInMemory final : public sweep::RowSink {
 class Sweep final : public Result {
  public:
   Sweep(SweepSpec spec, sweep::SweepSummary summary, std::optional<sweep::SweepMap> map,
-        py::object rows)
-      : spec_(std::move(spec)), summary_(summary), map_(std::move(map)), rows_(std::move(rows)) {}
+        py::object table)
+      : spec_(std::move(spec)), summary_(summary), map_(std::move(map)), table_(std::move(table)) {}
 
   [[nodiscard]] nlohmann::ordered_json json() const override {
     return report::json(spec_, summary_);
@@ -86,13 +87,13 @@ class Sweep final : public Result {
     page.verdict = fmt::format("{} rows", summary_.state.rows);
     return page;
   }
-  [[nodiscard]] const py::object& rows() const { return rows_; }
+  [[nodiscard]] const py::object& table() const { return table_; }
 
  private:
   SweepSpec spec_;
   sweep::SweepSummary summary_;
   std::optional<sweep::SweepMap> map_;
-  py::object rows_;
+  py::object table_;
 };
 
 /// Only a plane of f and delta has a map.
@@ -110,6 +111,7 @@ std::unique_ptr<Result> run(const py::object& scene, const py::kwargs& options) 
   if (in_memory) {
     given.set(*cli::find_option("format"), std::string("npy"));
   }
+  cli::require_files_apart(Command::sweep, given, std::nullopt);
   SweepSpec spec = cli::sweep_request(given);
   std::optional<sweep::SweepMap> map = map_of(spec);
   const py::dtype type = dtype_of(spec);
@@ -121,21 +123,21 @@ std::unique_ptr<Result> run(const py::object& scene, const py::kwargs& options) 
     return sweep::run(spec, file ? *file : memory, {stop, {}, map ? &*map : nullptr});
   });
   warn_of_doubts(given, Command::sweep);
-  py::object rows = py::none();
+  py::object table = py::none();
   if (in_memory) {
     auto bytes = std::make_unique<std::vector<char>>(memory.take());
     const void* const data = bytes->data();
-    rows =
+    table =
         py::array(type, static_cast<py::ssize_t>(summary.state.rows), data, kept(std::move(bytes)));
   }
-  return std::make_unique<Sweep>(std::move(spec), summary, std::move(map), std::move(rows));
+  return std::make_unique<Sweep>(std::move(spec), summary, std::move(map), std::move(table));
 }
 
 }  // namespace
 
 void add_sweep(py::module_& module) {
   py::class_<Sweep, Result>(module, "Sweep", "What sweep found.")
-      .def_property_readonly("rows", &Sweep::rows,
+      .def_property_readonly("table", &Sweep::table,
                              "a structured array with a field for each column; None where the rows "
                              "went to a file");
   module.def(
@@ -143,7 +145,7 @@ void add_sweep(py::module_& module) {
       documentation(Command::sweep,
                     "Many motions, or with beta many designs, over a grid or a list. An axis "
                     "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
-                    "\"a,b,c\". The result has rows, a structured array with a field for each "
+                    "\"a,b,c\". The result has a table, a structured array with a field for each "
                     "column; outcome is an index in stillpoint.outcomes. With output the rows "
                     "go to that file instead.")
           .c_str());

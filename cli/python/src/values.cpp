@@ -48,9 +48,25 @@ json object(py::handle values) {
   return all;
 }
 
+/// A dict may hold itself.
+class Depth {
+ public:
+  Depth() {
+    if (Py_EnterRecursiveCall(" while reading an option") != 0) {
+      throw py::error_already_set();
+    }
+  }
+  Depth(const Depth&) = delete;
+  Depth& operator=(const Depth&) = delete;
+  Depth(Depth&&) = delete;
+  Depth& operator=(Depth&&) = delete;
+  ~Depth() { Py_LeaveRecursiveCall(); }
+};
+
 }  // namespace
 
 json to_json(const std::string& field, py::handle value) {
+  const Depth depth;
   if (value.is_none()) {
     return nullptr;
   }

@@ -139,7 +139,7 @@ def test_references_are_given_back():
     objects = [f, delta, options, wrong, *options.values(), stillpoint.Fields]
     for function in (lambda: stillpoint.peak(f, delta, 1, 1), lambda: stillpoint.motions(f, delta, 1, 1),
                      lambda: stillpoint.region(**options).region, lambda: stillpoint.design(options).report,
-                     lambda: stillpoint.sweep(v0=1, p=1, f=f, delta=0.1).rows, refused):
+                     lambda: stillpoint.sweep(v0=1, p=1, f=f, delta=0.1).table, refused):
         assert references(function, objects) == [0] * len(objects)
 
 

@@ -69,7 +69,8 @@ def test_fields_of_the_report_are_attributes():
     found = stillpoint.design(v0=1, p=1, beta=0.9)
     assert found.design.f == found.report["design"]["f"]
     assert found.report is found.report
-    assert set(found.report) <= set(dir(found))
+    assert {*found.report, "report"} <= set(dir(found))
+    assert "table" in dir(stillpoint.sweep(v0=1, p=1, f=0.1, delta=0.1))
     for name, value in found.report.items():
         assert getattr(found, name) == value
     with pytest.raises(AttributeError, match="no field 'colour'"):

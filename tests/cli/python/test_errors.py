@@ -53,6 +53,13 @@ def test_what_only_python_can_get_wrong_is_named(options, text):
     assert str(caught.value) == text
 
 
+def test_scene_that_holds_itself_is_refused():
+    scene = {}
+    scene["excitation"] = scene
+    with pytest.raises(RecursionError):
+        stillpoint.design(scene)
+
+
 def test_scene_is_refused_as_the_program_does(program):
     (program.folder / "scene.json").write_text('{"v0": 1,\n "p": }')
     with pytest.raises(stillpoint.InputError) as caught:

@@ -25,22 +25,22 @@ def test_rows_are_those_of_the_program(program, options):
     program.run("sweep", *arguments, output="rows.npy", **flags)
     wanted = np.load("rows.npy")
     found = stillpoint.sweep(**{key: value if value != "" else True for key, value in options.items()})
-    assert found.rows.dtype == wanted.dtype
-    assert found.rows.tobytes() == wanted.tobytes()
+    assert found.table.dtype == wanted.dtype
+    assert found.table.tobytes() == wanted.tobytes()
 
 
 def test_axis_may_be_an_array():
     f, delta = np.linspace(0.001, 0.35, 11), np.linspace(0, 0.5, 7)
     found = stillpoint.sweep(v0=1, p=1, f=f, delta=delta)
     wanted = stillpoint.sweep(v0=1, p=1, f="0.001:0.35:11", delta="0:0.5:7")
-    assert found.rows.tobytes() == wanted.rows.tobytes()
-    assert np.array_equal(found.rows["f"].reshape(11, 7)[:, 0], f)
+    assert found.table.tobytes() == wanted.table.tobytes()
+    assert np.array_equal(found.table["f"].reshape(11, 7)[:, 0], f)
 
 
 def test_list_is_read(program):
     (program.folder / "list.csv").write_text("f,delta\n0.1,0.2\n0.2,0.1\n")
     found = stillpoint.sweep(v0=1, p=1, list="list.csv")
-    assert found.rows["f"].tolist() == [0.1, 0.2]
+    assert found.table["f"].tolist() == [0.1, 0.2]
 
 
 def test_report_is_that_of_the_program(program):
@@ -55,12 +55,12 @@ def test_output_goes_to_a_file(program):
     axes = {"v0": 1, "p": 1, "f": "0:0.35:20", "delta": 0.1}
     found = stillpoint.sweep(output="here.csv", **axes)
     program.run("sweep", output="there.csv", **axes)
-    assert found.rows is None
+    assert found.table is None and found.rows == 20
     assert (program.folder / "here.csv").read_bytes() == (program.folder / "there.csv").read_bytes()
 
 
 def test_rows_outlive_the_result():
-    rows = stillpoint.sweep(v0=1, p=1, f="0:0.3:1000", delta=0.1).rows
+    rows = stillpoint.sweep(v0=1, p=1, f="0:0.3:1000", delta=0.1).table
     copy = rows.copy()
     junk = [stillpoint.sweep(v0=1, p=1, f="0:0.3:1000", delta=0.2) for _ in range(20)]
     assert len(junk) == 20 and rows.tobytes() == copy.tobytes()
@@ -69,12 +69,20 @@ def test_rows_outlive_the_result():
 def test_no_result_depends_on_threads():
     axes = {"v0": 1, "p": 1, "f": "0:0.3:300", "delta": "0:0.4:100"}
     one, many = (stillpoint.sweep(threads=n, **axes) for n in (1, 5))
-    assert one.rows.tobytes() == many.rows.tobytes()
+    assert one.table.tobytes() == many.table.tobytes()
 
 
 def test_record_is_what_the_program_follows():
     found = stillpoint.read_record(ROOT / "data/records/near_fault_pulse.txt")
-    assert found.times.shape == found["values"].shape and found.times[0] == 0
-    assert found.times.dtype == found["values"].dtype == np.float64
+    assert found.times.shape == found.accelerations.shape and found.times[0] == 0
+    assert found.times.dtype == found.accelerations.dtype == np.float64
     half = stillpoint.read_record(ROOT / "data/records/near_fault_pulse.txt", record_scale=0.5)
-    assert np.array_equal(half["values"], found["values"] / 2)
+    assert np.array_equal(half.accelerations, found.accelerations / 2)
+
+
+def test_output_must_not_be_the_list(program):
+    (program.folder / "list.csv").write_text("f,delta\n0.1,0.2\n")
+    options = {"v0": 1, "p": 1, "list": "list.csv", "output": "list.csv"}
+    with pytest.raises(stillpoint.InputError) as caught:
+        stillpoint.sweep(**options)
+    assert str(caught.value) == program.error("sweep", **options)
