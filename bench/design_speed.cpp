@@ -73,6 +73,24 @@ std::vector<Part> thousand_parts() {
   return parts;
 }
 
+/// What the ranges and the residual make of a task.
+struct Variation {
+  std::string name;
+  std::function<void(Problem&)> apply;
+};
+
+std::vector<Variation> variations() {
+  return {{"v0 0.9:1", [](Problem& task) { task.v0_low = 0.9; }},
+          {"v0 0:1", [](Problem& task) { task.v0_low = 0; }},
+          {"residual 0.05", [](Problem& task) { task.residual = 0.05; }},
+          {"v0 and p 0.95:1, residual 0.05", [](Problem& task) {
+             task.v0_low = 0.95;
+             task.p = 0.95;
+             task.p_high = 1;
+             task.residual = 0.05;
+           }}};
+}
+
 std::vector<Case> cases() {
   constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
                                   Objective::acceleration};
@@ -90,6 +108,21 @@ std::vector<Case> cases() {
   }
   all.push_back({"search, robust, arrivals 4, f_max 0.1",
                  [](double beta) { (void)design::search(problem(beta, 4), {.f_max = 0.1}); }});
+  for (const std::int64_t arrivals : {1, 4}) {
+    for (const Variation& variation : variations()) {
+      for (const Objective objective : objectives) {
+        const SearchOptions options{.objective = objective};
+        const Limits limits{.tolerance = objective == Objective::robust ? 0 : 0.02};
+        all.push_back(
+            {fmt::format("search, {}, {}, arrivals {}", name(objective), variation.name, arrivals),
+             [=](double beta) {
+               Problem task = problem(beta, arrivals);
+               variation.apply(task);
+               (void)design::search(task, limits, options);
+             }});
+      }
+    }
+  }
   for (const std::int64_t arrivals : {1, 4}) {
     all.push_back({fmt::format("region, arrivals {}", arrivals),
                    [=](double beta) { (void)design::admissible_region(problem(beta, arrivals)); }});
@@ -120,6 +153,6 @@ int main(int count, char** arguments) {
     std::ranges::for_each(all, stillpoint::bench::measure);
   }
   for (const auto& one : all) {
-    fmt::print("{:<46}{:>10.1f} us\n", one.name, one.microseconds);
+    fmt::print("{:<70}{:>10.1f} us\n", one.name, one.microseconds);
   }
 }

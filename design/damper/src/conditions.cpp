@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "arrival.hpp"
 #include "region_edges.hpp"
-#include "strip.hpp"
 #include "way.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -20,26 +20,20 @@ struct Asked {
   double f;
 };
 
-/// The corner of the tolerance box at which a condition is tightest.
-enum class Corner { low, high };
-
 /// One of the conditions of region.hpp.
 struct Condition {
   std::string_view name;
   std::string_view variable;
   std::string_view relation;
-  Corner tightest;
   double (*limit)(const Asked& asked);
 };
 
 constexpr std::array<Condition, 5> conditions{{
-    {"dead_zone", "f", "<", Corner::high, [](const Asked& asked) { return asked.region.f1; }},
-    {"start", "delta", "<=", Corner::high, [](const Asked& asked) { return asked.region.delta2; }},
-    {"amplitude", "f", ">=", Corner::low, [](const Asked& asked) { return asked.region.f2; }},
-    {"return", "f", "<=", Corner::high, [](const Asked& asked) { return asked.region.f3; }},
-    // Delta1 falls with f. At the high corner f may lie above f3, where it means nothing.
-    {"stop", "delta", ">", Corner::low,
-     [](const Asked& asked) { return delta1(asked.problem, asked.f); }},
+    {"dead_zone", "f", "<", [](const Asked& asked) { return asked.region.f1; }},
+    {"start", "delta", "<=", [](const Asked& asked) { return asked.region.delta2; }},
+    {"amplitude", "f", ">=", [](const Asked& asked) { return asked.region.f2; }},
+    {"return", "f", "<=", [](const Asked& asked) { return asked.region.f3; }},
+    {"stop", "delta", ">", [](const Asked& asked) { return delta1(asked.problem, asked.f); }},
 }};
 
 Constraint compared(std::string_view name, std::string_view variable, std::string_view relation,
@@ -54,7 +48,7 @@ Constraint compared(std::string_view name, std::string_view variable, std::strin
 void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
   const int n = deciding_arrival(problem, f, delta).n;
   if (n > 1) {
-    const auto [reach, pass] = passing_speeds(problem, n, f, delta);
+    const auto [reach, pass] = way_speeds(Way(problem, {}, n), f, delta);
     list[3] = compared("return", "v0", ">=", problem.v0, reach);
     list[4] = compared("stop", "v0", "<", problem.v0, pass);
   }
@@ -73,17 +67,6 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
             : way.v_low > 0 ? compared("return", "v0", ">=", way.v_low * problem.v0, reach)
                             : compared("return", "delta", ">=", delta, reach);
   list[4] = compared("stop", "v0", "<", problem.v0, pass);
-}
-
-/// Whether the conditions that are tightest at this corner of the box hold there.
-bool hold_at(Corner corner, const Problem& problem, double f, double delta) {
-  const auto list = constraints(problem, f, delta);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (conditions[i].tightest == corner && !list[i].satisfied) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace
@@ -121,17 +104,6 @@ std::vector<Constraint> constraints(const Problem& problem, const Limits& limits
     list.push_back(compared("acceleration", "f", "<=", f, edges(problem, limits).f4));
   }
   return list;
-}
-
-bool box_admissible(const Problem& at_low, const Problem& at_high, const Limits& limits, double f,
-                    double delta) {
-  const double low = 1 - limits.tolerance;
-  const double high = 1 + limits.tolerance;
-  const bool low_holds = hold_at(Corner::low, at_low, f * low, delta * low);
-  const bool high_holds = hold_at(Corner::high, at_high, f * high, delta * high);
-  return low_holds && high_holds && (!limits.f_max || f * high <= *limits.f_max) &&
-         (!limits.delta_max || delta * high <= *limits.delta_max) &&
-         (!limits.acceleration_max || f * high <= edges(at_high, limits).f4);
 }
 
 }  // namespace stillpoint::design

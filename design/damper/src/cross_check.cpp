@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "judge.hpp"
+#include "region_edges.hpp"
 #include "rest.hpp"
 #include "runge_kutta.hpp"
-#include "strip.hpp"
 #include "unit_problem.hpp"
+#include "unit_strip.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -54,7 +55,8 @@ constexpr Quality runge_kutta_quality{"runge_kutta", 1e-9, 1000 * integrator_tol
 }  // namespace
 
 Prediction predict(const Problem& problem, double f) {
-  require_within("f", f, 0, admissible_region(with_one_arrival(problem)).f3);
+  require_valid(problem);
+  require_within("f", f, 0, edges(problem, {}).f3);
   const double a = std::min(f / problem.p / problem.v0, unit::a3);
   Prediction prediction;
   prediction.peak_amplitude = unit::peak(a) * problem.v0 / problem.p;

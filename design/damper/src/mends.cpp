@@ -2,8 +2,7 @@
 #include "mend_list.hpp"
 #include "nearest_fit.hpp"
 #include "region_edges.hpp"
-#include "strip.hpp"
-#include "way.hpp"
+#include "way_extent.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
@@ -40,22 +39,15 @@ bool first_fits(const Case& now) {
 }
 
 bool feasible(const Case& now) {
-  if (!is_plain(now.problem, now.limits)) {
-    bool fits = false;
+  const bool plain = is_plain(now.problem, now.limits);
+  bool fits = plain && first_fits(now);
+  if (!fits && !(plain && now.problem.arrivals == 1)) {
     for_each_way(now.problem, now.limits, [&](const Way& way) {
       fits = any_point(way).has_value();
       return !fits;
     });
-    return fits;
   }
-  bool found = first_fits(now);
-  if (!found && now.problem.arrivals > 1) {
-    for_each_strip(now.problem, now.limits, [&](const StripTask& task) {
-      found = any_point(task).has_value();
-      return !found;
-    });
-  }
-  return found;
+  return fits;
 }
 
 Input<Case> v0_of(const Problem& problem) {
@@ -111,22 +103,27 @@ std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, con
 
 /// The same for a later arrival, whose strip in a = f/(V0 p) does not depend on p. That is a root,
 /// so the last bits are left to the points themselves.
-std::optional<double> mended_p(const Case& base, const StripTask& task) {
+std::optional<double> mended_p(const Case& base, int n) {
   const double tolerance = base.limits.tolerance;
-  const auto corners = unit::high_corners(base.problem.criterion, task.n, tolerance, task.d_cap);
-  if (!corners) {
+  const auto in_strip = [&](const Case& now) { return Way(now.problem, now.limits, n); };
+  // Of the centres, over V0 p, whatever beta and the other limits are.
+  Case free = base;
+  free.problem.beta = 2 * base.problem.v0 / base.problem.p;
+  free.limits.f_max = free.limits.acceleration_max = std::nullopt;
+  const auto centres = feasible_f(in_strip(free));
+  if (!centres) {
     return std::nullopt;
   }
-  const auto in_strip = [&](const Case& now) { return StripTask(now.problem, now.limits, task.n); };
+  const double part = (1 + tolerance) / (base.problem.v0 * base.problem.p);
+  const unit::Ends corners{centres->low * part, centres->high * part};
   const auto amplitude = [&](const Case& now) {
-    const StripTask strip = in_strip(now);
-    const double cap = std::min(strip.f_of(corners->high), now.limits.f_max.value_or(HUGE_VAL));
-    return lowest_centre(strip.edge.f2, tolerance) <= highest_centre(cap, tolerance);
+    const Way strip = in_strip(now);
+    const double cap = std::min(strip.f_of(corners.high), now.limits.f_max.value_or(HUGE_VAL));
+    return lowest_centre(strip.f2, tolerance) <= highest_centre(cap, tolerance);
   };
   const auto low_end = [&](const Case& now) {
-    const StripTask strip = in_strip(now);
-    const double cap = std::min(strip.edge.f4, now.limits.f_max.value_or(HUGE_VAL));
-    return cap >= 0 && cap >= strip.f_of(corners->low);
+    const Way strip = in_strip(now);
+    return strip.f_cap >= 0 && strip.f_cap >= strip.f_of(corners.low);
   };
   const auto all = [&](const Case& now) { return any_point(in_strip(now)).has_value(); };
   const auto nearly = [&](const Case& /*now*/) { return true; };
@@ -203,7 +200,7 @@ std::optional<double> mended_p(const Case& base) {
   std::optional<double> nearest = mended_p(base, amplitude_fits, strip_fits, first_fits);
   const auto change = [&](double p) { return std::max(p / base.problem.p, base.problem.p / p); };
   for (int n = 2; n <= base.problem.arrivals; ++n) {
-    const auto p = mended_p(base, StripTask(base.problem, base.limits, n));
+    const auto p = mended_p(base, n);
     if (p && (!nearest || change(*p) < change(*nearest))) {
       nearest = p;
     }

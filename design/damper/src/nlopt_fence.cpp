@@ -24,28 +24,30 @@ constexpr double xtol_abs = 1e-11;
 constexpr double constraint_tolerance = 0;
 constexpr unsigned long seed = 20'081;  // any; fixed, so that every run repeats
 
-/// One function as NLopt calls it, and where to keep an exception that must not pass through NLopt.
+/// One function as NLopt calls it, where to keep an exception that must not pass through NLopt, and
+/// room for its arguments.
 struct Callback {
   const Function* function;
   nlopt::opt* solver;
   std::exception_ptr* failure;
   int* evaluations;
+  Eigen::VectorXd point{};
+  Eigen::VectorXd slope{};
 };
 
 double call(const std::vector<double>& x, std::vector<double>& gradient, void* data) {
   auto& self = *static_cast<Callback*>(data);
   ++*self.evaluations;
   try {
-    const Eigen::VectorXd point =
-        Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
-    if (!point.allFinite()) {  // SLSQP's step where its subproblem is degenerate
+    self.point = Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+    if (!self.point.allFinite()) {  // SLSQP's step where its subproblem is degenerate
       self.solver->force_stop();
       return HUGE_VAL;
     }
-    Eigen::VectorXd slope(static_cast<Eigen::Index>(gradient.size()));
-    const double value = (*self.function)(point, slope);
-    assert(std::isfinite(value) && slope.allFinite());
-    std::copy(slope.begin(), slope.end(), gradient.begin());
+    self.slope.resize(static_cast<Eigen::Index>(gradient.size()));
+    const double value = (*self.function)(self.point, self.slope);
+    assert(std::isfinite(value) && self.slope.allFinite());
+    std::copy(self.slope.begin(), self.slope.end(), gradient.begin());
     return value;
   } catch (...) {
     *self.failure = std::current_exception();
@@ -90,7 +92,9 @@ const std::vector<NloptAlgorithm>& nlopt_algorithms() {
 
 NloptOutcome minimise(const NloptProblem& problem, std::string_view algorithm,
                       const NloptBudget& budget) {
-  nlopt::srand(seed);
+  if (algorithm.starts_with("GN_")) {  // no other one draws numbers
+    nlopt::srand(seed);
+  }
   nlopt::opt solver(std::string(algorithm).c_str(), static_cast<unsigned>(problem.start.size()));
   solver.set_lower_bounds(to_vector(problem.lower));
   solver.set_upper_bounds(to_vector(problem.upper));

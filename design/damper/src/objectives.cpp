@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "search_space.hpp"
+#include "objectives.hpp"
 
 #include "unit_problem.hpp"
 

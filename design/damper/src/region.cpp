@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
-#include "strip.hpp"
 #include "unit_problem.hpp"
-#include "way.hpp"
+#include "way_extent.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -19,36 +18,6 @@ namespace stillpoint::design {
 
 namespace {
 
-/// The bounds of Delta in long double, rounded once, so that their strict edge is right to the last
-/// bit. Speeds, as in core: phi = f/p, radius = S/p.
-class WideArc {
- public:
-  WideArc(const Problem& problem, double f)
-      : v0_(problem.v0),
-        phi_(f / static_cast<long double>(problem.stiffest_p())),
-        radius_(std::sqrt(v0_ * v0_ + phi_ * phi_)) {}
-
-  [[nodiscard]] double published() const {
-    const long double speed = radius_ - 2 * phi_;
-    return half_of(speed * speed);
-  }
-  [[nodiscard]] double exact() const {
-    const long double returns = (v0_ * v0_ - 8 * phi_ * phi_) / (radius_ + 3 * phi_);
-    return half_of((radius_ - phi_) * std::max(0.0L, returns));
-  }
-
- private:
-  /// At f = 0 it is Delta2 itself, which is rounded as a product of doubles.
-  [[nodiscard]] double half_of(long double square) const {
-    const auto v0 = static_cast<double>(v0_);
-    return phi_ == 0 ? v0 * v0 / 2 : static_cast<double>(square / 2);
-  }
-
-  long double v0_;
-  long double phi_;
-  long double radius_;
-};
-
 Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& limits) {
   if (!amplitude_fits_return(edges, limits)) {
     return Conflict::amplitude_against_return;
@@ -61,6 +30,9 @@ Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& l
   }
   if (!amplitude_fits_acceleration(edges, limits)) {
     return Conflict::amplitude_against_acceleration;
+  }
+  if (problem.arrivals > 1) {
+    return Conflict::no_arrival;
   }
   if (!stop_fits(problem, edges, limits)) {
     return limits.delta_max && *limits.delta_max == edges.delta_cap
@@ -84,36 +56,6 @@ double least_beta(Problem problem) {
     problem.beta = std::nextafter(problem.beta, HUGE_VAL);
   }
   return problem.beta;
-}
-
-/// The infimum of f for which Delta1 of the box's low corner leaves room below the cap.
-double lower_end_from_stop(const Problem& problem, const Edges& edges, double tolerance) {
-  // Delta2 is v0^2/2: dividing the rounded square by v0 twice may miss 1/2, and f = 0 with it.
-  const double delta2 = problem.v0 * problem.v0 / 2;
-  const double highest =
-      edges.delta_cap == delta2 ? 0.5 : edges.delta_cap / problem.v0 / problem.v0;
-  const double d = highest * (1 - tolerance) / (1 + tolerance);
-  const double a = unit::delta1_inverse(problem.criterion, d);
-  return a * problem.v0 * problem.p / (1 - tolerance);
-}
-
-/// The region of all arrivals that are allowed from that of the first.
-void add_later_strips(Region& region, const Problem& problem, const Limits& limits) {
-  for_each_strip(problem, limits, [&](const StripTask& task) {
-    if (any_point(task)) {
-      const auto ends = feasible_f(task).value();
-      region.f_lower = std::min(ends.low, region.f_lower.value_or(HUGE_VAL));
-      region.f_upper = std::max(ends.high, region.f_upper.value_or(0));
-    }
-    return true;
-  });
-  region.feasible = region.f_lower.has_value();
-  if (region.feasible) {
-    region.conflict = Conflict::none;
-  } else if (region.conflict == Conflict::stop_against_start ||
-             region.conflict == Conflict::stop_against_delta_max) {
-    region.conflict = Conflict::no_arrival;
-  }
 }
 
 /// What no damper does.
@@ -152,23 +94,6 @@ Conflict conflict_of_ways(const Problem& problem, const Limits& limits, const Ed
                                                 : Conflict::no_arrival;
 }
 
-Region region_of_ways(const Problem& problem, const Limits& limits) {
-  const Edges edge = edges(problem, limits);
-  Region region = region_edges(problem, limits);
-  region.beta_min =
-      unit::peak(largest_f(problem) / problem.p / problem.v0) * problem.v0 / problem.p;
-  for_each_way(problem, limits, [&](const Way& way) {
-    if (const auto ends = feasible_f(way)) {
-      region.f_lower = std::min(ends->low, region.f_lower.value_or(HUGE_VAL));
-      region.f_upper = std::max(ends->high, region.f_upper.value_or(0));
-    }
-    return true;
-  });
-  region.feasible = region.f_lower.has_value();
-  region.conflict = region.feasible ? Conflict::none : conflict_of_ways(problem, limits, edge);
-  return region;
-}
-
 }  // namespace
 
 Region region_edges(const Problem& problem, const Limits& limits) {
@@ -187,23 +112,23 @@ Region region_edges(const Problem& problem, const Limits& limits) {
 
 Region admissible_region(const Problem& problem, const Limits& limits) {
   require_valid(problem, limits);
-  if (!is_plain(problem, limits)) {
-    return region_of_ways(problem, limits);
-  }
-  const Edges edge = edges(problem, limits);
+  const bool plain = is_plain(problem, limits);
   Region region = region_edges(problem, limits);
-  region.beta_min = least_beta(problem);
-  region.conflict = conflict_of(problem, edge, limits);
-  region.feasible = region.conflict == Conflict::none;
-  if (region.feasible) {
-    const double upper = highest_centre(edge.f_cap, limits.tolerance);
-    const double lower = std::max(lowest_centre(region.f2, limits.tolerance),
-                                  lower_end_from_stop(problem, edge, limits.tolerance));
-    region.f_upper = upper;
-    region.f_lower = std::min(lower, upper);  // both may be one point, rounded two ways
-  }
-  if (problem.arrivals > 1) {
-    add_later_strips(region, problem, limits);
+  region.beta_min =
+      plain ? least_beta(problem)
+            : unit::peak(largest_f(problem) / problem.p / problem.v0) * problem.v0 / problem.p;
+  for_each_way(problem, limits, [&](const Way& way) {
+    if (const auto ends = feasible_f(way)) {
+      region.f_lower = std::min(ends->low, region.f_lower.value_or(HUGE_VAL));
+      region.f_upper = std::max(ends->high, region.f_upper.value_or(0));
+    }
+    return true;
+  });
+  region.feasible = region.f_lower.has_value();
+  if (!region.feasible) {
+    const Edges edge = edges(problem, limits);
+    region.conflict =
+        plain ? conflict_of(problem, edge, limits) : conflict_of_ways(problem, limits, edge);
   }
   return region;
 }
@@ -256,9 +181,9 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
       const double delta =
           highest_centre(edge.delta_cap, limits.tolerance) * (1 - limits.tolerance);
       const auto last = static_cast<int>(problem.arrivals);
-      const auto [least, most] =
-          told_apart(problem.v0, passing_speeds(problem, last, f, delta).pass);
-      return problem.v0 >= passing_speeds(problem, last, f, delta).pass
+      const double pass = way_speeds(Way(problem, {}, last), f, delta).pass;
+      const auto [least, most] = told_apart(problem.v0, pass);
+      return problem.v0 >= pass
                  ? fmt::format(
                        "even with the largest friction allowed the mass passes x = 0 {} times: "
                        "v0 = {}, it would have to be below {}{}",
@@ -288,7 +213,9 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
 double delta1_published(const Problem& problem, double f) {
   require_valid(problem);
   require_within("f", f, 0, largest_square);
-  return WideArc(problem, f).published();
+  Problem published = problem;
+  published.criterion = Criterion::published;
+  return unchecked_delta1(published, f);
 }
 
 std::optional<double> delta1_exact(const Problem& problem, double f) {
@@ -297,7 +224,9 @@ std::optional<double> delta1_exact(const Problem& problem, double f) {
   if (f > edges(problem, {}).f3) {
     return std::nullopt;
   }
-  return WideArc(problem, f).exact();
+  Problem exact = problem;
+  exact.criterion = Criterion::exact;
+  return unchecked_delta1(exact, f);
 }
 
 double delta1(const Problem& problem, double f) {

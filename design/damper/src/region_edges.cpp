@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "region_edges.hpp"
 
+#include "unit_problem.hpp"
+
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
@@ -81,10 +83,35 @@ bool amplitude_fits_acceleration(const Edges& edges, const Limits& limits) {
   return std::isinf(edges.f4) || (edges.f4 >= 0 && fits(edges.f2, edges.f4, limits.tolerance));
 }
 
+double unchecked_delta1(const Problem& problem, double f) {
+  const long double v0 = problem.v0;
+  const long double phi = f / static_cast<long double>(problem.stiffest_p());
+  const long double radius = std::sqrt(v0 * v0 + phi * phi);
+  if (phi == 0) {  // Delta2 itself, which is rounded as a product of doubles
+    return problem.v0 * problem.v0 / 2;
+  }
+  if (problem.criterion == Criterion::published) {
+    const long double speed = radius - 2 * phi;
+    return static_cast<double>(speed * speed / 2);
+  }
+  const long double returns = (v0 * v0 - 8 * phi * phi) / (radius + 3 * phi);
+  return static_cast<double>((radius - phi) * std::max(0.0L, returns) / 2);
+}
+
+double lower_end_from_stop(const Problem& problem, const Limits& limits) {
+  // Delta2 is v0^2/2: dividing the rounded square by v0 twice may miss 1/2, and f = 0 with it.
+  const double delta_cap = edges(problem, limits).delta_cap;
+  const bool by_start = delta_cap == problem.v0 * problem.v0 / 2;
+  const double highest = by_start ? 0.5 : delta_cap / problem.v0 / problem.v0;
+  const double t = limits.tolerance;
+  const double a = unit::delta1_inverse(problem.criterion, highest * (1 - t) / (1 + t));
+  return a * problem.v0 * problem.p / (1 - t);
+}
+
 bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits) {
   const double f = highest_centre(edges.f_cap, limits.tolerance);
   const double delta = highest_centre(edges.delta_cap, limits.tolerance);
-  return delta1(problem, f * (1 - limits.tolerance)) < delta * (1 - limits.tolerance);
+  return unchecked_delta1(problem, f * (1 - limits.tolerance)) < delta * (1 - limits.tolerance);
 }
 
 ValidInterval valid_v0(const Problem& problem) {
@@ -103,7 +130,7 @@ ValidInterval valid_p(const Problem& problem) {
 double highest_centre(double cap, double tolerance) {
   double f = cap / (1 + tolerance);
   while (f * (1 + tolerance) > cap) {
-    f = std::nextafter(f, 0.0);
+    f = std::nextafter(f, -HUGE_VAL);  // the cap f4 may be negative
   }
   return f;
 }

@@ -35,6 +35,13 @@ struct Edges {
 /// and the cap, for the whole box. A smaller v0 or p only helps.
 [[nodiscard]] bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits);
 
+/// Delta1(f) of the problem's criterion, in long double and rounded once; 0 where the motion does not
+/// return. Nothing is checked.
+[[nodiscard]] double unchecked_delta1(const Problem& problem, double f);
+
+/// The infimum of f for which Delta1 of the box's low corner leaves room below the cap.
+[[nodiscard]] double lower_end_from_stop(const Problem& problem, const Limits& limits);
+
 /// As far as an input may be changed with the others as they are: as long as it stays valid
 /// (problem.hpp), but for one decade.
 struct ValidInterval {
@@ -49,11 +56,5 @@ inline constexpr double far_ratio = 1e99;  // of p beta to v0, or the other way 
 /// as double arithmetic evaluates f (1 + R) and f (1 - R).
 [[nodiscard]] double highest_centre(double cap, double tolerance);
 [[nodiscard]] double lowest_centre(double floor, double tolerance);
-
-/// Whether every f (1 +- R), delta (1 +- R) keeps all constraints and limits, R = limits.tolerance.
-/// The initial velocity may depend on f and fall with it: `at_low` is the problem at f (1 - R),
-/// `at_high` that at f (1 + R).
-[[nodiscard]] bool box_admissible(const Problem& at_low, const Problem& at_high,
-                                  const Limits& limits, double f, double delta);
 
 }  // namespace stillpoint::design

@@ -1,159 +1,241 @@
 // SPDX-License-Identifier: MIT
-#include "region_edges.hpp"
+// The best damper of several ways to come to rest. Between two of them some rest is too far off
+// centre, so a box lies in one of them, and the best of all is the best of one: docs/theory.md
+// sections 8, 12 and 13.
+
+#include "objectives.hpp"
 #include "search_run.hpp"
-#include "search_space.hpp"
-#include "settle.hpp"
-#include "unit_problem.hpp"
+#include "way_extent.hpp"
+#include "way_room.hpp"
+#include "way_space.hpp"
 
 #include <stillpoint/design/search.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <span>
 #include <vector>
 
 namespace stillpoint::design {
 
 namespace {
 
-/// What is searched.
-struct Task {
-  const Problem& problem;
-  const Limits& limits;
-  Objective objective;
-  Edges edge;
-  DesignInterval interval;
+/// As far as a design stays inside of its edges, a later way is no better than an earlier one.
+constexpr double clearly_better = 1e-8;
 
-  /// f in the units of the closed forms.
-  [[nodiscard]] double scaled(double f) const { return f / problem.p / problem.v0; }
-};
+/// No damper of the way costs less, as way_cost.
+double bound_of(const Way& way, Objective objective) {
+  const double t = way.limits.tolerance;
+  const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
+  switch (objective) {
+    case Objective::robust:
+      // (51), which a range only makes smaller.
+      return way.q == 0 && way.limits.shape == BoxShape{} ? -1.0 / (2 * way.n - 1) : -1;
+    case Objective::amplitude:
+      return objective_value(objective, way.a_cap / (1 + t * f_high));
+    case Objective::acceleration:
+      return objective_value(objective, std::max(0.0, way.a2) / (1 - t * f_low));
+    case Objective::time:
+      return way.n;  // the n-th half-cycle turns or stops at x = 0, which takes pi at least, (52)
+  }
+  return 0;
+}
 
-/// The best point seen, judged by our own constraints: NLopt's last point may be neither feasible
-/// nor its best.
+/// The Delta to try with an f. The peak and the acceleration do not depend on it, nor does the time
+/// of the first arrival; that of a later one grows with it; with a residual it may jump.
+std::span<const BestDelta> choices(const Way& way, Objective objective) {
+  static constexpr std::array any{BestDelta::most_tolerant, BestDelta::least, BestDelta::largest};
+  const std::span all(any);
+  return objective != Objective::time || (way.plain && way.n == 1) ? all.first(1)
+         : way.plain                                               ? all.subspan(1, 1)
+                                                                   : all;
+}
+
+/// The best point seen, judged by the way itself: NLopt's last point may be neither feasible nor
+/// its best.
 class Best {
  public:
-  explicit Best(const Task& task) : task_(task) {}
+  Best(const Way& way, Objective objective) : way_(way), objective_(objective) {}
 
-  /// Ranks by (admissible, cost), with f moved into the interval and the best Delta for it.
   void consider(double f) {
-    if (std::isnan(f)) {
-      return;  // SLSQP's answer where its subproblem is degenerate
+    if (!(f > 0)) {  // not a number is SLSQP's answer where its subproblem is degenerate
+      return;
     }
-    const double inside = std::clamp(f, task_.interval.low, task_.interval.high);
-    const DesignPoint point = with_best_delta(task_.problem, task_.limits, inside);
-    const double cost = task_.objective == Objective::robust
-                            ? -point.tolerance
-                            : objective_value(task_.objective, task_.scaled(inside));
-    const bool fits = admissible(task_.problem, task_.limits, point.f, point.delta);
-    if (!any_ || (fits && !fits_) || (fits == fits_ && cost < cost_)) {
-      any_ = true;
-      fits_ = fits;
-      cost_ = cost;
-      point_ = point;
+    f = std::min(f, way_.f_top);
+    constexpr double same = 1e-10;  // as far as NLopt resolves x
+    if (cost_ < HUGE_VAL && (std::abs(f - point_.f) <= same * f || !may_be_better(f))) {
+      return;
+    }
+    for (const BestDelta choice : choices(way_, objective_)) {
+      consider(f, best_delta(way_, f, choice));
     }
   }
 
-  [[nodiscard]] bool admissible_found() const { return fits_; }
-  [[nodiscard]] const DesignPoint& point() const { return point_; }
+  void consider(double f, double delta) {
+    DesignPoint candidate{f, delta, 0};
+    if (objective_ == Objective::robust) {
+      candidate.tolerance = largest_tolerance(way_, f, delta).value_or(0);
+    }
+    const double its = way_cost(way_, objective_, candidate);
+    // The force is flat towards f = 0: of those that are equal, the least f.
+    const bool less =
+        its < cost_ || (objective_ == Objective::acceleration && its == cost_ && f < point_.f);
+    if (less && admissible(way_, f, delta)) {
+      point_ = candidate;
+      cost_ = its;
+    }
+  }
+
+  [[nodiscard]] double cost() const { return cost_; }
+  [[nodiscard]] DesignPoint point() const {
+    return {point_.f, point_.delta,
+            largest_tolerance(way_, point_.f, point_.delta).value_or(point_.tolerance)};
+  }
 
  private:
-  const Task& task_;
-  bool any_{false};
-  bool fits_{false};
-  double cost_{0};
+  /// Of the largest tolerances, decided without them: the room for Delta falls with the tolerance.
+  [[nodiscard]] bool may_be_better(double f) const {
+    return objective_ != Objective::robust ||
+           (tolerance_of_f(way_, f) > -cost_ && room(way_, way_.scaled(f), -cost_) > 0);
+  }
+
+  const Way& way_;
+  Objective objective_;
   DesignPoint point_;
+  double cost_{HUGE_VAL};
 };
 
-/// The task as NLopt sees it; `best` is told of every f that it tries.
-NloptProblem posed_for(ConstraintSupport support, const Task& task, Best& best) {
-  const auto& [problem, limits, objective, edge, interval] = task;
-  SearchSpace space;
-  space.criterion = problem.criterion;
-  space.objective = objective;
-  space.tolerance = limits.tolerance;
-  space.a2 = task.scaled(edge.f2);
-  space.a_cap = std::min(task.scaled(edge.f_cap), unit::a3);
-  space.d_cap = edge.delta_cap / problem.v0 / problem.v0;
-  space.visit = [&](double x, double /*y*/) { best.consider(x * task.edge.f_cap); };
-
-  // Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP ends there in
-  // roundoff instead of convergence.
-  constexpr double start_fraction = 0.4;
-  const double start_f = interval.low + start_fraction * (interval.high - interval.low);
-  const DesignPoint start = with_best_delta(problem, limits, start_f);
-  const double x = start.f / edge.f_cap;
-  const double y = start.delta / edge.delta_cap;
-  if (support == ConstraintSupport::yes) {
-    return constrained(space, x, y);
+/// Where to begin. Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP
+/// ends there in roundoff instead of convergence. A stop time that jumps where the number of
+/// half-cycles does begins with the best of a grid.
+DesignPoint start_of(const Way& way, Objective objective, const DesignRange& range) {
+  const auto& [ends, inside] = range;
+  Best best(way, objective);
+  if (objective == Objective::time && way.q > 0) {
+    constexpr int steps = 16;
+    for (int i = 0; i <= steps; ++i) {
+      const double f = ends.low + (ends.high - ends.low) * i / steps;
+      const auto d = centre_range(way, f, way.limits.tolerance);
+      for (const double part : {way_inset, 0.5, 1 - way_inset}) {
+        if (d) {
+          best.consider(f, (d->low + part * (d->high - d->low)) * way.square());
+        }
+      }
+    }
+  } else {
+    constexpr double start_fraction = 0.4;
+    const double f = ends.low + start_fraction * (ends.high - ends.low);
+    best.consider(f, best_delta(way, f, BestDelta::most_tolerant));
   }
-  return penalised(space, x, y, [&task](double at_x, double at_y) {
-    return largest_tolerance(task.problem, task.limits, at_x * task.edge.f_cap,
-                             at_y * task.edge.delta_cap)
-        .value_or(0);
-  });
+  best.consider(inside.f, inside.delta);
+  return best.point();
 }
 
-/// The points that NLopt may miss.
-void consider_known_optima(Best& best, const Task& task) {
-  const auto& [low, high] = task.interval;
-  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
-  // a monotone one is best, and the region's own are all there is of a degenerate region.
-  best.consider(low);
-  best.consider(high);
-  // Where the strip of Delta is so thin that NLopt's steps do not resolve it, `robust` is best
-  // where the room below f_cap is as wide as the strip.
-  const double cap = task.edge.delta_cap;
-  const double floor = delta1(task.problem, high);
-  best.consider(high / (1 + (cap - floor) / (cap + floor)));
+/// Some box of that tolerance fits.
+bool has_box(Way way, double tolerance) {
+  way.limits.tolerance = tolerance;
+  return tolerance < 1 && any_point(way);
 }
 
-/// A region that only just allows the tolerance has one design, in the corner of the caps.
-std::optional<DesignPoint> corner_point(const Task& task) {
-  const auto& [problem, limits, objective, edge, interval] = task;
-  const double f = highest_centre(edge.f_cap, limits.tolerance);
-  const double delta = highest_centre(edge.delta_cap, limits.tolerance);
-  if (!admissible(problem, limits, f, delta)) {
+struct WayResult {
+  DesignPoint point;
+  double cost;
+  NloptOutcome outcome;
+};
+
+std::optional<WayResult> search_way(const Way& way, const SearchOptions& options) {
+  const auto range = design_range(way);
+  if (!range) {
     return std::nullopt;
   }
-  return DesignPoint{f, delta, largest_tolerance(problem, limits, f, delta).value_or(0)};
+  const Objective objective = options.objective;
+  const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
+  const DesignPoint start = start_of(way, objective, *range);
+  Tried tried{{}, HUGE_VAL, Eigen::Vector2d(way.scaled(start.f) / way.a_cap, 0.5)};
+  const NloptProblem posed = way_posed(algorithm.constraints, way, objective, start, tried);
+  SearchOptions budget = options;
+  if (objective == Objective::time && way.q > 0 && algorithm.name.starts_with("LD_")) {
+    // With slopes alone it may follow a jump of the time for thousands of steps.
+    constexpr int enough = 200;
+    budget.max_evaluations = std::min(enough, budget.max_evaluations);
+  }
+  NloptOutcome outcome = run(posed, algorithm.name, budget, [&] { return tried.best; });
+
+  Best best(way, objective);
+  const auto [low, high] = range->f;
+  const auto consider = [&](double x) {
+    const double f = way.f_of(x * way.a_cap);
+    best.consider(f > 0 ? std::clamp(f, low, high) : f);
+  };
+  consider(outcome.x[0]);
+  if (algorithm.constraints == ConstraintSupport::no) {
+    consider(tried.best[0]);
+  }
+  // NLopt returns the best point that met all constraints to the last bit, which may be its start;
+  // the last ones that it tried are those that it came to.
+  constexpr std::size_t last = 3;
+  for (const double x : std::span(tried.x).last(std::min(last, tried.x.size()))) {
+    consider(x);
+  }
+  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
+  // a monotone one is best, and all there is of a degenerate one.
+  best.consider(low);
+  best.consider(high);
+  if (objective == Objective::robust) {
+    // Where the strip of Delta is so thin that NLopt's steps do not resolve it, this is best where
+    // the room below the cap of f is as wide as the strip.
+    best.consider(high / (1 + std::max(0.0, room(way, way.scaled(high), 0))));
+  }
+  best.consider(start.f, start.delta);
+  best.consider(range->inside.f, range->inside.delta);
+  return WayResult{best.point(), best.cost(), std::move(outcome)};
 }
 
 }  // namespace
 
 std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                                    const SearchOptions& options) {
-  if (!is_plain(problem, limits)) {
-    return search_ways(problem, limits, options);
-  }
-  if (problem.arrivals > 1) {
-    return search_arrivals(problem, limits, options);
-  }
   const auto started = std::chrono::steady_clock::now();
+  require_valid(problem, limits);
   require_valid(options);
-  const Region region = admissible_region(problem, limits);
-  if (!region.feasible) {
-    return std::nullopt;
+  std::optional<WayResult> best;
+  int evaluations = 0;
+  const bool robust = options.objective == Objective::robust;
+  const auto visit = [&](const Way& way) {
+    if (best && bound_of(way, options.objective) >= best->cost - clearly_better) {
+      return way.q > 0;  // else nor is any later one better
+    }
+    if (best && robust && !has_box(way, clearly_better - best->cost)) {
+      return true;
+    }
+    if (auto found = search_way(way, options)) {
+      evaluations += found->outcome.evaluations;
+      if (!best || found->cost < best->cost - clearly_better) {
+        best = std::move(found);
+      }
+    }
+    return true;
+  };
+  if (robust && problem.residual) {
+    // The most tolerant way is mostly the last one, which then spares the search of the others.
+    std::vector<Way> ways;
+    for_each_way(problem, limits, [&](const Way& way) {
+      ways.push_back(way);
+      return true;
+    });
+    std::for_each(ways.rbegin(), ways.rend(), visit);
+  } else {
+    for_each_way(problem, limits, visit);
   }
-  const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
-  const Task task{problem, limits, options.objective, edges(problem, limits),
-                  design_interval(problem, region)};
-  Best best(task);
-  const NloptProblem posed = posed_for(algorithm.constraints, task, best);
-  const NloptOutcome outcome = run(posed, algorithm.name, options, [&] {
-    return Eigen::Vector2d(best.point().f / task.edge.f_cap,
-                           best.point().delta / task.edge.delta_cap);
-  });
-  best.consider(outcome.x[0] * task.edge.f_cap);
-  consider_known_optima(best, task);
-  const std::optional<DesignPoint> point =
-      best.admissible_found() ? best.point() : corner_point(task);
-  if (!point) {
+  if (!best) {
     return std::nullopt;
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
-  return SearchResult{
-      *point, {std::string(algorithm.name), outcome.status, outcome.evaluations, elapsed.count()}};
+  return SearchResult{best->point,
+                      {std::string(find_algorithm(options.algorithm).name), best->outcome.status,
+                       evaluations, elapsed.count()}};
 }
 
 }  // namespace stillpoint::design

@@ -20,13 +20,4 @@ namespace stillpoint::design {
                                const SearchOptions& options,
                                const std::function<Eigen::VectorXd()>& best);
 
-/// The search of a task with several arrivals: the best of the strips.
-[[nodiscard]] std::optional<SearchResult> search_arrivals(const Problem& problem,
-                                                          const Limits& limits,
-                                                          const SearchOptions& options);
-
-/// The search of a task that is not plain (problem.hpp): the best of the ways.
-[[nodiscard]] std::optional<SearchResult> search_ways(const Problem& problem, const Limits& limits,
-                                                      const SearchOptions& options);
-
 }  // namespace stillpoint::design

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The strip of the n-th arrival, n >= 2, with one parameter left: docs/theory.md section 12, in the
+// The motion to the n-th arrival and the edges of its strip: docs/theory.md section 12, in the
 // units of unit_problem.hpp.
-
-#include <stillpoint/design/problem.hpp>
-
-#include <optional>
 
 namespace stillpoint::design::unit {
 
@@ -29,29 +25,11 @@ struct EdgeStart {
 /// (39): `steps` half-cycles back from the start, then to V0.
 [[nodiscard]] EdgeSpeed followed_back(const EdgeStart& start, int steps, double d);
 
-[[nodiscard]] EdgeSpeed reach_edge(int n, double a, double d);                      ///< (46)
-[[nodiscard]] EdgeSpeed stop_edge(Criterion criterion, int n, double a, double d);  ///< (46)
-
+/// Of an interval.
 struct Ends {
   double low;
   double high;
 };
-
-/// The largest a of the exact strip, (49), where d = 0.
-[[nodiscard]] double strip_tip(int n);
-
-/// The a (1 + R) of all boxes of half-width R in the strip that keep d (1 + R) <= d_cap. The lower
-/// end is 0 if it is open towards f = 0. Empty if there is no such box.
-[[nodiscard]] std::optional<Ends> high_corners(Criterion criterion, int n, double tolerance,
-                                               double d_cap);
-
-/// The d of the centres of those boxes for one a of the centre.
-[[nodiscard]] std::optional<Ends> centre_range(Criterion criterion, int n, double tolerance,
-                                               double d_cap, double a);
-
-/// The largest R for which both corners of a box around (a, d) are in the strip; 0 where the centre
-/// is not.
-[[nodiscard]] double strip_tolerance(Criterion criterion, int n, double a, double d);
 
 /// The motion up to its n-th arrival.
 struct Course {

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The ways to come to rest admissibly, for ranges of V0 and p, a residual and a box of any shape:
-// docs/theory.md section 13.
+// The ways to come to rest admissibly: docs/theory.md sections 7, 12 and 13.
 //
 //   way n >= 1  the n-th arrival at x = 0, or a rest within the residual beside its strip
 //   way 0       f <= residual p^2: every rest is within the residual
 //
-// In units of the strongest hit and the softest spring, as in unit_problem.hpp.
+// In units of the strongest hit and the softest spring, as in unit_problem.hpp. The paper's task is
+// way 1 of one hit, one spring and no residual.
 
-#include "region_edges.hpp"
 #include "unit_strip.hpp"
 
 #include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/search.hpp>
 
 #include <optional>
 
@@ -25,25 +23,48 @@ struct Way {
   Problem problem;
   Limits limits;
   int n;
+  bool plain;  ///< as problem.hpp has it
   double f2;
   double f_cap;      ///< of the limits, and of the residual for way 0
+  double tip;        ///< where the weakest hit only grazes x = 0; infinite for way 0
+  double f_top;      ///< the smaller of the two
   double delta_cap;  ///< of the limits and of the start
   double v_low;      ///< the weakest hit that must come back, over V0; 0: all that move
   double p_ratio;    ///< of the stiffest spring to the softest
   double q;          ///< p r / V0
   double a2;
-  double f_top;  ///< the same and the strip's tip, where the weakest hit only grazes x = 0
-  double a_cap;
+  double a_cap;  ///< of f_top
   double d_cap;
 
   [[nodiscard]] double scaled(double f) const { return f / problem.p / problem.v0; }
   [[nodiscard]] double f_of(double a) const { return a * problem.v0 * problem.p; }
   [[nodiscard]] double square() const { return problem.v0 * problem.v0; }
   [[nodiscard]] int passages() const { return static_cast<int>(problem.arrivals); }
-  [[nodiscard]] Way with_box(double tolerance) const;
   /// A second edge of stopping, beside that of the last arrival that is allowed.
   [[nodiscard]] bool stops_early() const { return n > 0 && n < passages(); }
+  /// That of the last arrival binds.
+  [[nodiscard]] bool stops_last() const { return !stops_early() || q > 0; }
+  /// Delta changes whether the weakest hit comes back.
+  [[nodiscard]] bool delta_hinders_return() const { return n > 1 && v_low > 0; }
 };
+
+/// How far a design stays inside of its edges, relative: far above rounding, so that no edge is a
+/// matter of the last digits, and far below what can be built.
+inline constexpr double way_inset = 1e-9;
+
+/// The box of a tolerance, its sides as parts of its centre.
+struct Sides {
+  double f_low;
+  double f_high;
+  double delta_low;
+  double delta_high;
+};
+[[nodiscard]] Sides sides(const BoxShape& shape, double tolerance);
+
+/// The radii from which the edges are followed back: docs/theory.md (46), (55).
+[[nodiscard]] unit::EdgeStart reach_start(const Way& way, double a);
+[[nodiscard]] unit::EdgeStart last_start(const Way& way, double a);
+[[nodiscard]] unit::EdgeStart stop_start(const Way& way, double a);
 
 /// The edges of a way at a corner of the box, each a square of V0 with its slopes. `reach` is at
 /// most v_low^2 where the weakest hit reaches the n-th arrival or rests within r before it; the
@@ -54,34 +75,10 @@ struct Way {
 /// Twice the least Delta with which every hit that moves comes back, where v_low = 0: (57).
 [[nodiscard]] unit::EdgeSpeed returning_notch(const Way& way, double a);
 
-/// Every point of the box of the limits around (f, delta) takes this way.
+/// Every point of the box around (f, delta) takes this way: decided in long double, right to the
+/// last bit. The tolerance is that of the limits, or another.
+[[nodiscard]] bool admissible(const Way& way, double f, double delta, double tolerance);
 [[nodiscard]] bool admissible(const Way& way, double f, double delta);
-/// The largest tolerance of the point; empty if it is not admissible itself.
-[[nodiscard]] std::optional<double> largest_tolerance(const Way& way, double f, double delta);
-/// The largest tolerance of any point of the way.
-[[nodiscard]] double largest_tolerance(const Way& way);
-
-/// The Delta of the centres of the boxes that fit for one f, over V0^2.
-[[nodiscard]] std::optional<unit::Ends> centre_range(const Way& way, double f);
-/// The f of the centres of all boxes that fit; a lower end of 0 is open.
-[[nodiscard]] std::optional<unit::Ends> feasible_f(const Way& way);
-/// A point whose box fits; empty if there is none.
-struct WayPoint {
-  double f;
-  double delta;
-};
-[[nodiscard]] std::optional<WayPoint> any_point(const Way& way);
-
-/// The Delta that goes best with an f: with the most tolerance, or the least or the largest one.
-enum class BestDelta { middle, least, largest };
-[[nodiscard]] DesignPoint with_best_delta(const Way& way, double f,
-                                          BestDelta choice = BestDelta::middle);
-
-/// The largest f of any way, whatever beta and the limits are.
-[[nodiscard]] double largest_f(const Problem& problem);
-
-/// The least beta of any damper of the way, whatever the limits are.
-[[nodiscard]] double least_beta(const Way& way);
 
 /// The values of V0 of (46) at the corners of the ranges, exact to the last bit: what the rows of
 /// the constraints show.
@@ -91,19 +88,32 @@ struct WaySpeeds {
 };
 [[nodiscard]] WaySpeeds way_speeds(const Way& way, double f, double delta);
 
-/// The way of a point, at the tolerance of the limits; empty where it takes none.
+/// f <= r p^2, and below f1, where the dead zone begins to be wider than beta.
+[[nodiscard]] double largest_f_at_rest(const Problem& problem);
+/// The largest f of any way, whatever beta and the limits are.
+[[nodiscard]] double largest_f(const Problem& problem);
+/// The least beta of any damper of the way, whatever the limits are.
+[[nodiscard]] double least_beta(const Way& way);
+/// A rest beyond beta is none within it, whatever residual is allowed.
+[[nodiscard]] double residual_of(const Problem& problem);
+/// phi at the start of the stop edge: 1 or, by the published criterion, 0.
+[[nodiscard]] double stop_radius(const Problem& problem);
+
+/// The way that a point takes, at the tolerance of the limits; empty where it takes none.
 [[nodiscard]] std::optional<int> way_of(const Problem& problem, const Limits& limits, double f,
                                         double delta);
 
-/// Calls `visit` with each way that may have a point, that of the first arrival first and way 0
-/// last, until it returns false.
+/// Calls `visit` with each way that may have a box of the limits' tolerance, that of the first
+/// arrival first and way 0 last, until it returns false.
 template <class Visit>
 void for_each_way(const Problem& problem, const Limits& limits, const Visit& visit) {
+  constexpr double rounding = 1e-12;
   const auto last = problem.v0_low == 0.0 ? 1 : static_cast<int>(problem.arrivals);
   for (int n = 1; n <= last; ++n) {
     const Way way(problem, limits, n);
-    // The tip of a later strip is at a smaller f.
-    if (way.a_cap < way.a2 || way.a_cap <= 0 || (way.q > 0 && way.a_cap < way.q && n > 1)) {
+    // The tip of a later strip is at a smaller f, and its tolerance smaller: (49), (51).
+    if (way.a_cap < way.a2 || way.a_cap <= 0 || (way.q > 0 && way.a_cap < way.q && n > 1) ||
+        (way.plain && limits.tolerance * (2 * n - 1) > 1 + rounding)) {
       break;
     }
     if (!visit(way)) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "way_space.hpp"
 
+#include "objectives.hpp"
 #include "rest.hpp"
-#include "scaled_point.hpp"
-#include "search_space.hpp"
+#include "unit_problem.hpp"
+#include "way_room.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,25 @@ namespace stillpoint::design {
 
 namespace {
 
-/// t stays below 1, as in search_space.cpp.
+/// t stays below 1, where the box would reach 0 and with it the end of every formula's range.
 constexpr double almost_all = 1 - 1e-6;
+/// x stays above it: at a = 0 the slopes of a half-cycle without any speed have no limit.
+constexpr double least_x = 1e-12;
+
+/// In (a, d, t) at (x, y, t), with the slopes as NLopt wants them.
+struct Scaled {
+  double a_cap;
+  double d_cap;
+  double tolerance;
+
+  [[nodiscard]] double box(const Eigen::VectorXd& point) const {
+    return point.size() == 3 ? point[2] : tolerance;
+  }
+  void slopes(Eigen::VectorXd& gradient, double by_a, double by_d, double by_t) const {
+    const Eigen::Vector3d all(by_a * a_cap, by_d * d_cap, by_t);
+    gradient = all.head(gradient.size());
+  }
+};
 
 std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
   const BoxShape shape = way.limits.shape;
@@ -57,32 +75,59 @@ std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
     speed.square -= square;
     return speed;
   };
-  if (way.n > 0 && way.v_low > 0) {
-    edge(1, 1, 1,
-         [=](double a, double d) { return less(reach_edge(way, a, d), way.v_low * way.v_low); });
-  } else if (way.n > 0) {
-    edge(1, -1, 1, [=](double a, double d) {
+  if (way.delta_hinders_return()) {
+    edge(1, 1, 1, [less, &way](double a, double d) {
+      return less(reach_edge(way, a, d), way.v_low * way.v_low);
+    });
+  } else if (way.n > 0 && way.v_low == 0) {
+    edge(1, -1, 1, [&way](double a, double d) {
       const unit::EdgeSpeed notch = returning_notch(way, a);
       return unit::EdgeSpeed{notch.square - 2 * d, notch.by_a, -2};
     });
   }
-  if (way.n == 0 || !way.stops_early() || way.q > 0) {
-    edge(-1, -1, -1, [=](double a, double d) { return less(last_edge(way, a, d), 1); });
+  if (way.plain && way.n == 1) {  // (26), (27), which are linear in y
+    edge(-1, -1, 1, [&way](double a, double d) {
+      const Criterion criterion = way.problem.criterion;
+      return unit::EdgeSpeed{(unit::delta1(criterion, a) - d) / way.d_cap,
+                             unit::delta1_slope(criterion, a) / way.d_cap, -1 / way.d_cap};
+    });
+    return list;
+  }
+  if (way.stops_last()) {
+    edge(-1, -1, -1, [less, &way](double a, double d) { return less(last_edge(way, a, d), 1); });
   }
   if (way.stops_early()) {
-    edge(-1, -1, -1, [=](double a, double d) { return less(stop_edge(way, a, d), 1); });
+    edge(-1, -1, -1, [less, &way](double a, double d) { return less(stop_edge(way, a, d), 1); });
   }
   return list;
 }
 
-/// Over pi. The motion of the largest peak may end in any way within the residual, so the slopes
-/// are taken as differences.
-double half_turns(const Way& way, double a, double d) {
-  return unit::rest(a, d, way.passages()).phase / std::numbers::pi;
+/// p T / pi, and its slopes if they are wanted. Without a residual the hit stops at the n-th
+/// arrival. With one it may end in any way, so they are taken as differences.
+double half_turns(const Way& way, double a, double d, double* by_a, double* by_d) {
+  const auto over_pi = [](double phase) { return phase / std::numbers::pi; };
+  if (way.q == 0) {
+    const unit::Course course = unit::course(way.n, a, d);
+    if (by_a != nullptr) {
+      *by_a = over_pi(course.by_a);
+      *by_d = over_pi(course.by_d);
+    }
+    return over_pi(course.phase);
+  }
+  const auto turns = [&](double at_a, double at_d) {
+    return over_pi(unit::rest(at_a, at_d, way.passages()).phase);
+  };
+  if (by_a != nullptr) {
+    constexpr double step = 1e-6;
+    *by_a = (turns(a * (1 + step), d) - turns(a * (1 - step), d)) / (2 * step * a);
+    *by_d = d > 0 ? (turns(a, d * (1 + step)) - turns(a, d * (1 - step))) / (2 * step * d) : 0;
+  }
+  return turns(a, d);
 }
 
 double cost_at(const Way& way, Objective objective, double a, double d) {
-  return objective == Objective::time ? half_turns(way, a, d) : objective_value(objective, a);
+  return objective == Objective::time ? half_turns(way, a, d, nullptr, nullptr)
+                                      : objective_value(objective, a);
 }
 
 }  // namespace
@@ -105,22 +150,24 @@ NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective obje
   posed.lower = Eigen::Vector3d(least_x, 0, scale.tolerance).head(size);
   posed.upper = Eigen::Vector3d(1, 1, std::max(almost_all, scale.tolerance)).head(size);
   posed.start = from.head(size);
+  // S grows with f, so f stands for it: it keeps its slope towards 0, where SLSQP would lose its
+  // way.
   const auto cost = [&way, &tried, scale, objective](const Eigen::VectorXd& at,
                                                      Eigen::VectorXd& gradient) {
     const double a = at[0] * scale.a_cap;
     const double d = at[1] * scale.d_cap;
     tried.x.push_back(at[0]);
-    if (objective != Objective::time) {
-      scale.slopes(gradient, objective_slope(objective, a), 0, 0);
-    } else if (gradient.size() > 0) {
-      constexpr double step = 1e-6;
-      const auto slope = [&](double by_a, double by_d) {
-        return (half_turns(way, a + by_a, d + by_d) - half_turns(way, a - by_a, d - by_d)) /
-               (2 * (by_a + by_d));
-      };
-      scale.slopes(gradient, slope(step * a, 0), d > 0 ? slope(0, step * d) : 0, 0);
+    if (objective == Objective::time) {
+      double by_a = 0;
+      double by_d = 0;
+      const bool sloped = gradient.size() > 0;
+      const double turns = half_turns(way, a, d, sloped ? &by_a : nullptr, &by_d);
+      scale.slopes(gradient, by_a, by_d, 0);
+      return turns;
     }
-    return cost_at(way, objective, a, d);
+    const bool force = objective == Objective::acceleration;
+    scale.slopes(gradient, force ? 1 : objective_slope(objective, a), 0, 0);
+    return force ? a : objective_value(objective, a);
   };
   const auto conditions = conditions_of(way, scale);
   if (support == ConstraintSupport::yes) {

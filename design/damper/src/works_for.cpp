@@ -4,7 +4,7 @@
 
 #include "nearest_fit.hpp"
 #include "region_edges.hpp"
-#include "strip.hpp"
+#include "way.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
@@ -78,25 +78,24 @@ double last_fit(double edge, double nominal, const Fits& fits) {
   return *nearest_fit(fits(outer) ? edge : outer, passed || !fits(inner) ? nominal : inner, fits);
 }
 
-/// Of a damper that stops at the n-th arrival: the intervals of the task for that arrival alone.
-/// Between the strips the mass rests off centre, so no interval goes on into another one (without
-/// constant friction they touch, and the test of the point covers all).
-WorksFor works_for(const StripTask& task, double f, double delta) {
+/// Of a damper that stops at a later arrival: the intervals of its way alone. Between the strips
+/// the mass rests off centre, so no interval goes on into another one.
+WorksFor works_for(const Way& way, double f, double delta) {
   const auto holds = [&](double v0, double p) {
-    Problem changed = task.problem;
+    Problem changed = way.problem;
     changed.v0 = v0;
     changed.p = p;
-    return admissible(StripTask(changed, task.limits, task.n), f, delta);
+    return admissible(Way(changed, way.limits, way.n), f, delta);
   };
-  const double v0 = task.problem.v0;
-  const double p = task.problem.p;
+  const double v0 = way.problem.v0;
+  const double p = way.problem.p;
   const auto with_v0 = [&](double value) { return holds(value, p); };
   const auto with_p = [&](double value) { return holds(v0, value); };
   const auto end = [](double from, double nominal, const auto& fits) {
     return *nearest_fit(from, nominal, fits);
   };
-  const ValidInterval of_v0 = valid_v0(task.problem);
-  const ValidInterval of_p = valid_p(task.problem);
+  const ValidInterval of_v0 = valid_v0(way.problem);
+  const ValidInterval of_p = valid_p(way.problem);
   WorksFor served;
   served.v0 = {end(std::min(v0, of_v0.least), v0, with_v0),
                end(std::max(v0, of_v0.most), v0, with_v0)};
@@ -160,7 +159,8 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
   const auto with_v0 = [&](double value) { return holds(value, p); };
   const auto with_p = [&](double value) { return holds(v0, value); };
   if (const auto arrival = arrival_of(problem, f, delta).value(); arrival > 1) {
-    return works_for(StripTask(problem, of_the_point, static_cast<int>(arrival)), f, delta);
+    // Without constant friction the strips touch, and way 0 covers all.
+    return works_for(Way(problem, of_the_point, f == 0 ? 0 : static_cast<int>(arrival)), f, delta);
   }
   const Damper damper{f, 2 * Wide(delta), problem.beta, problem.criterion, limits.acceleration_max};
   const ValidInterval of_v0 = valid_v0(problem);

@@ -316,4 +316,18 @@ BOOST_AUTO_TEST_CASE(p_is_mended_between_its_two_sides) {
   BOOST_TEST(raised > 20);
 }
 
+// p V0 alone is 948 g, so that no f at all is left below the limit.
+BOOST_AUTO_TEST_CASE(a_limit_of_the_acceleration_below_p_v0_is_mended_for_several_arrivals) {
+  const Problem problem{58.025323666135705, 16.336770498866795, 7.4187136861399212,
+                        Criterion::exact, 5};
+  Limits limits;
+  limits.acceleration_max = 938.363;
+  limits.tolerance = 0.01;
+  BOOST_TEST((admissible_region(problem, limits).conflict == Conflict::acceleration_alone));
+  const auto list = mends(problem, limits);
+  const auto mend = std::ranges::find(list, "acceleration_max", &Mend::field);
+  BOOST_REQUIRE((mend != list.end()));
+  BOOST_TEST(mend->value >= problem.p * problem.v0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

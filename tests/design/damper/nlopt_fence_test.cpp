@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "nlopt_fence.hpp"
 #include "random_source.hpp"
-#include "search_space.hpp"
 #include "unit_problem.hpp"
+#include "way_space.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -184,32 +185,67 @@ BOOST_AUTO_TEST_CASE(nlopt_tells_its_version) {
   BOOST_TEST(std::count(version.begin(), version.end(), '.') == 2);
 }
 
+namespace {
+
+constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
+                                Objective::acceleration};
+
+/// A way of a task with or without ranges and a residual.
+Way random_way(RandomSource& random) {
+  const auto criterion = random.pick(2) == 0 ? Criterion::published : Criterion::exact;
+  Problem problem{random.uniform(0.5, 2), random.uniform(0.5, 2), 0, criterion, 1 + random.pick(4)};
+  problem.beta = random.uniform(0.75, 0.99) * problem.v0 / problem.p;
+  const int kind = random.pick(4);
+  if (kind == 1) {
+    problem.v0_low = random.uniform(0.8, 1) * problem.v0;
+  } else if (kind == 2) {
+    problem.v0_low = 0;
+  }
+  if (kind > 1) {
+    problem.p_high = random.uniform(1, 1.2) * problem.p;
+  }
+  if (kind == 3) {
+    problem.residual = random.uniform(0.01, 0.1) * problem.v0 / problem.p;
+  }
+  Limits limits;
+  limits.tolerance = random.uniform(0, 0.2);
+  const int last = kind == 2 ? 1 : static_cast<int>(problem.arrivals);
+  return {problem, limits, 1 + random.pick(last)};
+}
+
+}  // namespace
+
 BOOST_AUTO_TEST_CASE(every_gradient_of_the_search_is_the_slope_of_its_function) {
   constexpr double step = 1e-6;
-  constexpr double slope_tolerance = 1e-7;  // of central differences with that step
+  constexpr double slope_tolerance = 1e-6;  // of central differences with that step
   RandomSource random(701);
+  std::size_t compared = 0;
   for (int i = 0; i < 500; ++i) {
-    for (const Objective objective :
-         {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
-      SearchSpace space;
-      space.criterion = random.pick(2) == 0 ? Criterion::published : Criterion::exact;
-      space.objective = objective;
-      space.tolerance = random.uniform(0, 0.3);
-      space.a_cap = random.uniform(0.1, 1) * unit::a3;
-      space.a2 = random.uniform(0.01, 1) * space.a_cap;
-      space.d_cap = random.uniform(0.1, 1) * unit::d2;
-      space.visit = [](double, double) {};
-      const NloptProblem problem = constrained(space, 0.5, 0.5);
-      BOOST_TEST(problem.constraints.size() == 4U);
+    const Way way = random_way(random);
+    for (const Objective objective : objectives) {
+      if (objective == Objective::time && way.q > 0) {
+        continue;  // it jumps
+      }
+      Tried tried{{}, HUGE_VAL, {}};
+      const NloptProblem problem =
+          way_posed(ConstraintSupport::yes, way, objective, {0.1, 0.1, 0}, tried);
+      BOOST_TEST(problem.constraints.size() >= 3U);
       std::vector<Function> functions = problem.constraints;
       functions.push_back(problem.objective);
       VectorXd at(problem.start.size());
       for (double& x : at) {
-        x = random.uniform(0.05, 0.95);
+        x = random.uniform(0.05, 0.9);
       }
+      VectorXd none;
+      const bool comes_back = std::ranges::all_of(
+          problem.constraints,
+          [&](const Function& constraint) { return constraint(at, none) <= 0; });
+      if (objective == Objective::time && !comes_back) {
+        functions.pop_back();  // what does not come back has no time of arrival
+      }
+      compared += functions.size();
       for (std::size_t k = 0; k < functions.size(); ++k) {
         VectorXd slope(at.size());
-        VectorXd none;
         functions[k](at, slope);
         for (Eigen::Index j = 0; j < at.size(); ++j) {
           VectorXd below = at;
@@ -219,27 +255,25 @@ BOOST_AUTO_TEST_CASE(every_gradient_of_the_search_is_the_slope_of_its_function) 
           const double measured =
               (functions[k](above, none) - functions[k](below, none)) / (2 * step);
           BOOST_TEST(std::abs(slope[j] - measured) <= slope_tolerance * (1 + std::abs(measured)),
-                     name(objective) << ", function " << k << ", variable " << j << ": " << slope[j]
-                                     << " instead of " << measured);
+                     "way " << way.n << " of " << i << ", " << name(objective) << ", function " << k
+                            << ", variable " << j << ": " << slope[j] << " instead of "
+                            << measured);
         }
       }
     }
   }
+  BOOST_TEST(compared > 8000U);
 }
 
 BOOST_AUTO_TEST_CASE(the_penalty_is_above_every_value_inside) {
-  SearchSpace space;
-  space.a2 = 0.1;
-  space.a_cap = unit::a3;
-  space.d_cap = unit::d2;
-  space.visit = [](double, double) {};
-  for (const Objective objective :
-       {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
-    space.objective = objective;
-    const NloptProblem problem = penalised(space, 0.5, 0.5, [](double, double) { return 0.25; });
+  const Way way({1, 1, 0.9}, {}, 1);  // 0.1056 <= f <= 0.3536
+  for (const Objective objective : objectives) {
+    Tried tried{{}, HUGE_VAL, {}};
+    const NloptProblem problem =
+        way_posed(ConstraintSupport::no, way, objective, {0.2, 0.4, 0}, tried);
     BOOST_TEST(problem.constraints.empty());
     VectorXd none;
-    for (const double x : {0.3, 0.6, 0.9, 1.0}) {  // a >= 0.106
+    for (const double x : {0.3, 0.6, 0.9, 1.0}) {
       BOOST_TEST(problem.objective(Eigen::Vector2d(x, 1), none) < 2);
     }
     for (const double x : {0.0, 0.1, 0.25}) {

@@ -330,6 +330,26 @@ BOOST_AUTO_TEST_CASE(the_strips_have_the_tolerance_of_the_best_design) {
   }
 }
 
+// Over f it has two maxima, of which the higher one is where the box just fits below the cap of f.
+BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_a_strip_is_the_higher_of_two) {
+  const Problem problem{.v0 = 0.42299466034777228,
+                        .p = 0.93224266359929842,
+                        .beta = 0.44985869358394509,
+                        .arrivals = 3,
+                        .v0_low = 0.367375,
+                        .residual = 0.0837888};
+  const Strip first = strips(problem).front();
+  BOOST_TEST(first.arrival == 1);
+  // Above the largest f of the second strip no other way has a point.
+  for (int i = 0; i <= 40; ++i) {
+    const double f = 0.086 + (*first.f_upper - 0.086) * i / 40;
+    for (int j = 1; j <= 40; ++j) {
+      const double delta = problem.v0 * problem.v0 / 2 * j / 40;
+      BOOST_TEST(largest_tolerance(problem, {}, f, delta).value_or(0) <= first.tolerance);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_tolerance_of_a_point_is_its_largest) {
   RandomSource random(1203);
   constexpr double more = 0.01;

@@ -116,7 +116,9 @@ BOOST_AUTO_TEST_CASE(the_default_converges_in_a_few_evaluations) {
     for (const Objective objective : objectives) {
       const SearchRecord record = run({problem, {}}, objective, "").record;
       BOOST_TEST(record.algorithm == "LD_SLSQP");
-      BOOST_TEST(record.evaluations <= 100);
+      BOOST_TEST(record.evaluations <= 100,
+                 name(objective) << " takes " << record.evaluations << ", v0 = " << problem.v0
+                                 << ", p = " << problem.p << ", beta = " << problem.beta);
     }
   }
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The objectives in the units of unit_problem.hpp, one row each in objectives.cpp.
+
+#include <stillpoint/design/search.hpp>
+
+namespace stillpoint::design {
+
+/// The objective's value at `given` = f / (V0 p) for those that have a closed form, and its slope.
+/// All values are of order one, so that one set of stopping rules serves them. `robust` has none:
+/// its variable is the tolerance of the box. `time` is that of a stop at the first arrival.
+[[nodiscard]] double objective_value(Objective objective, double given);
+[[nodiscard]] double objective_slope(Objective objective, double given);
+
+}  // namespace stillpoint::design
