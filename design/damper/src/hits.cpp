@@ -15,12 +15,12 @@ namespace {
 
 using Wide = long double;
 
-constexpr Names ends(std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
-                                                   {HitEnd::centred, "centred"},
-                                                   {HitEnd::off_centre, "off_centre"},
-                                                   {HitEnd::alternating, "alternating"},
-                                                   {HitEnd::too_far, "too_far"},
-                                                   {HitEnd::never_stops, "never_stops"}}));
+constexpr Names hit_ends(std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
+                                                       {HitEnd::centred, "centred"},
+                                                       {HitEnd::off_centre, "off_centre"},
+                                                       {HitEnd::alternating, "alternating"},
+                                                       {HitEnd::too_far, "too_far"},
+                                                       {HitEnd::never_stops, "never_stops"}}));
 
 constexpr double smallest_beta = 1e-300;  // as problem.hpp has it
 
@@ -97,11 +97,11 @@ void add_motions(Listing& now, const Damper& damper) {
 }  // namespace
 
 std::string_view name(HitEnd end) noexcept {
-  return ends.name(end);
+  return hit_ends.name(end);
 }
 
 std::optional<HitEnd> parse_hit_end(std::string_view name) noexcept {
-  return ends.parse(name);
+  return hit_ends.parse(name);
 }
 
 std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most) {

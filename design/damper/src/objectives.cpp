@@ -29,18 +29,18 @@ double within(double given) {
   return std::min(given, unit::a3);
 }
 
-constexpr ClosedForm none{nullptr, nullptr};
-constexpr ClosedForm peak{&unit::peak, &unit::peak_slope};
-constexpr ClosedForm stop_time{
+constexpr ClosedForm no_form{nullptr, nullptr};
+constexpr ClosedForm peak_form{&unit::peak, &unit::peak_slope};
+constexpr ClosedForm time_form{
     [](double a) { return unit::stop_phase(within(a)) / std::numbers::pi; },
     [](double a) { return unit::stop_phase_slope(within(a)) / std::numbers::pi; }};
-constexpr ClosedForm peak_acceleration{&unit::radius, [](double a) { return a / unit::radius(a); }};
+constexpr ClosedForm acceleration_form{&unit::radius, [](double a) { return a / unit::radius(a); }};
 
 constexpr std::array rows{
-    Row{Objective::robust, "robust", none},
-    Row{Objective::amplitude, "amplitude", peak},
-    Row{Objective::time, "time", stop_time},
-    Row{Objective::acceleration, "acceleration", peak_acceleration},
+    Row{Objective::robust, "robust", no_form},
+    Row{Objective::amplitude, "amplitude", peak_form},
+    Row{Objective::time, "time", time_form},
+    Row{Objective::acceleration, "acceleration", acceleration_form},
 };
 
 constexpr std::array names = [] {

@@ -23,7 +23,7 @@ namespace {
 
 using State = std::array<double, 2>;  // x, v
 
-constexpr double first_step = 1e-3;  // of 1 / p; the controller mends a poor choice at once
+constexpr double first_kutta_step = 1e-3;  // of 1 / p; the controller mends a poor choice at once
 
 struct PieceEnd {
   double time;
@@ -43,7 +43,7 @@ class Integrator {
     };
     auto stepper = boost::numeric::odeint::make_dense_output(
         tolerance_, tolerance_, boost::numeric::odeint::runge_kutta_dopri5<State>());
-    stepper.initialize(state, time, first_step);
+    stepper.initialize(state, time, first_kutta_step);
     const bool inward = state[0] * direction < 0;
     for (;;) {
       const auto [from, to] = stepper.do_step(motion);

@@ -20,10 +20,10 @@ constexpr double small_friction = 0.2;
 
 /// The rounding of a run in other units, over some ten pieces.
 constexpr double map_tolerance = 1e-12;
-constexpr double integrator_tolerance = 1e-12;
+constexpr double kutta_tolerance = 1e-12;
 constexpr double runge_kutta_tolerance = 1e-9;
 /// The energy error that a thousand steps at that tolerance may add up to.
-constexpr double runge_kutta_resolution = 1000 * integrator_tolerance;
+constexpr double runge_kutta_resolution = 1000 * kutta_tolerance;
 
 std::vector<PulseWarning> warnings(const PulseCheck& check) {
   std::vector<PulseWarning> list;
@@ -114,7 +114,7 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   integrated.name = "runge_kutta";
   integrated.wall_time_s = timed([&] {
     take(integrated, integrate_under_pulse(oscillator, problem.pulse, response.peak_amplitude,
-                                           integrator_tolerance));
+                                           kutta_tolerance));
   });
   compare(integrated, runge_kutta_tolerance, runge_kutta_resolution, expected, problem, margin);
 
