@@ -116,8 +116,8 @@ void check_same(const RecordDesign& one, const RecordDesign& other) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
-  // 10^4 dampers in the usual run; STILLPOINT_DENSE_SIDE=1000 makes it 10^6,
-  // docs/records-design.md.
+  // 10^4 dampers in the usual run; STILLPOINT_DENSE_SIDE=1000 makes it 10^6. Ten suites are
+  // in bench/suites.
   const char* const wanted = std::getenv("STILLPOINT_DENSE_SIDE");
   const int side = wanted != nullptr ? std::atoi(wanted) : 100;
   RecordDesignRequest paper = two_records();
