@@ -102,6 +102,7 @@ void print_gains(const std::vector<NamedSuite>& all) {
     RecordDesignRequest paper = suite;
     paper.hold = std::numeric_limits<double>::infinity();
     paper.notch_width.reset();
+    paper.delta.reset();
     RecordDesignRequest none = paper;
     none.delta = SearchRange{0, 0};
     std::vector<RecordDesignRequest> holding;

@@ -40,18 +40,26 @@ SuiteRecord sine(double seconds, int half_waves) {
   return {fmt::format("{} s", seconds), std::move(record), 1};
 }
 
+/// Delta up to twice the energy of a free motion to the limit of the stroke.
+void bound_delta(RecordDesignRequest& request) {
+  const double speed = request.p.high * *request.limits.peak;
+  request.delta = SearchRange{0, speed * speed};
+}
+
 NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, double stroke_mm,
                  double residual_mm) {
   RecordDesignRequest request;
   request.records = std::move(records);
   request.limits.peak = stroke_mm * 1e-3 * metre;
   request.limits.residual = residual_mm * 1e-3 * metre;
+  bound_delta(request);
   return {fmt::format("{}; stroke {} mm, residual {} mm", name, stroke_mm, residual_mm),
           std::move(request)};
 }
 
-SearchRange periods(double shortest_s, double longest_s) {
-  return {2.8 / longest_s, 2.8 / shortest_s};
+void vary_period(RecordDesignRequest& request, double shortest_s, double longest_s) {
+  request.p = {2.8 / longest_s, 2.8 / shortest_s};
+  bound_delta(request);
 }
 
 }  // namespace
@@ -93,15 +101,15 @@ std::vector<NamedSuite> suites(const std::string& folder,
   all.back().request.hold = 0.1;
   all.push_back(suite("both, period 2 to 4 s", both, 400, 5));
   all.back().request.hold = 0.1;
-  all.back().request.p = periods(2, 4);
+  vary_period(all.back().request, 2, 4);
   all.push_back(suite("both, period 1.5 to 3.5 s", both, 250, 5));
-  all.back().request.p = periods(1.5, 3.5);
+  vary_period(all.back().request, 1.5, 3.5);
   all.push_back(suite("strong motion doubled, pulse halved, period 2 to 4 s, least stroke at 0.2 g",
                       {times(2, strong), times(0.5, pulse)}, 600, 10));
   all.back().request.objective = SuiteObjective::amplitude;
   all.back().request.limits.acceleration = 0.2;
   all.back().request.hold = 0.15;
-  all.back().request.p = periods(2, 4);
+  vary_period(all.back().request, 2, 4);
   if (!recorded.empty()) {
     std::vector<SuiteRecord> doubled;
     for (const std::string& path : recorded) {

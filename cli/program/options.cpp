@@ -196,8 +196,9 @@ std::vector<Option> rows() {
       row("search-f", text, "LOW:HIGH", searching,
           "under records: where f is searched; default: from 0 to the largest load", design),
       row("search-delta-m", text, "LOW:HIGH", searching,
-          "under records: where delta is searched, in m; default: from 0 to (p beta)^2", design,
-          in_si(Dimension::length)),
+          "under records: where delta is searched, in m; default: from 0 to what stops every "
+          "return",
+          design, in_si(Dimension::length)),
       row("search-period", text, "LOW:HIGH", searching,
           "under records: the period is searched as well, here, in s", design,
           in_si(Dimension::time)),

@@ -95,7 +95,7 @@ RecordDesignRequest completed(RecordDesignRequest request) {
       }
     }
     const double speed = request.p.high * peak;
-    request.delta = SearchRange{0, speed * speed};
+    request.delta = SearchRange{0, speed * speed / 2 + largest_load(request.records) * peak};
   }
   require_range("delta", *request.delta, 0, largest_square);
   for (const double p : {request.p.low, request.p.high}) {

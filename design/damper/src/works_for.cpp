@@ -19,7 +19,7 @@ namespace {
 
 using Wide = long double;
 
-struct Damper {
+struct HitDamper {
   Wide f{0};
   Wide d{0};
   Wide beta{0};
@@ -31,11 +31,11 @@ Wide root_of_difference(Wide a, Wide b) {
   return std::sqrt((a - b) * (a + b));
 }
 
-Wide lowest_v0(const Damper& damper, Wide p) {
+Wide lowest_v0(const HitDamper& damper, Wide p) {
   return std::max(std::sqrt(damper.d), std::sqrt(Wide(8)) * damper.f / p);
 }
 
-Wide highest_v0(const Damper& damper, Wide p) {
+Wide highest_v0(const HitDamper& damper, Wide p) {
   const auto& [f, d, beta, criterion, acceleration] = damper;
   const Wide phi = f / p;
   const Wide amplitude = std::sqrt(p * beta) * std::sqrt(p * beta + 2 * phi);
@@ -46,7 +46,7 @@ Wide highest_v0(const Damper& damper, Wide p) {
   return acceleration ? std::min(least, root_of_difference(*acceleration, f) / p) : least;
 }
 
-Wide lowest_p(const Damper& damper, Wide v0) {
+Wide lowest_p(const HitDamper& damper, Wide v0) {
   const auto& [f, d, beta, criterion, acceleration] = damper;
   const Wide square = (v0 / beta) * (v0 / beta) - 2 * f / beta;
   return std::max(
@@ -54,7 +54,7 @@ Wide lowest_p(const Damper& damper, Wide v0) {
 }
 
 /// Infinite where nothing bounds it.
-Wide highest_p(const Damper& damper, Wide v0) {
+Wide highest_p(const HitDamper& damper, Wide v0) {
   const auto& [f, d, beta, criterion, acceleration] = damper;
   const Wide lost = v0 * v0 - d;
   const Wide root_d = std::sqrt(d);
@@ -162,7 +162,8 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
     // Without constant friction the strips touch, and way 0 covers all.
     return works_for(Way(problem, of_the_point, f == 0 ? 0 : static_cast<int>(arrival)), f, delta);
   }
-  const Damper damper{f, 2 * Wide(delta), problem.beta, problem.criterion, limits.acceleration_max};
+  const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion,
+                         limits.acceleration_max};
   const ValidInterval of_v0 = valid_v0(problem);
   const ValidInterval of_p = valid_p(problem);
   const auto ends = [](Wide low, Wide high, double nominal, const ValidInterval& valid,

@@ -315,7 +315,8 @@ namespace {
 const std::vector<Wrong> command_lines{
     {"unknown_command",
      {"dezign"},
-     {"command dezign", "design, region, simulate, spectrum, sweep, accuracy or init", "mean design?"}},
+     {"command dezign", "design, region, simulate, spectrum, sweep, accuracy or init",
+      "mean design?"}},
     {"quiet_and_verbose", design({"--quiet", "--verbose"}), {"quiet and verbose"}},
     {"json_and_trajectory_on_standard_output",
      simulate({"--trajectory", "-", "--json"}),

@@ -140,8 +140,8 @@ BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
-  // 10^4 dampers in the usual run; STILLPOINT_DENSE_SIDE=1000 makes it 10^6,
-  // docs/records-design.md.
+  // 10^4 dampers in the usual run; STILLPOINT_DENSE_SIDE=1000 makes it 10^6. Ten suites are
+  // in bench/suites.
   const char* const wanted = std::getenv("STILLPOINT_DENSE_SIDE");
   const int side = wanted != nullptr ? std::atoi(wanted) : 100;
   RecordDesignRequest paper = two_records();
@@ -377,6 +377,37 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
     BOOST_TEST(corner.finding->sensitivity.admissible == 64);
     BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
   }
+}
+
+// The notch that takes as much as spring and load can give on the way back from the limit of the
+// peak stops every return of an admissible motion, and so does one that takes ten times as much.
+BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
+  RandomSource random(1302);
+  int compared = 0;
+  for (int i = 0; i < 200; ++i) {
+    RecordDesignRequest request = two_records();
+    const double p = random.uniform(0.7, 1.5);
+    request.records.erase(request.records.begin() + i % 2);
+    request.p = {p, p};
+    request.hold = i % 4 < 2 ? random.uniform(0, 0.2) : HUGE_VAL;
+    request.scan_points = 1;
+    request.f = SearchRange{0.2, 0.2};
+    RecordDesignRequest probe = request;
+    probe.delta.reset();
+    const double most = suite_map(probe, p, 1).delta.front() * 2;  // the middle of the one cell
+    const double f = random.uniform(0.01, 0.15);
+    const Record& load = request.records.front().record;
+    const ForcedResponse at_most = forced_response({p, f, most, request.hold}, {}, load);
+    if (at_most.peak_amplitude > *request.limits.peak) {
+      continue;
+    }
+    ++compared;
+    const ForcedResponse beyond = forced_response({p, f, 10 * most, request.hold}, {}, load);
+    BOOST_TEST(at_most.peak_amplitude == beyond.peak_amplitude);
+    BOOST_TEST(at_most.peak_absolute_acceleration == beyond.peak_absolute_acceleration);
+    BOOST_TEST(at_most.stop_position.value() == beyond.stop_position.value());
+  }
+  BOOST_TEST(compared >= 50);
 }
 
 BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {

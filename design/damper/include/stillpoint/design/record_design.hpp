@@ -60,8 +60,9 @@ struct RecordDesignRequest {
   SearchRange p{1, 1};  ///< low > 0
   /// Default: up to the largest load, beyond which nothing moves.
   std::optional<SearchRange> f{};
-  /// Default: up to (p peak)^2 with the largest p and the limit of the peak, or without a limit the
-  /// peak without a damper: twice the energy of a free motion of that size, for a load adds to it.
+  /// Default: up to (p peak)^2/2 + peak times the largest load, with the largest p and the limit of
+  /// the peak, or without a limit the peak without a damper: the most that the spring and the load
+  /// can give on the way back from there. A notch that takes more stops every return as well.
   std::optional<SearchRange> delta{};
   SuiteObjective objective{SuiteObjective::acceleration};
   std::optional<Combine> combine{};  ///< default: max below seven records, else mean
