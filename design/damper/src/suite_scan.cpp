@@ -88,9 +88,7 @@ SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points, int
     const std::vector<SuiteFigures> figures = suite.figures(block, threads);
     std::ranges::copy(figures, scan.figures.begin() + begin);
     scan.evaluated += static_cast<std::int64_t>(block.size());
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      watch.evaluated(block[i], figures[i]);
-    }
+    watch.evaluated(block, figures);
   }
   return scan;
 }

@@ -132,7 +132,7 @@ class Search {
   Ranked ranked(std::vector<double> unit) {
     const SuiteDamper damper = box_.at(unit);
     const SuiteFigures figures = suite_.figures(damper);
-    watch_.evaluated(damper, figures);
+    watch_.evaluated({&damper, 1}, {&figures, 1});
     return {std::move(unit), figures, rank_of(figures)};
   }
 
@@ -238,9 +238,7 @@ class Search {
     }
     watch_.expect(static_cast<std::int64_t>(units.size()));
     std::vector<SuiteFigures> figures = suite_.figures(dampers, threads_);
-    for (std::size_t i = 0; i < dampers.size(); ++i) {
-      watch_.evaluated(dampers[i], figures[i]);
-    }
+    watch_.evaluated(dampers, figures);
     result_.evaluations += static_cast<std::int64_t>(units.size());
     return figures;
   }

@@ -4,8 +4,10 @@
 #include "suite.hpp"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <span>
 
 namespace stillpoint::design {
 
@@ -18,17 +20,19 @@ class SuiteWatch {
 
   void expect(std::int64_t more) { progress_.expected += more; }
 
-  /// By several threads at once.
-  void evaluated(const SuiteDamper& damper, const SuiteFigures& figures) {
+  /// Each damper with its figures, then one look at whether to go on. By several threads at once.
+  void evaluated(std::span<const SuiteDamper> dampers, std::span<const SuiteFigures> figures) {
     if (!ask_) {
       return;
     }
     const std::lock_guard lock(one_at_a_time_);
-    ++progress_.evaluations;
-    const SuiteRank now = rank(figures, objective_, limits_);
-    if (!progress_.best || now < best_) {
-      best_ = now;
-      progress_.best = {damper, figures};
+    progress_.evaluations += static_cast<std::int64_t>(dampers.size());
+    for (std::size_t i = 0; i < dampers.size(); ++i) {
+      const SuiteRank now = rank(figures[i], objective_, limits_);
+      if (!progress_.best || now < best_) {
+        best_ = now;
+        progress_.best = {dampers[i], figures[i]};
+      }
     }
     stopped_ = stopped_ || !ask_(progress_);
   }

@@ -32,15 +32,18 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
     if (entry.path().extension() != ".json") {
       continue;
     }
-    const std::string text = run({"design", entry.path().string()}).out;
+    const char* const command =
+        entry.path().filename().string().starts_with("spectrum") ? "spectrum" : "design";
+    const std::string text = run({command, entry.path().string()}).out;
     const auto lines = lines_of(text);
-    const bool table = contains(text, "\nParts, best") || contains(text, "\nTrade-off of");
+    const bool table = contains(text, "\nParts, best") || contains(text, "\nTrade-off of") ||
+                       contains(text, "\nWith the notch");
     BOOST_TEST(lines.size() <= lines_at_most + (table ? lines_of_a_table : 0), text);
     BOOST_TEST(lines.back() == "  --verbose says more.");
     for (const std::string& line : lines) {
       BOOST_TEST(line.size() <= columns, line);
     }
-    const std::string full = run({"design", entry.path().string(), "--verbose"}).out;
+    const std::string full = run({command, entry.path().string(), "--verbose"}).out;
     BOOST_TEST(lines_of(full).size() > lines.size());
     BOOST_TEST(!contains(full, "--verbose"));
     // Where a scene is not for region or simulate, these print nothing.
