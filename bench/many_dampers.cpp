@@ -28,7 +28,8 @@ struct Dampers {
   /// With their squares, as the scan of a record design.
   Dampers() {
     for (Eigen::Index i = 0; i < side * side; ++i) {
-      const double along = static_cast<double>(i / side) / side;
+      const Eigen::Index row = i / side;
+      const double along = static_cast<double>(row) / side;
       const double across = static_cast<double>(i % side) / side;
       f[i] = 0.005 + 0.195 * along * along;  // less makes thousands of half-cycles after the record
       delta[i] = 0.1 * across * across;

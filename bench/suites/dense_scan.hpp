@@ -9,8 +9,9 @@ namespace stillpoint::bench {
 
 struct DenseBest {
   design::SuiteDamper damper;
-  double value;  ///< of the objective; infinite where all points are worse than the design by 5 %
-  std::int64_t points;
+  double value{
+      0};  ///< of the objective; infinite where all points are worse than the design by 5 %
+  std::int64_t points{0};
 };
 
 /// The best of some 10^6 dampers, computed from the kernel's responses alone: a third on a grid

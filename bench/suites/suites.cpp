@@ -112,6 +112,7 @@ std::vector<NamedSuite> suites(const std::string& folder,
   vary_period(all.back().request, 2, 4);
   if (!recorded.empty()) {
     std::vector<SuiteRecord> doubled;
+    doubled.reserve(recorded.size());
     for (const std::string& path : recorded) {
       doubled.push_back(times(2, read(path)));
     }
