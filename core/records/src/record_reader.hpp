@@ -66,8 +66,8 @@ class RecordReader {
 
 /// A format of record files: one source file defines it, one row in record_file.cpp lists it.
 struct RecordFormat {
-  bool (*recognises)(RecordReader reader);  ///< may read ahead in its copy
-  RecordFile (*read)(RecordReader& reader);
+  bool (*recognises)(RecordReader reader){nullptr};  ///< may read ahead in its copy
+  RecordFile (*read)(RecordReader& reader){nullptr};
   bool has_channels{false};  ///< so that a file may hold several records
 };
 

@@ -164,7 +164,8 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
   NloptOutcome outcome = run(posed, algorithm.name, budget, [&] { return tried.best; });
 
   Best best(way, objective);
-  const auto [low, high] = range->f;
+  const double low = range->f.low;
+  const double high = range->f.high;
   const auto consider = [&](double x) {
     const double f = way.f_of(x * way.a_cap);
     best.consider(f > 0 ? std::clamp(f, low, high) : f);
