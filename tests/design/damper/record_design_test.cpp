@@ -139,6 +139,35 @@ BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
   }
 }
 
+// After the record a single friction has a closed form, which the kernel computes for any length.
+BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_is_none) {
+  const Suite suite(design::design(three_samples()).request);
+  const std::vector<SuiteDamper> dampers{{1, 1e-6, 0}, {1, 1e-4, 0}, {1, 0, 1e-7}, {1, 0, 1e-5}};
+  const std::vector<SuiteFigures> together = suite.figures(dampers, 1);
+  for (std::size_t i = 0; i < dampers.size(); ++i) {
+    const auto& [p, f, delta] = dampers[i];
+    const ForcedResponse motion = forced_response({p, f, delta}, {}, suite.loads()[0]);
+    const bool in_time = i % 2 == 1;
+    BOOST_TEST((motion.half_cycles.value() <= 10'000) == in_time);
+    BOOST_TEST(suite.figures(dampers[i]).settled == in_time);
+    BOOST_TEST(together[i].settled == in_time);
+  }
+}
+
+// The best damper is the one with the least friction that still rests in time: the integrator of
+// the check, which follows no motion for longer, must agree.
+BOOST_AUTO_TEST_CASE(the_check_follows_the_least_friction_to_its_rest) {
+  RecordDesignRequest request = two_records();
+  request.records = {recorded("short_pulse.ASC", 2)};
+  request.limits.peak = 0.4 * metre;
+  request.hold = 0.1;
+  request.scan_points = 400;
+  const RecordDesign result = design::design(request);
+  BOOST_REQUIRE(result.finding.has_value());
+  BOOST_TEST(result.finding->responses[0].half_cycles.value() <= 10'000);
+  BOOST_TEST(result.finding->check.passed, result.finding->check.relative_error);
+}
+
 BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
   // 10^4 dampers in the usual run; STILLPOINT_DENSE_SIDE=1000 makes it 10^6. Ten suites are
   // in bench/suites.
