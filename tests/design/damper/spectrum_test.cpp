@@ -27,7 +27,7 @@ using design_test::RandomSource;
 
 /// Of closed forms: some roundings of sines.
 constexpr double closed_form_tolerance = 1e-13;
-/// As in record_design_test: what Runge-Kutta may be off, where no decision is close.
+/// As in suite_test: what Runge-Kutta may be off, where no decision is close.
 constexpr double integrator_tolerance = 1e-6;
 
 /// 0.4 g for two units of time, then nothing.
