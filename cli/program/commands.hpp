@@ -8,6 +8,7 @@
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
+#include <stillpoint/report/spectrum.hpp>
 
 namespace stillpoint::cli {
 
@@ -36,6 +37,7 @@ ExitCode run_accuracy(const Settings& settings, Output& output);
 [[nodiscard]] report::RecordDesignReport record_design_report(const Settings& settings);
 [[nodiscard]] report::RegionReport region_report(const Settings& settings);
 [[nodiscard]] report::MotionReport motion_report(const Settings& settings);
+[[nodiscard]] report::SpectrumReport spectrum_report(const Settings& settings);
 
 /// 3 without an admissible design, 4 where the cross-check failed, else 0.
 [[nodiscard]] ExitCode exit_code(const design::DesignResult& result);

@@ -89,13 +89,18 @@ design::Spectrum watched_spectrum(const design::SpectrumRequest& request) {
 
 }  // namespace
 
+report::SpectrumReport spectrum_report(const Settings& settings) {
+  report::SpectrumReport report = spectrum_input(settings);
+  report.result = watched_spectrum(report.result.request);
+  return report;
+}
+
 ExitCode run_spectrum(const Settings& settings, Output& output) {
   const auto table = settings.text("table");
   if (table == "-" && settings.flag("json")) {
     throw UsageError("json and the table would both go to standard output: give --table FILE");
   }
-  report::SpectrumReport report = spectrum_input(settings);
-  report.result = watched_spectrum(report.result.request);
+  const report::SpectrumReport report = spectrum_report(settings);
   if (table == "-") {
     output.print(report::spectrum_csv(report));
   } else if (table) {

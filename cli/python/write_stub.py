@@ -15,6 +15,6 @@ def keywords(command):
 
 
 text = Path(template).read_text()
-for command in "design", "region", "simulate", "sweep":
+for command in "design", "region", "simulate", "spectrum", "sweep":
     text = text.replace(f"    @{command}@\n", keywords(command))
 Path(out).write_text(text)

@@ -117,7 +117,7 @@ std::string documentation(Command command, std::string_view about) {
 py::list options(const std::string& command) {
   py::list all;
   for (const Command known :
-       {Command::design, Command::region, Command::simulate, Command::sweep}) {
+       {Command::design, Command::region, Command::simulate, Command::spectrum, Command::sweep}) {
     for (const Option& option : cli::options()) {
       if (name(known) == command && takes(known, option)) {
         all.append(py::make_tuple(keyword_of(option), type_of(option, known), help_of(option)));

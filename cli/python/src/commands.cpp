@@ -98,6 +98,10 @@ Answer simulate(const Settings& settings) {
   return std::make_unique<Motion>(cli::motion_report(wanted));
 }
 
+Answer spectrum(const Settings& settings) {
+  return answer(cli::spectrum_report(settings));
+}
+
 /// A new command that answers with a report is a row.
 struct Row {
   Command command;
@@ -114,6 +118,9 @@ constexpr std::array rows{
     Row{Command::simulate, simulate,
         "One motion, free or forced: metrics and half-cycles. With samples, or t_end of a free "
         "motion, the result has a trajectory: an array of (tau, x, v)."},
+    Row{Command::spectrum, spectrum,
+        "Peak, residual and transmitted acceleration of one damper under records over the period, "
+        "an axis as of sweep, beside the same without its notch."},
 };
 
 /// Those of v0, p and beta where nothing else is given, and these as floats.

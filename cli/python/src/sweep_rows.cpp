@@ -105,7 +105,7 @@ std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
   }
 }
 
-std::unique_ptr<Result> run(const py::object& scene, const py::kwargs& options) {
+std::unique_ptr<Result> run_sweep(const py::object& scene, const py::kwargs& options) {
   Settings given = settings(Command::sweep, scene, options);
   const bool in_memory = !given.has("output");
   if (in_memory) {
@@ -141,7 +141,7 @@ void add_sweep(py::module_& module) {
                              "a structured array with a field for each column; None where the rows "
                              "went to a file");
   module.def(
-      "sweep", &run, py::arg("scene") = py::none(), py::pos_only(),
+      "sweep", &run_sweep, py::arg("scene") = py::none(), py::pos_only(),
       documentation(Command::sweep,
                     "Many motions, or with beta many designs, over a grid or a list. An axis "
                     "is a number, an array, or a text: \"first:last:count\", with \":log\", or "

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Design of friction dampers for vibration and seismic isolation.
 
-design, region, simulate and sweep take the options of the program's commands as keyword arguments,
-with '_' for '-'. What they return has the fields of the JSON report as attributes, report, the whole
-of it as a dict, and figures in a notebook. peak and motions follow many free motions from arrays to
-arrays; read_record reads an acceleration record. What is wrong with the input is an InputError, a
-ValueError with the text that the program prints.
+design, region, simulate, spectrum and sweep take the options of the program's commands as keyword
+arguments, with '_' for '-'. What they return has the fields of the JSON report as attributes, report,
+the whole of it as a dict, and figures in a notebook. peak and motions follow many free motions from
+arrays to arrays; read_record reads an acceleration record. What is wrong with the input is an
+InputError, a ValueError with the text that the program prints.
 """
 
 
@@ -39,6 +39,7 @@ from ._stillpoint import (  # noqa: E402
     read_record,
     region,
     simulate,
+    spectrum,
     sweep,
 )
 
@@ -54,5 +55,6 @@ __all__ = [
     "read_record",
     "region",
     "simulate",
+    "spectrum",
     "sweep",
 ]

@@ -33,7 +33,7 @@ SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
   try {
     const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
     SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt};
-    if (motion.stop_position) {
+    if (motion.stop_position && rests_in_time(motion.half_cycles.value())) {
       all.residual = std::abs(*motion.stop_position);
     }
     return all;

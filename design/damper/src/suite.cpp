@@ -109,7 +109,7 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
   for (const Excitation& load : loads_) {
     try {
       const ForcedResponse one = response(damper, load);
-      all.settled = one.stop_position.has_value();
+      all.settled = one.stop_position && rests_in_time(one.half_cycles.value());
       if (all.settled) {
         add(all, {one.peak_amplitude, one.peak_absolute_acceleration, *one.stop_position,
                   one.decision_margin.value_or(1)});
@@ -142,7 +142,7 @@ std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers, i
     for (Eigen::Index i = 0; i < size; ++i) {
       SuiteFigures& all = list[static_cast<std::size_t>(i)];
       all.settled = all.settled && found.outcome[i] != Outcome::running &&
-                    found.outcome[i] != Outcome::never_stops;
+                    found.outcome[i] != Outcome::never_stops && rests_in_time(found.half_cycles[i]);
       if (all.settled) {
         add(all, {found.peak_amplitude[i], found.peak_absolute_acceleration[i],
                   found.stop_position[i], found.decision_margin[i]});

@@ -13,6 +13,12 @@ namespace stillpoint::design {
 /// A motion with more is not followed to its rest: at a period of 3 s that takes four hours.
 inline constexpr double most_suite_half_cycles = 10'000;
 
+/// Whether a motion that comes to rest does so within these. The kernel sees to that where it
+/// steps, not after the record with a single friction: that is a closed form, of any length.
+[[nodiscard]] constexpr bool rests_in_time(double half_cycles) {
+  return half_cycles <= most_suite_half_cycles;
+}
+
 /// Codes ask for the largest of few records and for the mean of seven or more.
 [[nodiscard]] constexpr Combine default_combine(std::size_t records) {
   return records < 7 ? Combine::max : Combine::mean;

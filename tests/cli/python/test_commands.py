@@ -35,6 +35,9 @@ INPUTS = [
     ("simulate", {"v0": 0.5, "p": 1, "f": 0.18, "delta": 0, "t_end": 200, **HARMONIC}),
     ("simulate", {"period": 2.8, "f": 0.02, "delta_m": 1e-3, "record": str(RECORD)}),
     ("simulate", {"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "friction_zones": "0.5:0.2,0.8:0.3"}),
+    ("spectrum", {"record": [str(RECORD)], "period": "2s:3s:4", "f": 0.05, "delta_m": "10mm"}),
+    ("spectrum", {"record": [str(RECORD)] * 2, "record_scale": 0.5, "period": "1:4:3:log", "f": 0,
+                  "delta_m": 0.01, "hold": 0.1, "combine": "mean"}),  # without the notch it never rests
 ]
 
 
@@ -49,7 +52,7 @@ def test_report_is_that_of_the_program(program, command, options):
 
 @pytest.mark.parametrize("command,name", [
     ("design", "isolator"), ("design", "pulse"), ("design", "parts"), ("design", "varying_hits"),
-    ("region", "plain")])
+    ("region", "plain"), ("spectrum", "spectrum")])
 def test_scene_is_that_of_the_program(program, command, name, monkeypatch):
     program.folder = ROOT  # where the files of the scenes are
     monkeypatch.chdir(ROOT)
@@ -89,6 +92,14 @@ def test_region_of_three_floats_is_that_of_all_others(beta):
     assert repr(quick) == repr(slow)
 
 
+def test_axis_of_a_spectrum_may_be_an_array():
+    damper = {"record": RECORD, "f": 0.05, "delta_m": 0.01}
+    periods = np.array([1.1, 2.3, 2.9])
+    found = stillpoint.spectrum(period=periods, **damper)
+    assert [point.period_s for point in found.combined] == pytest.approx(periods, rel=1e-15)
+    assert found.report == stillpoint.spectrum(period="1.1,2.3,2.9", **damper).report
+
+
 def test_trajectory_is_that_of_the_program(program):
     motion = {"v0": 1, "p": 1, "f": 0.02, "delta": 0.02}
     program.run("simulate", trajectory="rows.csv", samples=50, **motion)
@@ -110,6 +121,7 @@ def test_text_is_that_of_the_program(program):
 @pytest.mark.parametrize("command,options,figures", [
     ("design", {"v0": 1, "p": 1, "beta": 0.9}, 5), ("region", {"v0": 1.0, "p": 1.0, "beta": 0.9}, 1),
     ("simulate", {"v0": 1, "p": 1, "f": 0.02, "delta": 0.02}, 3),
+    ("spectrum", {"record": str(RECORD), "period": "2:3:5", "f": 0.05, "delta_m": 0.01}, 3),
     ("sweep", {"v0": 1, "p": 1, "f": "0:0.3:20", "delta": "0:0.4:20"}, 1)])
 def test_notebook_shows_the_figures_of_the_page(program, command, options, figures):
     html = getattr(stillpoint, command)(**options)._repr_html_()
@@ -120,11 +132,11 @@ def test_notebook_shows_the_figures_of_the_page(program, command, options, figur
         assert figure.read_text().strip().splitlines()[-1] in html
 
 
-@pytest.mark.parametrize("command", ["design", "region", "simulate", "sweep"])
+@pytest.mark.parametrize("command", ["design", "region", "simulate", "spectrum", "sweep"])
 def test_help_names_every_option(command):
     function = getattr(stillpoint, command)
     keywords = [name for name, _, _ in stillpoint.options(command)]
     assert [*inspect.signature(function).parameters] == ["scene", *keywords]
-    assert "lambda_" in keywords or command == "region"
+    assert ("lambda_" in keywords) == (command not in ("region", "spectrum"))
     for keyword in keywords:
         assert f"\n{keyword} " in inspect.getdoc(function)

@@ -6,9 +6,11 @@ import signal
 import threading
 
 import pytest
+from conftest import ROOT
 
 import stillpoint
 
+RECORD = ROOT / "data/records/near_fault_pulse.txt"
 SLOW = {"excitation": "harmonic", "k": 0.2, "lambda_": 0.35, "t_end": 1e12}
 
 
@@ -26,6 +28,9 @@ SLOW = {"excitation": "harmonic", "k": 0.2, "lambda_": 0.35, "t_end": 1e12}
     ("region", {"v0": 1, "p": 1, "beta": 1, "delta": 0.1}),
     ("simulate", {"v0": 1, "p": 1, "f": 1e-12, "delta": 1e-12}),
     ("simulate", {"v0": 1, "p": 1, "f": 0.1, "delta": 0, "excitation": "harmonic", "k": 1}),
+    ("spectrum", {"record": "nowhere.at2", "period": "1:2:3", "f": 0.1, "delta_m": 0.01}),
+    ("spectrum", {"period": "1:2:3", "f": 0.1, "delta_m": 0.01}),
+    ("spectrum", {"period": "1:2", "f": 0.1, "delta_m": 0.01}),
     ("sweep", {"v0": 1, "p": 1, "f": "0:1", "delta": 0}),
     ("sweep", {"v0": 1, "p": 1, "f": "-1:1:5", "delta": 0}),
     ("sweep", {"v0": 1, "p": 1, "f": 0.1, "delta": 0, "columns": "colour"}),
@@ -93,6 +98,16 @@ def test_interrupt_ends_a_motion(interrupt):
 def test_interrupt_ends_a_sweep(interrupt):
     with pytest.raises(KeyboardInterrupt):
         stillpoint.sweep(v0=1, p=1, f="1e-7:1.1e-7:1000000", delta=0.001, columns="peak_amplitude")
+
+
+def test_interrupt_ends_a_design_under_records(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.design(record=[RECORD] * 100, period="2:4", max_displacement=0.4, hold=0.1)
+
+
+def test_interrupt_ends_a_spectrum(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.spectrum(record=[RECORD] * 100, period="1:4:10000", f=2e-5, delta_m=1e-7)
 
 
 def test_interrupt_ends_arrays(interrupt):

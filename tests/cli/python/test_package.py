@@ -67,7 +67,8 @@ def test_histogram_counts_every_row(tmp_path):
     assert done.stdout.startswith("1000 motions, ") and done.stdout.count(" to ") == 12
 
 
-def test_page_shows_what_happens():
+def test_page_shows_what_happens(monkeypatch):
+    monkeypatch.chdir(ROOT)  # where the files of the page are
     page = (ROOT / "docs/python.md").read_text()
     blocks = re.findall(r"```python\n(.*?)```\n", page, re.DOTALL)
     assert len(blocks) >= 3

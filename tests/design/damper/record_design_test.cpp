@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "suite.hpp"
-#include "suite_check.hpp"
-
-#include "random_source.hpp"
+#include "suites_of_records.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/record_design.hpp>
-#include <stillpoint/records/record_file.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,10 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <numbers>
 #include <string>
-#include <variant>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(record_design_test)
 
@@ -26,42 +19,29 @@ namespace {
 
 using namespace stillpoint;
 using namespace stillpoint::design;
-using design_test::RandomSource;
+using design_test::metre;
+using design_test::recorded;
+using design_test::short_records;
+using design_test::three_samples;
+using design_test::two_records;
 
 /// Of an optimum, relative: what the docs promise against a dense scan.
 constexpr double optimum_tolerance = 1e-4;
-/// That of the check of a design: Runge-Kutta's 5e-12 a radian, over some 100, and what a decision
-/// at a margin of 1e-6 enlarges.
-constexpr double integrator_tolerance = 1e-6;
 /// Of a figure worked out by hand.
 constexpr double hand_tolerance = 1e-14;
 
-// A period of 2.8 s with p = 1: lengths in g/omega^2, 1.947 m.
-constexpr double omega = 2 * std::numbers::pi / 2.8;
-constexpr double metre = omega * omega / 9.80665;
-
-SuiteRecord recorded(const std::string& file, double scale = 1) {
-  records::RecordOptions options;
-  options.clock = {"s", 1 / omega, 1};
-  const std::string path = std::string(STILLPOINT_DATA_DIR) + "/records/" + file;
-  return {file, records::read_record(path, options).record, scale};
-}
-
-RecordDesignRequest two_records() {
-  RecordDesignRequest request;
-  request.records = {recorded("near_fault_pulse.txt"), recorded("strong_motion.AT2")};
-  request.limits.peak = 0.25 * metre;
-  request.limits.residual = 0.005 * metre;
-  request.scan_points = 2500;
+RecordDesignRequest with_capacity() {
+  RecordDesignRequest request = short_records();
+  request.hold = 0.05;
+  request.scan_points = 400;
+  request.threads = 1;
   return request;
 }
 
-/// W = 0.4 at 0, -0.2 at 1, 0 at 2.
-RecordDesignRequest three_samples() {
-  RecordDesignRequest request;
-  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
-  request.scan_points = 100;
-  return request;
+/// Shared by several cases.
+const RecordDesign& design_with_capacity() {
+  static const RecordDesign found = design::design(with_capacity());
+  return found;
 }
 
 /// Computed here from the kernel's responses: none of the search's own code.
@@ -116,27 +96,18 @@ void check_same(const RecordDesign& one, const RecordDesign& other) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
+// The best damper is the one with the least friction that still rests in time: the integrator of
+// the check, which follows no motion for longer, must agree.
+BOOST_AUTO_TEST_CASE(the_check_follows_the_least_friction_to_its_rest) {
   RecordDesignRequest request = two_records();
-  for (const Combine combine : {Combine::max, Combine::mean}) {
-    request.combine = combine;
-    const Suite suite(request);
-    std::vector<SuiteDamper> dampers{
-        {1, 0, 0}, {1, 1e-7, 0}, {1, 1e-9, 1e-9}};  // never or hardly rest
-    for (int i = 0; i < 60; ++i) {
-      dampers.push_back({1 + 0.05 * (i % 7), 0.005 * (i % 10), 0.002 * (i % 6)});
-    }
-    const std::vector<SuiteFigures> together = suite.figures(dampers, 2);
-    BOOST_TEST_REQUIRE(together.size() == dampers.size());
-    for (std::size_t i = 0; i < dampers.size(); ++i) {
-      const SuiteFigures alone = suite.figures(dampers[i]);
-      BOOST_TEST(together[i].settled == alone.settled);
-      BOOST_TEST(together[i].peak == alone.peak);
-      BOOST_TEST(together[i].acceleration == alone.acceleration);
-      BOOST_TEST(together[i].residual == alone.residual);
-      BOOST_TEST(together[i].margin == alone.margin);
-    }
-  }
+  request.records = {recorded("short_pulse.ASC", 2)};
+  request.limits.peak = 0.4 * metre;
+  request.hold = 0.1;
+  request.scan_points = 400;
+  const RecordDesign result = design::design(request);
+  BOOST_REQUIRE(result.finding.has_value());
+  BOOST_TEST(result.finding->responses[0].half_cycles.value() <= 10'000);
+  BOOST_TEST(result.finding->check.passed, result.finding->check.relative_error);
 }
 
 BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
@@ -144,44 +115,39 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
   // in bench/suites.
   const char* const wanted = std::getenv("STILLPOINT_DENSE_SIDE");
   const int side = wanted != nullptr ? std::atoi(wanted) : 100;
-  RecordDesignRequest paper = two_records();
+  RecordDesignRequest paper = short_records();
   check_against_dense_scan(paper, side);
   paper.objective = SuiteObjective::amplitude;
-  paper.limits.acceleration = 0.3;  // without it the best damper does not move
+  paper.limits.acceleration = 0.35;  // without it the best damper does not move
   check_against_dense_scan(paper, side);
-  RecordDesignRequest with_capacity = two_records();
-  with_capacity.hold = 0.05;
-  check_against_dense_scan(with_capacity, side);
-  RecordDesignRequest with_width = two_records();
-  with_width.notch_width = 0.05 * metre;
+  RecordDesignRequest with_hold = short_records();
+  with_hold.hold = 0.05;
+  check_against_dense_scan(with_hold, side);
+  RecordDesignRequest with_width = short_records();
+  with_width.notch_width = 0.1;
   check_against_dense_scan(with_width, side);
 }
 
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
-  RecordDesignRequest request = two_records();
-  request.hold = 0.05;
-  request.scan_points = 400;
-  request.threads = 1;
-  const RecordDesign one = design::design(request);
-  for (const int threads : {2, 3}) {
-    request.threads = threads;
-    check_same(one, design::design(request));
-  }
+  RecordDesignRequest request = with_capacity();
+  request.threads = 3;
+  check_same(design_with_capacity(), design::design(request));
 }
 
 BOOST_AUTO_TEST_CASE(a_search_that_is_watched_to_its_end_finds_the_same) {
-  RecordDesignRequest request = two_records();
-  request.hold = 0.05;
-  request.scan_points = 400;
+  RecordDesignRequest request = with_capacity();
+  request.threads = 2;
   std::int64_t evaluations = 0;
+  bool counted = true;
   SuitePoint best;
   const RecordDesign watched = design::design(request, [&](const RecordProgress& progress) {
-    BOOST_TEST(progress.evaluations > evaluations);
+    counted = counted && progress.evaluations > evaluations;
     evaluations = progress.evaluations;
     best = progress.best.value();
     return true;
   });
-  check_same(design::design(request), watched);
+  check_same(design_with_capacity(), watched);
+  BOOST_TEST(counted);
   BOOST_TEST(!watched.search.interrupted);
   BOOST_TEST(evaluations > watched.search.scan_points);
   BOOST_TEST(best.figures.acceleration == watched.nearest.figures.acceleration);
@@ -227,42 +193,6 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_says_of_no_limit_that_it_would_do)
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_check_sees_the_same_motions_of_random_dampers) {
-  RandomSource random(1301);
-  const RecordDesignRequest suite = two_records();
-  int decided = 0;
-  for (int i = 0; i < 120; ++i) {
-    Oscillator oscillator{random.uniform(0.7, 1.5), random.uniform(0.001, 0.2),
-                          i % 4 == 0 ? 0 : random.uniform(0.0001, 0.01)};
-    Surface surface;
-    if (i % 4 == 1) {
-      surface.notch_width = random.uniform(0.01, 0.1) * metre;
-    } else if (i % 4 == 2) {
-      oscillator.hold = random.uniform(0, 0.2);
-    }
-    const Record& record = suite.records[static_cast<std::size_t>(i % 2)].record;
-    const ForcedResponse kernel = forced_response(oscillator, {}, record, {}, surface);
-    if (kernel.decision_margin.value_or(1) < least_suite_margin) {
-      continue;
-    }
-    ++decided;
-    const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, record);
-    BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
-                                 << ", delta = " << oscillator.delta
-                                 << ", hold = " << oscillator.hold
-                                 << ", width = " << surface.notch_width.value_or(0)) {
-      const double size = kernel.peak_amplitude;
-      BOOST_TEST(other.settled);
-      BOOST_TEST(std::abs(other.peak - size) <= integrator_tolerance * size);
-      BOOST_TEST(std::abs(other.acceleration - kernel.peak_absolute_acceleration) <=
-                 integrator_tolerance * kernel.peak_absolute_acceleration);
-      BOOST_TEST(std::abs(other.residual - std::abs(kernel.stop_position.value())) <=
-                 integrator_tolerance * size);
-    }
-  }
-  BOOST_TEST(decided >= 110);
-}
-
 BOOST_AUTO_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on) {
   RecordDesignRequest request = three_samples();
   request.f = SearchRange{2, 2};
@@ -302,8 +232,9 @@ BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
 }
 
 BOOST_AUTO_TEST_CASE(each_single_limit_that_is_said_to_do_does) {
-  RecordDesignRequest request = two_records();
-  request.limits = {0.5 * metre, 0.1, 0.001 * metre};
+  RecordDesignRequest request = short_records();
+  request.records.resize(1, request.records.front());
+  request.limits = {0.1, 0.15, 0.001};
   const RecordDesign none = design::design(request);
   BOOST_TEST(!none.finding.has_value());
   BOOST_REQUIRE(none.shortfalls.size() == 3);
@@ -341,9 +272,9 @@ BOOST_AUTO_TEST_CASE(only_the_limit_that_is_in_the_way_is_said_to_do) {
 }
 
 BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
-  RecordDesignRequest request = two_records();
-  request.hold = 0.05;
-  request.delta = SearchRange{0, 0.01};
+  RecordDesignRequest request = short_records();
+  request.records.resize(1, request.records.front());
+  request.delta = SearchRange{0, 0.1};
   request.p = {0.8, 1.6};
   const RecordDesign free = design::design(request);
   BOOST_REQUIRE(free.finding.has_value());
@@ -360,10 +291,8 @@ BOOST_AUTO_TEST_CASE(a_free_period_is_at_least_as_good_as_any_single_one) {
 }
 
 BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
-  RecordDesignRequest request = two_records();
-  request.hold = 0.05;
-  request.scan_points = 400;
-  const RecordDesign wide = design::design(request);
+  RecordDesignRequest request = with_capacity();
+  const RecordDesign& wide = design_with_capacity();
   BOOST_REQUIRE(wide.finding.has_value());
   const SuitePoint& point = wide.finding->point;
   const Sensitivity& sensitivity = wide.finding->sensitivity;
@@ -380,51 +309,6 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
     BOOST_TEST(corner.finding->sensitivity.admissible == 64);
     BOOST_TEST(corner.finding->sensitivity.worst.peak == corner.nearest.figures.peak);
   }
-}
-
-// The notch that takes as much as spring and load can give on the way back from the limit of the
-// peak stops every return of an admissible motion, and so does one that takes ten times as much.
-BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
-  RandomSource random(1302);
-  int compared = 0;
-  for (int i = 0; i < 200; ++i) {
-    RecordDesignRequest request = two_records();
-    const double p = random.uniform(0.7, 1.5);
-    request.records.erase(request.records.begin() + i % 2);
-    request.p = {p, p};
-    request.hold = i % 4 < 2 ? random.uniform(0, 0.2) : HUGE_VAL;
-    request.scan_points = 1;
-    request.f = SearchRange{0.2, 0.2};
-    RecordDesignRequest probe = request;
-    probe.delta.reset();
-    const double most = suite_map(probe, p, 1).delta.front() * 2;  // the middle of the one cell
-    const double f = random.uniform(0.01, 0.15);
-    const Record& load = request.records.front().record;
-    const ForcedResponse at_most = forced_response({p, f, most, request.hold}, {}, load);
-    if (at_most.peak_amplitude > *request.limits.peak) {
-      continue;
-    }
-    ++compared;
-    const ForcedResponse beyond = forced_response({p, f, 10 * most, request.hold}, {}, load);
-    BOOST_TEST(at_most.peak_amplitude == beyond.peak_amplitude);
-    BOOST_TEST(at_most.peak_absolute_acceleration == beyond.peak_absolute_acceleration);
-    BOOST_TEST(at_most.stop_position.value() == beyond.stop_position.value());
-  }
-  BOOST_TEST(compared >= 50);
-}
-
-BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {
-  RecordDesignRequest request = design::design(three_samples()).request;
-  const SuiteMap map = suite_map(request, 1, 10);
-  BOOST_REQUIRE(map.f.size() == 10);
-  // The middle of the fourth of ten cells from 0 to the largest load, 0.4.
-  BOOST_TEST(std::abs(map.f[3] - 0.14) <= hand_tolerance);
-  BOOST_REQUIRE(map.figures.size() == map.f.size() * map.delta.size());
-  const std::size_t i = 3;
-  const std::size_t j = 7;
-  const ForcedResponse there =
-      forced_response({1, map.f[i], map.delta[j]}, {}, request.records.front().record);
-  BOOST_TEST(map.figures[i * map.delta.size() + j].peak == there.peak_amplitude);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {

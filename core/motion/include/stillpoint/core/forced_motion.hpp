@@ -16,8 +16,8 @@ struct ForcedOptions {
   /// The tau at which the run ends. Without it the run continues to the end of the free motion
   /// after the excitation; an excitation that lasts for ever needs it.
   std::optional<double> t_end{};
-  /// A motion with more half-cycles is refused. Without it, only a free motion after the excitation
-  /// has a limit, that of FreeOptions, and only without t_end.
+  /// A motion with more half-cycles is refused, but for a closed form (a single friction). Without
+  /// it, only a free motion after the excitation has a limit, that of FreeOptions, without t_end.
   std::optional<double> half_cycle_limit{};
   /// Called now and then with the tau reached; false ends the run there. Empty: never called.
   std::function<bool(double)> go_on{};

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "suite.hpp"
+#include "suite_check.hpp"
+
+#include "random_source.hpp"
+#include "suites_of_records.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/record_design.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(suite_test)
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using design_test::metre;
+using design_test::RandomSource;
+using design_test::three_samples;
+using design_test::two_records;
+
+/// That of the check of a design: Runge-Kutta's 5e-12 a radian, over some 100, and what a decision
+/// at a margin of 1e-6 enlarges.
+constexpr double integrator_tolerance = 1e-6;
+/// Of a figure worked out by hand.
+constexpr double hand_tolerance = 1e-14;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
+  RecordDesignRequest request = two_records();
+  for (const Combine combine : {Combine::max, Combine::mean}) {
+    request.combine = combine;
+    const Suite suite(request);
+    std::vector<SuiteDamper> dampers{
+        {1, 0, 0}, {1, 1e-7, 0}, {1, 1e-9, 1e-9}};  // never or hardly rest
+    for (int i = 0; i < 60; ++i) {
+      dampers.push_back({1 + 0.05 * (i % 7), 0.005 * (i % 10), 0.002 * (i % 6)});
+    }
+    const std::vector<SuiteFigures> together = suite.figures(dampers, 2);
+    BOOST_TEST_REQUIRE(together.size() == dampers.size());
+    for (std::size_t i = 0; i < dampers.size(); ++i) {
+      const SuiteFigures alone = suite.figures(dampers[i]);
+      BOOST_TEST(together[i].settled == alone.settled);
+      BOOST_TEST(together[i].peak == alone.peak);
+      BOOST_TEST(together[i].acceleration == alone.acceleration);
+      BOOST_TEST(together[i].residual == alone.residual);
+      BOOST_TEST(together[i].margin == alone.margin);
+    }
+  }
+}
+
+// After the record a single friction has a closed form, which the kernel computes for any length.
+BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_is_none) {
+  const Suite suite(design::design(three_samples()).request);
+  const std::vector<SuiteDamper> dampers{{1, 1e-6, 0}, {1, 1e-4, 0}, {1, 0, 1e-7}, {1, 0, 1e-5}};
+  const std::vector<SuiteFigures> together = suite.figures(dampers, 1);
+  for (std::size_t i = 0; i < dampers.size(); ++i) {
+    const auto& [p, f, delta] = dampers[i];
+    const ForcedResponse motion = forced_response({p, f, delta}, {}, suite.loads()[0]);
+    const bool in_time = i % 2 == 1;
+    BOOST_TEST((motion.half_cycles.value() <= 10'000) == in_time);
+    BOOST_TEST(suite.figures(dampers[i]).settled == in_time);
+    BOOST_TEST(together[i].settled == in_time);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_check_sees_the_same_motions_of_random_dampers) {
+  RandomSource random(1301);
+  const RecordDesignRequest suite = two_records();
+  int decided = 0;
+  for (int i = 0; i < 120; ++i) {
+    Oscillator oscillator{random.uniform(0.7, 1.5), random.uniform(0.001, 0.2),
+                          i % 4 == 0 ? 0 : random.uniform(0.0001, 0.01)};
+    Surface surface;
+    if (i % 4 == 1) {
+      surface.notch_width = random.uniform(0.01, 0.1) * metre;
+    } else if (i % 4 == 2) {
+      oscillator.hold = random.uniform(0, 0.2);
+    }
+    const Record& record = suite.records[static_cast<std::size_t>(i % 2)].record;
+    const ForcedResponse kernel = forced_response(oscillator, {}, record, {}, surface);
+    if (kernel.decision_margin.value_or(1) < least_suite_margin) {
+      continue;
+    }
+    ++decided;
+    const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, record);
+    BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
+                                 << ", delta = " << oscillator.delta
+                                 << ", hold = " << oscillator.hold
+                                 << ", width = " << surface.notch_width.value_or(0)) {
+      const double size = kernel.peak_amplitude;
+      BOOST_TEST(other.settled);
+      BOOST_TEST(std::abs(other.peak - size) <= integrator_tolerance * size);
+      BOOST_TEST(std::abs(other.acceleration - kernel.peak_absolute_acceleration) <=
+                 integrator_tolerance * kernel.peak_absolute_acceleration);
+      BOOST_TEST(std::abs(other.residual - std::abs(kernel.stop_position.value())) <=
+                 integrator_tolerance * size);
+    }
+  }
+  BOOST_TEST(decided >= 110);
+}
+
+// The notch that takes as much as spring and load can give on the way back from the limit of the
+// peak stops every return of an admissible motion, and so does one that takes ten times as much.
+BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
+  RandomSource random(1302);
+  int compared = 0;
+  for (int i = 0; i < 200; ++i) {
+    RecordDesignRequest request = two_records();
+    const double p = random.uniform(0.7, 1.5);
+    request.records.erase(request.records.begin() + i % 2);
+    request.p = {p, p};
+    request.hold = i % 4 < 2 ? random.uniform(0, 0.2) : HUGE_VAL;
+    request.scan_points = 1;
+    request.f = SearchRange{0.2, 0.2};
+    RecordDesignRequest probe = request;
+    probe.delta.reset();
+    const double most = suite_map(probe, p, 1).delta.front() * 2;  // the middle of the one cell
+    const double f = random.uniform(0.01, 0.15);
+    const Record& load = request.records.front().record;
+    const ForcedResponse at_most = forced_response({p, f, most, request.hold}, {}, load);
+    if (at_most.peak_amplitude > *request.limits.peak) {
+      continue;
+    }
+    ++compared;
+    const ForcedResponse beyond = forced_response({p, f, 10 * most, request.hold}, {}, load);
+    BOOST_TEST(at_most.peak_amplitude == beyond.peak_amplitude);
+    BOOST_TEST(at_most.peak_absolute_acceleration == beyond.peak_absolute_acceleration);
+    BOOST_TEST(at_most.stop_position.value() == beyond.stop_position.value());
+  }
+  BOOST_TEST(compared >= 50);
+}
+
+BOOST_AUTO_TEST_CASE(the_map_has_the_figures_of_its_places) {
+  RecordDesignRequest request = design::design(three_samples()).request;
+  const SuiteMap map = suite_map(request, 1, 10);
+  BOOST_REQUIRE(map.f.size() == 10);
+  // The middle of the fourth of ten cells from 0 to the largest load, 0.4.
+  BOOST_TEST(std::abs(map.f[3] - 0.14) <= hand_tolerance);
+  BOOST_REQUIRE(map.figures.size() == map.f.size() * map.delta.size());
+  const std::size_t i = 3;
+  const std::size_t j = 7;
+  const ForcedResponse there =
+      forced_response({1, map.f[i], map.delta[j]}, {}, request.records.front().record);
+  BOOST_TEST(map.figures[i * map.delta.size() + j].peak == there.peak_amplitude);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Records to design for.
+
+#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/records/record_file.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace stillpoint::design_test {
+
+// A period of 2.8 s with p = 1: lengths in g/omega^2, 1.947 m.
+inline constexpr double omega = 2 * std::numbers::pi / 2.8;
+inline constexpr double metre = omega * omega / 9.80665;
+
+inline design::SuiteRecord recorded(const std::string& file, double scale = 1) {
+  records::RecordOptions options;
+  options.clock = {"s", 1 / omega, 1};
+  const std::string path = std::string(STILLPOINT_DATA_DIR) + "/records/" + file;
+  return {file, records::read_record(path, options).record, scale};
+}
+
+inline design::RecordDesignRequest two_records() {
+  design::RecordDesignRequest request;
+  request.records = {recorded("near_fault_pulse.txt"), recorded("strong_motion.AT2")};
+  request.limits.peak = 0.25 * metre;
+  request.limits.residual = 0.005 * metre;
+  request.scan_points = 2500;
+  return request;
+}
+
+/// Seven radians of shaking, so that a whole search takes a quarter of a second.
+inline design::RecordDesignRequest short_records() {
+  Record one{{}, 0.25, {}};
+  Record other = one;
+  for (int i = 0; i < 30; ++i) {
+    one.values.push_back(0.3 * std::sin(0.7 * i) + 0.2 * std::sin(0.23 * i));
+    other.values.push_back(0.4 * std::sin(0.11 * i * i));
+  }
+  design::RecordDesignRequest request;
+  request.records = {{"one", one, 1}, {"other", other, -0.8}};
+  request.limits.peak = 0.4;
+  request.limits.residual = 0.02;
+  request.scan_points = 2500;
+  return request;
+}
+
+/// W = 0.4 at 0, -0.2 at 1, 0 at 2.
+inline design::RecordDesignRequest three_samples() {
+  design::RecordDesignRequest request;
+  request.records = {{"three", Record{{0.4, -0.2, 0}, 1, {}}, 1}};
+  request.scan_points = 100;
+  return request;
+}
+
+}  // namespace stillpoint::design_test
