@@ -118,8 +118,9 @@ BOOST_FIXTURE_TEST_CASE(the_table_has_the_numbers_of_the_report, Sandbox) {
   BOOST_TEST_REQUIRE(csv.rows.size() == 10U);
   BOOST_TEST_REQUIRE(npy.count == 10);
   for (std::size_t i = 0; i < csv.rows.size(); ++i) {
-    const json& point = report["records"][i / 5]["points"][i % 5];
-    BOOST_TEST(csv.number(i, "record") == static_cast<double>(i / 5 + 1));
+    const std::size_t record = i / 5;
+    const json& point = report["records"][record]["points"][i % 5];
+    BOOST_TEST(csv.number(i, "record") == static_cast<double>(record + 1));
     for (const char* const name :
          {"period_s", "peak_m", "residual_m", "peak_absolute_acceleration"}) {
       BOOST_TEST(csv.number(i, name) == point[name].get<double>());

@@ -232,12 +232,13 @@ BOOST_AUTO_TEST_CASE(no_option_takes_a_text_for_a_number) {
                                  "--" + std::string(option.name), text};
           const std::array pointers{words[0].c_str(), words[1].c_str(), words[2].c_str(),
                                     words[3].c_str()};
-          BOOST_CHECK_EXCEPTION(
-              cli::parse_command_line(static_cast<int>(pointers.size()), pointers.data()),
-              stillpoint::InputError, [&](const stillpoint::InputError& error) {
-                return error.field() == option.name &&
-                       std::string_view(error.what()).find(text) != std::string_view::npos;
-              });
+          BOOST_CHECK_EXCEPTION(static_cast<void>(cli::parse_command_line(
+                                    static_cast<int>(pointers.size()), pointers.data())),
+                                stillpoint::InputError, [&](const stillpoint::InputError& error) {
+                                  return error.field() == option.name &&
+                                         std::string_view(error.what()).find(text) !=
+                                             std::string_view::npos;
+                                });
         }
       }
     }

@@ -69,10 +69,10 @@ BOOST_AUTO_TEST_CASE(no_table_is_wider_than_80_columns) {
   document.title = std::string(50, 't') + " " + std::string(50, 't');
   Table table{{""}, {{{"first"}, Tone::good}}};
   for (int i = 0; i < 12; ++i) {
-    table.head.push_back(i % 3 == 0   ? "relative error"
-                         : i % 3 == 1 ? "stop time, s"
-                                      : "half-cycles");
-    table.rows[0].cells.push_back("1.23456");
+    table.head.emplace_back(i % 3 == 0   ? "relative error"
+                            : i % 3 == 1 ? "stop time, s"
+                                         : "half-cycles");
+    table.rows[0].cells.emplace_back("1.23456");
     document.section("Wide").parts.emplace_back(table);
   }
   std::istringstream lines(text(document));

@@ -181,7 +181,8 @@ BOOST_AUTO_TEST_CASE(a_plateau_of_exactly_f_holds_and_one_ulp_more_does_not) {
   const Record record{{0, 0.1, 0.1, 0.1, 0, 0}, 0.5, {}};
   Dampers dampers(32);
   for (Eigen::Index i = 0; i < 32; ++i) {
-    const double p = 0.3 + 0.1 * static_cast<double>(i / 2);
+    const Eigen::Index pair = i / 2;
+    const double p = 0.3 + 0.1 * static_cast<double>(pair);
     dampers.set(i, {p, i % 2 == 0 ? 0.1 : std::nextafter(0.1, 0), i % 4 < 2 ? 0 : 1e-3});
   }
   is_identical(dampers, record);

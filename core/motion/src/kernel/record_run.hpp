@@ -389,7 +389,7 @@ Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum
     return Real(record.values[i] + (record.values[i + 1] - record.values[i]) * part);
   };
   const Real largest = max(Real(abs(load(begin))), Real(abs(load(until))));
-  std::array<Real, 8> most;  // several, which need not wait for each other
+  std::array<Real, 8> most{};  // several, which need not wait for each other
   most.fill(largest);
   const std::size_t end = times.latest(until) + 1;
   std::size_t i = times.latest(begin) + 1;
