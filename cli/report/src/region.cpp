@@ -86,7 +86,7 @@ Document document(const RegionReport& report) {
         format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
     document.tone = Tone::good;
   } else {
-    add_emptiness(document, answer, report.physical);
+    add_emptiness(document, answer, limits, report.physical);
   }
   if (report.catalogue) {
     document.verdict += format(" {}.", how_many_fit(report.catalogue->parts));

@@ -54,7 +54,7 @@ struct DeltaNeeds {
 
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
-                   const Physical& physical);
+                   const design::Limits& limits, const Physical& physical);
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical);
 

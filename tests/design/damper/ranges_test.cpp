@@ -401,6 +401,55 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
   BOOST_TEST(off_centre > 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_tolerance_that_no_damper_has_is_said_with_the_largest) {
+  RandomSource random(1207);
+  constexpr double more =
+      1e-7;  // relative, of the largest tolerance: its search, and that of a box
+  constexpr int points = 100;
+  int at_fault = 0;
+  int not_at_fault = 0;
+  for (int i = 0; i < 300; ++i) {
+    Task task = random_task(random);
+    auto& [problem, limits] = task;
+    problem.beta *= 0.95;
+    limits.tolerance = random.uniform(0.05, 0.9);
+    const auto region_with = [&](double tolerance) {
+      return admissible_region(problem, with_tolerance(limits, tolerance)).feasible;
+    };
+    const auto most = most_tolerant(problem, limits);
+    BOOST_TEST_CONTEXT(context_of(task)) {
+      BOOST_TEST(most.has_value() == (!region_with(limits.tolerance) && region_with(0)));
+      if (!most) {
+        ++not_at_fault;
+        continue;
+      }
+      ++at_fault;
+      const auto& [f, delta, tolerance] = *most;
+      BOOST_TEST(tolerance < limits.tolerance);
+      BOOST_TEST(admissible(problem, with_tolerance(limits, tolerance), f, delta));
+      BOOST_TEST(!region_with(tolerance * (1 + more)));
+      for (int k = 0; k < points; ++k) {
+        const auto other = largest_tolerance(
+            problem, limits, problem.v0 * problem.p * random.log_uniform(0.003, 0.4),
+            problem.v0 * problem.v0 * random.uniform(0, 0.5));
+        BOOST_TEST(other.value_or(0) <= tolerance * (1 + more));
+      }
+    }
+  }
+  BOOST_TEST(at_fault > 100);
+  BOOST_TEST(not_at_fault > 50);
+  // As above, with one hit, and where amplitude and return leave (f3 - f2)/(f3 + f2).
+  const Problem wide = ranged(0.9, 1.1, 0.95, 1.05, 1);
+  const auto in_ranges = answer({wide, {.tolerance = 0.3}, {}, {}}).most_tolerant;
+  BOOST_REQUIRE(in_ranges.has_value());
+  BOOST_TEST(std::abs(100 * in_ranges->tolerance - 21.7164) < two_decimals);
+  const auto one_hit = design::design({{1, 1, 0.8}, {.tolerance = 0.3}, {}, {}}).most_tolerant;
+  BOOST_REQUIRE(one_hit.has_value());
+  const double f3 = 1 / std::sqrt(8.0);
+  BOOST_TEST(std::abs(one_hit->tolerance - (f3 - 0.225) / (f3 + 0.225)) < more);
+  BOOST_TEST(std::abs(one_hit->f - (f3 + 0.225) / 2) < more);
+}
+
 BOOST_AUTO_TEST_CASE(a_mend_is_the_nearest_that_helps) {
   RandomSource random(1205);
   int mended = 0;
