@@ -241,6 +241,12 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty,
   }
 }
 
+bool stops_by_delta1(std::span<const design::Constraint> constraints) {
+  return std::ranges::any_of(constraints, [](const design::Constraint& now) {
+    return now.name == "stop" && now.variable == "delta";
+  });
+}
+
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical) {
   const FigureUnits units(physical);
