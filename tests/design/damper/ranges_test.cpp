@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -97,6 +98,13 @@ struct Sample {
 
 enum class Verdict { good, bad, undecided };
 
+/// Of a rest at r: what the notch leaves of V0^2 is off by some roundings of V0^2, and
+/// p^2 x^2 + 2 f x of the rest by as much.
+double rest_rounding(const Sample& at, double r) {
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+  return roundings * at.v0 * at.v0 / (2 * (at.p * at.p * r + at.f));
+}
+
 Verdict simulated(const Task& task, const Sample& at) {
   const auto& [problem, limits, seed] = task;
   if (problem.v0_low == 0.0 && at.v0 * at.v0 < 2 * at.delta && at.v0 < problem.v0) {
@@ -113,10 +121,13 @@ Verdict simulated(const Task& task, const Sample& at) {
   if (within && motion.decision_margin.value_or(1) < undecided_within) {
     return Verdict::undecided;
   }
-  const bool rests = motion.outcome != Outcome::caught_at_start &&
-                     *motion.half_cycles <= static_cast<double>(problem.arrivals) &&
-                     std::abs(*motion.stop_position) <= far;
-  return rests && within ? Verdict::good : Verdict::bad;
+  const bool in_time = motion.outcome != Outcome::caught_at_start &&
+                       *motion.half_cycles <= static_cast<double>(problem.arrivals);
+  const double off = std::abs(*motion.stop_position);
+  if (!in_time || !within || off > far + rest_rounding(at, far)) {
+    return Verdict::bad;
+  }
+  return off <= far ? Verdict::good : Verdict::undecided;
 }
 
 /// The point at these parts, in [0, 1], of the box of half-width R and of the ranges.
