@@ -31,8 +31,10 @@ void add_damper(Document& document, const design::DesignResult& result, const Ph
   section.row("f", digits(point.f), Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
   section.row("tolerance", box_text(result.request.limits, point.tolerance));
-  section.row("Delta1(f)",
-              format("{:.6g} published, {} exact", needs.published, digits(needs.exact)));
+  if (stops_by_delta1(finding.constraints)) {
+    section.row("Delta1(f)",
+                format("{:.6g} published, {} exact", needs.published, digits(needs.exact)));
+  }
   add_damper_physics(section, physical, point.f, point.delta);
   add_notch(section, finding.practice, physical);
 }
@@ -264,7 +266,7 @@ Document document(const DesignReport& report) {
     add_region(document, report.result.region, physical);
   }
   if (!report.result.finding) {
-    add_emptiness(document, report.result, physical);
+    add_emptiness(document, report.result, limits, physical);
     if (report.catalogue) {
       add_parts(document, *report.catalogue, {problem, limits, physical});
     }

@@ -28,6 +28,15 @@ ordered_json joint_json(const std::optional<design::JointMend>& joint) {
           {"mends", mends_json(joint->mends)}};
 }
 
+ordered_json point_json(const std::optional<design::DesignPoint>& point) {
+  if (!point) {
+    return nullptr;
+  }
+  return {{"tolerance", number(point->tolerance)},
+          {"f", number(point->f)},
+          {"delta", number(point->delta)}};
+}
+
 /// The constraints and limits that exclude each other, by name; null where none do.
 ordered_json conflict_json(design::Conflict conflict) {
   switch (conflict) {
@@ -92,6 +101,7 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
       {"beta_min", number(region.beta_min)},
       {"by", nullptr},  // these two of a pulse
       {"intervals", nullptr},
+      {"most_tolerant", point_json(verdict.most_tolerant)},
       {"mends", mends_json(verdict.mends)},
       {"joint_mend", joint_json(verdict.joint_mend)}};
 }

@@ -86,7 +86,7 @@ Document document(const RegionReport& report) {
         format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
     document.tone = Tone::good;
   } else {
-    add_emptiness(document, answer, report.physical);
+    add_emptiness(document, answer, limits, report.physical);
   }
   if (report.catalogue) {
     document.verdict += format(" {}.", how_many_fit(report.catalogue->parts));
@@ -94,9 +94,11 @@ Document document(const RegionReport& report) {
   }
   if (f) {
     Section& section = document.section(format("At f = {:.6g}", *f));
-    section.row("Delta1 published", digits(answer.delta1_published));
-    section.row("Delta1 exact", answer.delta1_exact ? digits(*answer.delta1_exact)
-                                                    : "none: f > f3, the motion does not return");
+    if (!delta || stops_by_delta1(answer.constraints)) {
+      section.row("Delta1 published", digits(answer.delta1_published));
+      section.row("Delta1 exact", answer.delta1_exact ? digits(*answer.delta1_exact)
+                                                      : "none: f > f3, the motion does not return");
+    }
     add_damper_physics(section, report.physical, *f, delta.value_or(0));
     if (delta) {
       add_point(section, report);

@@ -199,12 +199,30 @@ void add_mend(Section& section, const design::Mend& mend, const Physical& physic
   }
 }
 
+/// " No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.275, delta = 0.4."
+std::string most_tolerant_text(const design::DesignPoint& most, const design::Limits& limits,
+                               const Physical& physical) {
+  const auto percent = [](double tolerance, int shown) {
+    return format("{:.{}g} %", 100 * tolerance, shown);
+  };
+  const int shown = percent(most.tolerance, 4) == percent(limits.tolerance, 4) ? 10 : 4;
+  const bool even = limits.shape == design::BoxShape{};
+  return format(" No damper has {}; the largest is {}, at f = {:.6g}, delta = {}.",
+                even ? "a tolerance of " + percent(limits.tolerance, shown)
+                     : "a box of " + box_text(limits, limits.tolerance),
+                even ? percent(most.tolerance, shown) : box_text(limits, most.tolerance), most.f,
+                length_text(physical, most.delta));
+}
+
 }  // namespace
 
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
-                   const Physical& physical) {
-  const auto& [region, reason, mends, joint] = empty;
+                   const design::Limits& limits, const Physical& physical) {
+  const auto& [region, reason, mends, joint, most_tolerant] = empty;
   document.verdict = format("No admissible design: {}.", reason);
+  if (most_tolerant) {
+    document.verdict += most_tolerant_text(*most_tolerant, limits, physical);
+  }
   document.tone = Tone::bad;
   Section& section = document.section("What would make it feasible");
   if (joint) {
@@ -221,6 +239,12 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty,
   for (const design::Mend& mend : joint ? joint->mends : mends) {
     add_mend(section, mend, physical);
   }
+}
+
+bool stops_by_delta1(std::span<const design::Constraint> constraints) {
+  return std::ranges::any_of(constraints, [](const design::Constraint& now) {
+    return now.name == "stop" && now.variable == "delta";
+  });
 }
 
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,

@@ -54,7 +54,10 @@ struct DeltaNeeds {
 
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
-                   const Physical& physical);
+                   const design::Limits& limits, const Physical& physical);
+/// Delta1 of the first arrival is what Delta is compared with: not for a damper that stops at a
+/// later one, nor where a rest off centre will do.
+[[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical);
 

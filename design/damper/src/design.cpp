@@ -50,6 +50,7 @@ DesignResult design(const DesignRequest& request) {
     result.reason = reason(result.region, problem, limits);
     result.mends = mends(problem, limits);
     result.joint_mend = joint_mend(problem, limits);
+    result.most_tolerant = most_tolerant(problem, limits);
     return result;
   }
   result.finding = finding_of(problem, limits, *found);

@@ -186,6 +186,19 @@ std::optional<double> in_units(const PulseRegion& region, Objective objective, d
   return value * region.f_unit();
 }
 
+/// As that of region.hpp. The largest tolerance looked for says nothing of a larger one.
+std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseProblem& problem,
+                                         Limits limits) {
+  const double asked = std::min(limits.tolerance, widest_tolerance);
+  limits.tolerance = 0;
+  const auto best = search(PulseRegion(region.profile(), problem, limits), {});
+  if (!best || !(best->found.point.tolerance > 0 && best->found.point.tolerance < asked)) {
+    return std::nullopt;
+  }
+  const auto& [f, delta, tolerance] = best->found.point;
+  return DesignPoint{f * region.f_unit(), delta * region.delta_unit(), tolerance};
+}
+
 }  // namespace
 
 DesignResult design(const PulseRequest& request) {
@@ -202,6 +215,7 @@ DesignResult design(const PulseRequest& request) {
     result.region.conflict = conflict_of(region, problem, limits);
     result.reason = reason_of(result.region.conflict, region, problem, limits);
     result.mends = mends(problem, limits);
+    result.most_tolerant = most_tolerant(region, problem, limits);
     return result;
   }
   const DesignPoint& unit = optimum->found.point;

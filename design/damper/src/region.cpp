@@ -242,6 +242,9 @@ RegionAnswer answer(const RegionRequest& request) {
   const Region region = admissible_region(problem, limits);
   RegionAnswer answer{{region, reason(region, problem, limits), mends(problem, limits),
                        joint_mend(problem, limits)}};
+  if (!region.feasible) {
+    answer.most_tolerant = most_tolerant(problem, limits);
+  }
   answer.strips = strips(problem, limits);
   if (f) {
     answer.delta1_published = delta1_published(problem, *f);

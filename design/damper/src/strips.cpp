@@ -36,7 +36,7 @@ std::vector<Strip> strips(const Problem& problem, const Limits& limits) {
   any.tolerance = 0;
   std::vector<Strip> list;
   for_each_way(problem, any, [&](const Way& way) {
-    if (const double largest = largest_tolerance(way); largest > 0) {
+    if (const double largest = most_tolerant(way).tolerance; largest > 0) {
       const auto ends = feasible_f(Way(problem, limits, way.n));
       list.push_back({way.n, least_beta(way), ends ? std::optional(ends->low) : std::nullopt,
                       ends ? std::optional(ends->high) : std::nullopt, largest});
@@ -44,6 +44,28 @@ std::vector<Strip> strips(const Problem& problem, const Limits& limits) {
     return true;
   });
   return list;
+}
+
+std::optional<DesignPoint> most_tolerant(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  if (!(limits.tolerance > 0)) {
+    return std::nullopt;
+  }
+  Limits any = limits;
+  any.tolerance = 0;
+  DesignPoint best;
+  for_each_way(problem, any, [&](const Way& way) {
+    // (51): no later strip has more.
+    if (way.plain && best.tolerance * (2 * way.n - 1) >= 1) {
+      return false;
+    }
+    if (const DesignPoint its = most_tolerant(way); its.tolerance > best.tolerance) {
+      best = its;
+    }
+    return true;
+  });
+  return best.tolerance > 0 && best.tolerance < limits.tolerance ? std::optional(best)
+                                                                 : std::nullopt;
 }
 
 }  // namespace stillpoint::design

@@ -123,25 +123,28 @@ std::optional<DesignRange> design_range(const Way& way) {
   return DesignRange{off_edges.low <= off_edges.high ? off_edges : all, *inside};
 }
 
-double largest_tolerance(const Way& way) {
+DesignPoint most_tolerant(const Way& way) {
   const auto all = within_f(way, 0);
   if (!all) {
-    return 0;
+    return {};
   }
   const Ends f = scanned_f(way, *all);
   const auto never = [](double, double) { return false; };
+  const auto by_tolerance = [](const DesignPoint& a, const DesignPoint& b) {
+    return a.tolerance < b.tolerance;
+  };
   const Highest best =
       highest([&](double at) { return tolerance_at(way, way.scaled(at)); }, f, HUGE_VAL, never);
   if (!(best.value > 0)) {
-    return 0;
+    return {};
   }
   // It is often largest where a box as wide as Delta allows, or f itself, just fits below the cap
   // of f or above its floor. These are known to the last digits.
   const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
-  double largest = with_best_delta(way, best.at).tolerance;
+  DesignPoint largest = with_best_delta(way, best.at);
   const auto consider = [&](double at) {
     if (at >= f.low && at <= f.high) {
-      largest = std::max(largest, with_best_delta(way, at).tolerance);
+      largest = std::max(largest, with_best_delta(way, at), by_tolerance);
     }
   };
   const auto where_delta_just_fits = [&](const auto& f_of_box) {

@@ -5,6 +5,8 @@
 
 #include "way.hpp"
 
+#include <stillpoint/design/region.hpp>
+
 #include <optional>
 
 namespace stillpoint::design {
@@ -26,7 +28,7 @@ struct DesignRange {
 };
 [[nodiscard]] std::optional<DesignRange> design_range(const Way& way);
 
-/// The largest tolerance of any point of the way.
-[[nodiscard]] double largest_tolerance(const Way& way);
+/// The point of the way with the largest tolerance, which is 0 where none has any.
+[[nodiscard]] DesignPoint most_tolerant(const Way& way);
 
 }  // namespace stillpoint::design

@@ -354,6 +354,33 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
   }
 }
 
+// (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.
+BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
+  const Arguments too_much = design(0.8, {"--tolerance", "0.4"});
+  const std::string what =
+      "No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.289277, "
+      "delta = ";
+  const std::regex breaks("\\s+");
+  const Arguments same = joined({"region"}, Arguments(too_much.begin() + 1, too_much.end()));
+  for (const Arguments& command : {too_much, same}) {
+    const ProgramRun text = run(joined(command, {"--html", "page.html"}));
+    BOOST_TEST(std::regex_replace(text.out, breaks, " ").find(what) != std::string::npos, text.out);
+    BOOST_TEST(read("page.html").find(what) != std::string::npos);
+    const json region = run(joined(command, {"--json"})).json()["region"];
+    BOOST_TEST(near(region["most_tolerant"]["tolerance"], 0.22219797, 1e-7));
+    BOOST_TEST(near(region["most_tolerant"]["f"], 0.28927670, 1e-7));
+    BOOST_TEST(region["mends"].size() == 1U);
+  }
+  const json other_fault = run(design(0.6, {"--tolerance", "0.1", "--json"})).json()["region"];
+  BOOST_TEST(other_fault["most_tolerant"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart) {
+  const ProgramRun text = run(design(0.8, {"--tolerance", "0.222198"}));
+  BOOST_TEST(text.out.find("22.22 %") == std::string::npos, text.out);
+  BOOST_TEST(text.out.find("22.2198 %") != std::string::npos, text.out);
+}
+
 /// Nobody is left alone with a tolerance that no damper has: the theory's largest is 36.3 %.
 BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_enough) {
   const Arguments impossible = design(0.6, {"--tolerance", "0.5"});

@@ -303,6 +303,30 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
   }
 }
 
+/// Delta1 is that of the first arrival.
+BOOST_AUTO_TEST_CASE(delta1_is_shown_only_where_the_first_arrival_decides) {
+  const auto shown = [&](const Arguments& command) {
+    const std::string text = run(command).out;
+    return text.find("Delta1 published") != std::string::npos ||
+           text.find("Delta1(f)") != std::string::npos;
+  };
+  const Arguments first{"--f", "0.3", "--delta", "0.4"};
+  const Arguments second{"--f", "0.071", "--delta", "0.235"};
+  const Arguments later{"--beta", "0.95", "--arrivals", "3"};
+  const Arguments task{"--v0", "1", "--p", "1"};
+  const Arguments judged = joined({"region"}, joined(task, later));
+  BOOST_TEST(
+      run(joined(judged, {"--f", "0.071", "--delta", "0.235", "--json"})).json()["admissible"] ==
+      true);
+  BOOST_TEST(!shown(joined(judged, second)));
+  BOOST_TEST(shown(joined(judged, first)));
+  BOOST_TEST(shown(region(first)));
+  BOOST_TEST(shown(joined(judged, {"--f", "0.071"})));
+  const Arguments designed = joined({"design", "--f-max", "0.15", "--verbose"}, task);
+  BOOST_TEST(!shown(joined(designed, later)));
+  BOOST_TEST(shown(joined(designed, {"--beta", "0.95"})));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -217,7 +217,8 @@ Way random_way(RandomSource& random) {
 
 BOOST_AUTO_TEST_CASE(every_gradient_of_the_search_is_the_slope_of_its_function) {
   constexpr double step = 1e-6;
-  constexpr double slope_tolerance = 1e-6;  // of central differences with that step
+  // Of central differences with that step; a million random slopes are within it.
+  constexpr double slope_tolerance = 1e-7;
   RandomSource random(701);
   std::size_t compared = 0;
   for (int i = 0; i < 500; ++i) {

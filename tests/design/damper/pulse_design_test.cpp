@@ -268,6 +268,13 @@ BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_has_the_design_that_is
   BOOST_TEST(stillpoint::design::design(request_of(Rectangle{0.5, 1}, 0.5001)).finding.has_value());
   BOOST_TEST(
       !stillpoint::design::design(request_of(Rectangle{0.5, 1}, 0.4999)).finding.has_value());
+  PulseRequest too_much = request;
+  too_much.limits.tolerance = 0.5;
+  const auto most = stillpoint::design::design(too_much).most_tolerant;
+  BOOST_REQUIRE(most.has_value());
+  BOOST_TEST(most->f == 0.175, close);
+  BOOST_TEST(most->tolerance == 3.0 / 7, close);
+  BOOST_TEST(!result.most_tolerant.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(random_designs_are_the_best_of_a_scan_and_hold_all_over_their_box) {

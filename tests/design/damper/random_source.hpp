@@ -16,7 +16,11 @@ namespace stillpoint::design_test {
 
 class RandomSource {
  public:
-  explicit RandomSource(std::uint64_t seed) : engine_(seed) { BOOST_TEST_MESSAGE("seed " << seed); }
+  explicit RandomSource(std::uint64_t seed) : seed_(seed), engine_(seed) {
+    BOOST_TEST_MESSAGE("seed " << seed);
+  }
+
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
   double uniform(double low, double high) {
     constexpr double unit = 0x1p-53;
@@ -37,6 +41,7 @@ class RandomSource {
  private:
   double beside_distance() { return log_uniform(1e-12, 1e-1); }
 
+  std::uint64_t seed_;
   std::mt19937_64 engine_;
 };
 

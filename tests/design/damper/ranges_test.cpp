@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -36,10 +39,11 @@ constexpr std::array objectives{Objective::robust, Objective::amplitude, Objecti
 struct Task {
   Problem problem;
   Limits limits;
+  std::uint64_t seed{0};  ///< that it was drawn with, one for each
 };
 
 Task random_task(RandomSource& random) {
-  Task task{random_problem(random, 0.75, 2), {}};
+  Task task{random_problem(random, 0.75, 2), {}, random.seed()};
   Problem& problem = task.problem;
   problem.arrivals = 1 + random.pick(4);
   if (random.pick(2) == 0) {
@@ -69,13 +73,13 @@ Task random_task(RandomSource& random) {
 }
 
 std::string context_of(const Task& task) {
-  const auto& [problem, limits] = task;
+  const auto& [problem, limits, seed] = task;
   std::ostringstream text;
   text.precision(17);
-  text << name(problem.criterion) << ", v0 = " << problem.v0_low.value_or(problem.v0) << ":"
-       << problem.v0 << ", p = " << problem.p << ":" << problem.stiffest_p()
-       << ", beta = " << problem.beta << ", arrivals = " << problem.arrivals
-       << ", residual = " << problem.residual.value_or(0)
+  text << "seed " << seed << ": " << name(problem.criterion)
+       << ", v0 = " << problem.v0_low.value_or(problem.v0) << ":" << problem.v0
+       << ", p = " << problem.p << ":" << problem.stiffest_p() << ", beta = " << problem.beta
+       << ", arrivals = " << problem.arrivals << ", residual = " << problem.residual.value_or(0)
        << ", f_max = " << limits.f_max.value_or(0)
        << ", delta_max = " << limits.delta_max.value_or(0)
        << ", acceleration_max = " << limits.acceleration_max.value_or(0)
@@ -94,8 +98,15 @@ struct Sample {
 
 enum class Verdict { good, bad, undecided };
 
+/// Of a rest at r: what the notch leaves of V0^2 is off by some roundings of V0^2, and
+/// p^2 x^2 + 2 f x of the rest by as much.
+double rest_rounding(const Sample& at, double r) {
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();
+  return roundings * at.v0 * at.v0 / (2 * (at.p * at.p * r + at.f));
+}
+
 Verdict simulated(const Task& task, const Sample& at) {
-  const auto& [problem, limits] = task;
+  const auto& [problem, limits, seed] = task;
   if (problem.v0_low == 0.0 && at.v0 * at.v0 < 2 * at.delta && at.v0 < problem.v0) {
     return Verdict::good;  // held
   }
@@ -110,16 +121,19 @@ Verdict simulated(const Task& task, const Sample& at) {
   if (within && motion.decision_margin.value_or(1) < undecided_within) {
     return Verdict::undecided;
   }
-  const bool rests = motion.outcome != Outcome::caught_at_start &&
-                     *motion.half_cycles <= static_cast<double>(problem.arrivals) &&
-                     std::abs(*motion.stop_position) <= far;
-  return rests && within ? Verdict::good : Verdict::bad;
+  const bool in_time = motion.outcome != Outcome::caught_at_start &&
+                       *motion.half_cycles <= static_cast<double>(problem.arrivals);
+  const double off = std::abs(*motion.stop_position);
+  if (!in_time || !within || off > far + rest_rounding(at, far)) {
+    return Verdict::bad;
+  }
+  return off <= far ? Verdict::good : Verdict::undecided;
 }
 
 /// The point at these parts, in [0, 1], of the box of half-width R and of the ranges.
 Sample at_parts(const Task& task, const DesignPoint& centre, double tolerance,
                 const std::array<double, 4>& part) {
-  const auto& [problem, limits] = task;
+  const auto& [problem, limits, seed] = task;
   const auto between = [](double low, double high, double here) {
     return here == 1 ? high : low + (high - low) * here;
   };
@@ -239,11 +253,16 @@ BOOST_AUTO_TEST_CASE(a_residual_and_later_arrivals_combine) {
 }
 
 BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
-  RandomSource random(1201);
+  // STILLPOINT_POINTS=1000000 asks for as many points of boxes with a range.
+  const char* const asked = std::getenv("STILLPOINT_POINTS");
+  const int wanted = asked != nullptr ? std::atoi(asked) : 30'000;
+  constexpr int points_of_a_box = 150;
   int boxes = 0;
   int points = 0;
+  int in_ranges = 0;
   int decided = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (std::uint64_t seed = 1'201'000; in_ranges < wanted; ++seed) {
+    RandomSource random(seed);
     const Task task = random_task(random);
     const Objective objective = objectives[static_cast<std::size_t>(random.pick(4))];
     const auto found = search(task.problem, task.limits, {objective, "", 20'000, 10});
@@ -251,9 +270,11 @@ BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
       continue;
     }
     ++boxes;
-    BOOST_TEST(found->point.tolerance >= task.limits.tolerance);
+    BOOST_TEST(found->point.tolerance >= task.limits.tolerance, context_of(task));
+    points += points_of_a_box;
+    in_ranges += task.problem.v0_low || task.problem.p_high ? points_of_a_box : 0;
     int bad = 0;
-    for (int j = 0; j < 150; ++j, ++points) {
+    for (int j = 0; j < points_of_a_box; ++j) {
       std::array<double, 4> part{};
       for (double& here : part) {
         here = random.pick(3) == 0 ? random.pick(2) : random.uniform(0, 1);
@@ -266,15 +287,17 @@ BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
     BOOST_TEST(bad == 0, name(objective) << ", " << context_of(task));
   }
   BOOST_TEST(boxes > 150);
-  BOOST_TEST(decided > points * 9 / 10);
+  BOOST_TEST(decided > points / 10 * 9);
+  BOOST_TEST_MESSAGE(points << " points of " << boxes << " boxes, " << in_ranges
+                            << " of them in ranges; " << points - decided << " undecided");
 }
 
 BOOST_AUTO_TEST_CASE(no_point_of_a_scan_is_better) {
-  RandomSource random(1202);
   constexpr double more = 1e-3;  // of R or of a cost, relative
   int found_some = 0;
   int empty = 0;
   for (int i = 0; i < 40; ++i) {
+    RandomSource random(1'202'000 + static_cast<std::uint64_t>(i));
     Task task = random_task(random);
     task.problem.criterion = Criterion::exact;
     const Objective objective = objectives[static_cast<std::size_t>(random.pick(4))];
@@ -309,7 +332,6 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_scan_is_better) {
 }
 
 BOOST_AUTO_TEST_CASE(the_strips_have_the_tolerance_of_the_best_design) {
-  RandomSource random(1206);
   // Ranges whose best damper has its box between amplitude and return, both to rounding.
   Task task{{.v0 = 0.3096579750154308,
              .p = 0.3096579750154308,
@@ -319,14 +341,17 @@ BOOST_AUTO_TEST_CASE(the_strips_have_the_tolerance_of_the_best_design) {
              .p_high = 0.3422535513328445},
             {}};
   constexpr double found_by_nlopt = 1e-6;
-  for (int i = 0; i < 60; ++i, task = random_task(random)) {
+  for (std::uint64_t seed = 1'206'000; seed < 1'206'060; ++seed) {
     task.limits.tolerance = 0;
     const auto best = search(task.problem, task.limits);
     double largest = 0;
     for (const Strip& strip : strips(task.problem, task.limits)) {
       largest = std::max(largest, strip.tolerance);
     }
-    BOOST_TEST(largest >= (best ? best->point.tolerance : 0) * (1 - found_by_nlopt), "task " << i);
+    BOOST_TEST(largest >= (best ? best->point.tolerance : 0) * (1 - found_by_nlopt),
+               context_of(task));
+    RandomSource random(seed);
+    task = random_task(random);
   }
 }
 
@@ -351,10 +376,10 @@ BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_a_strip_is_the_higher_of_two) {
 }
 
 BOOST_AUTO_TEST_CASE(the_tolerance_of_a_point_is_its_largest) {
-  RandomSource random(1203);
   constexpr double more = 0.01;
   int admissible_ones = 0;
   for (int i = 0; i < 3000; ++i) {
+    RandomSource random(1'203'000 + static_cast<std::uint64_t>(i));
     Task task = random_task(random);
     task.problem.criterion = Criterion::exact;
     const DesignPoint at{task.problem.v0 * task.problem.p * random.log_uniform(0.003, 0.4),
@@ -373,9 +398,9 @@ BOOST_AUTO_TEST_CASE(the_tolerance_of_a_point_is_its_largest) {
 }
 
 BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
-  RandomSource random(1204);
   int off_centre = 0;
   for (int i = 0; i < 200; ++i) {
+    RandomSource random(1'204'000 + static_cast<std::uint64_t>(i));
     const Task task = random_task(random);
     const DesignResult result = design::design({task.problem, task.limits, {}, {}});
     BOOST_TEST_CONTEXT(context_of(task)) {
@@ -401,10 +426,59 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
   BOOST_TEST(off_centre > 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_tolerance_that_no_damper_has_is_said_with_the_largest) {
+  constexpr double more =
+      1e-7;  // relative, of the largest tolerance: its search, and that of a box
+  constexpr int points = 100;
+  int at_fault = 0;
+  int not_at_fault = 0;
+  for (int i = 0; i < 300; ++i) {
+    RandomSource random(1'207'000 + static_cast<std::uint64_t>(i));
+    Task task = random_task(random);
+    auto& [problem, limits, seed] = task;
+    problem.beta *= 0.95;
+    limits.tolerance = random.uniform(0.05, 0.9);
+    const auto region_with = [&](double tolerance) {
+      return admissible_region(problem, with_tolerance(limits, tolerance)).feasible;
+    };
+    const auto most = most_tolerant(problem, limits);
+    BOOST_TEST_CONTEXT(context_of(task)) {
+      BOOST_TEST(most.has_value() == (!region_with(limits.tolerance) && region_with(0)));
+      if (!most) {
+        ++not_at_fault;
+        continue;
+      }
+      ++at_fault;
+      const auto& [f, delta, tolerance] = *most;
+      BOOST_TEST(tolerance < limits.tolerance);
+      BOOST_TEST(admissible(problem, with_tolerance(limits, tolerance), f, delta));
+      BOOST_TEST(!region_with(tolerance * (1 + more)));
+      for (int k = 0; k < points; ++k) {
+        const auto other = largest_tolerance(
+            problem, limits, problem.v0 * problem.p * random.log_uniform(0.003, 0.4),
+            problem.v0 * problem.v0 * random.uniform(0, 0.5));
+        BOOST_TEST(other.value_or(0) <= tolerance * (1 + more));
+      }
+    }
+  }
+  BOOST_TEST(at_fault > 100);
+  BOOST_TEST(not_at_fault > 50);
+  // As above, with one hit, and where amplitude and return leave (f3 - f2)/(f3 + f2).
+  const Problem wide = ranged(0.9, 1.1, 0.95, 1.05, 1);
+  const auto in_ranges = answer({wide, {.tolerance = 0.3}, {}, {}}).most_tolerant;
+  BOOST_REQUIRE(in_ranges.has_value());
+  BOOST_TEST(std::abs(100 * in_ranges->tolerance - 21.7164) < two_decimals);
+  const auto one_hit = design::design({{1, 1, 0.8}, {.tolerance = 0.3}, {}, {}}).most_tolerant;
+  BOOST_REQUIRE(one_hit.has_value());
+  const double f3 = 1 / std::sqrt(8.0);
+  BOOST_TEST(std::abs(one_hit->tolerance - (f3 - 0.225) / (f3 + 0.225)) < more);
+  BOOST_TEST(std::abs(one_hit->f - (f3 + 0.225) / 2) < more);
+}
+
 BOOST_AUTO_TEST_CASE(a_mend_is_the_nearest_that_helps) {
-  RandomSource random(1205);
   int mended = 0;
   for (int i = 0; i < 60 && mended < 60; ++i) {
+    RandomSource random(1'205'000 + static_cast<std::uint64_t>(i));
     Task task = random_task(random);
     task.problem.beta *= 0.8;
     const auto fits = [](const Task& now) {

@@ -135,6 +135,18 @@ struct Constraint {
 [[nodiscard]] std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits,
                                                       double f, double delta);
 
+/// A damper and how far it may be off.
+struct DesignPoint {
+  double f{0};
+  double delta{0};
+  double tolerance{0};  ///< the largest R that it allows
+};
+
+/// Of the dampers that the task admits at tolerance 0 the one with the largest tolerance, where
+/// that is less than the one asked for, so that none has it; else empty, also where none has any.
+[[nodiscard]] std::optional<DesignPoint> most_tolerant(const Problem& problem,
+                                                       const Limits& limits);
+
 /// The least change of one input, with the others unchanged, that makes the region not empty.
 struct Mend {
   std::string_view
@@ -159,13 +171,14 @@ struct JointMend {
 /// Empty if the region is not empty, or if one input suffices.
 [[nodiscard]] std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits);
 
-/// A region, and where it is empty: `reason` says why and `mends`, or else `joint_mend`, what would
-/// help.
+/// A region, and where it is empty: `reason` says why, `most_tolerant` how much tolerance there is,
+/// and `mends`, or else `joint_mend`, what would help.
 struct RegionVerdict {
   Region region;
   std::string reason{};
   std::vector<Mend> mends{};
   std::optional<JointMend> joint_mend{};
+  std::optional<DesignPoint> most_tolerant{};  ///< not of parts of a catalogue
 };
 
 /// A region, and a damper to hold against it.

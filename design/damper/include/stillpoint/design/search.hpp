@@ -27,13 +27,6 @@ enum class Objective {
 /// All of them, `robust` first.
 [[nodiscard]] std::span<const std::string_view> objective_names();
 
-/// A damper and how far it may be off.
-struct DesignPoint {
-  double f{0};
-  double delta{0};
-  double tolerance{0};  ///< the largest R that it allows
-};
-
 struct SearchOptions {
   Objective objective{Objective::robust};
   /// An NLopt algorithm out of algorithm_names(); empty: LD_SLSQP.
