@@ -77,6 +77,20 @@ BOOST_AUTO_TEST_CASE(very_slow_forcing_moves_the_place_of_rest) {
   agreeing({{0, 1, 1, 0, 0.01}, Harmonic{0.2, 1e-6}, 1e5});
 }
 
+BOOST_AUTO_TEST_CASE(on_a_ramp_v_only_touches_0_once_a_period) {
+  for (const double step : {0.5, 7.0, 64.0}) {
+    for (const double f : {0.0, 0.125}) {
+      Record record;
+      record.step = step;
+      for (int i = 0; (i - 1) * step <= 64; ++i) {
+        record.values.push_back(0.5 * (i * step));
+      }
+      const auto run = agreeing({{0, 0, 1, f, 0.1}, record, 60});
+      BOOST_TEST(run.state.turning_points == 0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(w_equal_to_f_to_the_last_bit_never_moves_and_one_ulp_more_does) {
   const auto equal = run_forced(ForcedScene<>{{0, 0, 1, 0.2, 0}, Harmonic{0.2, 1}, 100});
   BOOST_TEST(!equal.state.moved);

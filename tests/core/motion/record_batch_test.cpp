@@ -251,6 +251,23 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named_with_its_entry) {
   BOOST_TEST(field(record) == "p[2]");
 }
 
+BOOST_AUTO_TEST_CASE(where_v_only_touches_0) {
+  // Once a period while W rises, docs/forced.md (F33): within an interval, or where it ends.
+  for (const double step : {0.1, 1.0}) {
+    Record record;
+    record.step = step;
+    for (int i = 0; i * step <= 40; ++i) {
+      record.values.push_back(0.05 * (i * step));
+    }
+    Dampers dampers(24);
+    for (int i = 0; i < 24; ++i) {
+      const double p = i % 5 == 0 ? std::acos(-1) / 2 : 0.7 + 0.1 * i;
+      dampers.set(i, {p, i % 3 * 0.02, i % 2 * 0.01});
+    }
+    is_identical(dampers, record);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stillpoint::test

@@ -48,7 +48,8 @@ class LinearDrive {
   /// W itself with all its digits, or a turn within rounding of a tie would be met for ever.
   [[nodiscard]] Load<Real> load() const {
     Load<Real> now{w_, ExactSum<Real>(full_)};
-    now.full.add_product(Real((end_full_ - full_) / length_), elapsed_);
+    const Real rate = (end_full_ - full_) / length_;
+    now.full.add_product(rate, elapsed_.high(), Real(rate * elapsed_.low()));
     return now;
   }
 
@@ -57,7 +58,7 @@ class LinearDrive {
 
   void advance(const Real& h) {
     w_ += rate_ * h;
-    elapsed_ += h;
+    elapsed_.add(h);
   }
   void advance(const ExactSum<Real>& h) { advance(h.value()); }
 
@@ -65,7 +66,8 @@ class LinearDrive {
   void advance_to(const typename LinearPiece<Real>::End& end, int /*direction*/) { advance(end.h); }
 
   [[nodiscard]] LinearPiece<Real> piece(const Sliding<Real>& from) const {
-    return {{from.y, from.v, from.a}, Real(from.direction) * rate_};
+    using std::abs;
+    return {{from.y, from.v, from.a}, Real(from.direction) * rate_, abs(w_)};
   }
 
   [[nodiscard]] typename LinearPiece<Real>::End first_event(const LinearPiece<Real>& piece,
@@ -113,7 +115,7 @@ class LinearDrive {
   Real full_;  ///< W at the begin and at the end
   Real end_full_;
   Real length_;
-  Real elapsed_{0};
+  ExactSum<Real> elapsed_;  ///< or times below its ulp would be lost, and a tie with them
 };
 
 /// W = K sin psi; K >= 0.

@@ -25,6 +25,7 @@
 #include "kernel/hold.hpp"
 #include "kernel/piece_end.hpp"
 #include "kernel/run_margin.hpp"
+#include "kernel/touch.hpp"
 #include "kernel/transmitted.hpp"
 #include "kernel/zone_slide.hpp"
 
@@ -363,7 +364,7 @@ class ForcedRun {
       watcher_.piece(s_.now, from.direction, piece);
     }
     if (map_.notch == 0 && inward &&
-        (end.at.y > 0 || (end.at.y == 0 && end.event == PieceEvent::none))) {
+        (end.at.y > 0 || (end.at.y == 0 && end.event != PieceEvent::turn))) {
       cross(piece, end, last);
     }
     left.add(-end.h);
@@ -376,6 +377,8 @@ class ForcedRun {
       arrive();
     } else if (end.event == PieceEvent::turn) {
       turn();
+    } else if (end.event == PieceEvent::touch) {
+      touch(*this, drive, left);
     }
   }
 

@@ -90,13 +90,20 @@ class LinearPiece {
   using Point = LinearPoint<Real>;
   using End = PieceEnd<Real, Point>;
 
-  LinearPiece(Point start, Real rate) : start_(std::move(start)), rate_(std::move(rate)) {}
+  /// `load` is the size of w.
+  LinearPiece(Point start, Real rate, Real load = Real(0))
+      : start_(std::move(start)), rate_(std::move(rate)), load_(std::move(load)) {}
 
   /// (F16).
   [[nodiscard]] Point at(const Real& h) const { return after(LinearTerms<Real>(h)); }
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
-    const std::optional<HalfAngle> half = first_turn();
+    const Real square = start_.a * start_.a + start_.v * (start_.v + 2 * rate_);
+    if (touches(square)) {
+      const End end = touch_within(limit);
+      return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
+    }
+    const std::optional<HalfAngle> half = first_turn(square);
     End end = half && !beyond(*half, limit) ? turn_after(*half, limit)
                                             : End{PieceEvent::turn, Real(0), {}};
     if (end.h > 0 && end.h <= limit) {
@@ -189,14 +196,42 @@ class LinearPiece {
     Real run;
   };
 
+  /// (F33): whether the smallest v is 0 within rounding. `square` is the discriminant of (F17).
+  [[nodiscard]] bool touches(const Real& square) const {
+    using std::abs;
+    return rate_ < 0 && abs(square) <= -2 * rate_ * rounding();
+  }
+
+  /// What v may be wrong by. Friction is at most load + |y| + |a|.
+  [[nodiscard]] Real rounding() const {
+    using std::abs;
+    const Point& s = start_;
+    return 16 * std::numeric_limits<Real>::epsilon() *
+           (abs(s.y) + load_ + s.v + abs(s.a) + abs(rate_));
+  }
+
+  /// The touch, or the end at `limit`; v > 0 there, so that the mass slides on.
+  [[nodiscard]] End touch_within(const Real& limit) const {
+    const HalfAngle half = half_angle(start_.a, Real(start_.v + 2 * rate_));
+    const Real h = beyond(half, limit) ? limit : std::min(limit, angle(half));
+    End end{PieceEvent::none, h, at(h)};
+    if (h < limit) {
+      end.at.v = end.at.a = Real(0);
+    }
+    if (!(end.at.v > (end.at.a < 0 ? rounding() : Real(0)))) {
+      end.event = PieceEvent::touch;
+      end.at.v = std::max(end.at.v, std::numeric_limits<Real>::min());
+    }
+    return end;
+  }
+
   /// (F17): the first h in (0, 2 pi] with v = 0, if there is one.
-  [[nodiscard]] std::optional<HalfAngle> first_turn() const {
+  [[nodiscard]] std::optional<HalfAngle> first_turn(const Real& square) const {
     using std::sqrt;
     const Point& s = start_;
     if (s.v == 0 && s.a == 0) {
       return rate_ == 0 ? std::nullopt : std::optional<HalfAngle>({Real(0), Real(1)});
     }
-    const Real square = s.a * s.a + s.v * (s.v + 2 * rate_);
     if (square < 0) {
       return std::nullopt;
     }
@@ -290,6 +325,7 @@ class LinearPiece {
 
   Point start_;
   Real rate_;
+  Real load_;
 };
 
 }  // namespace stillpoint

@@ -11,6 +11,7 @@ enum class PieceEvent {
   none,     ///< none up to the end: v > 0 there and before
   arrival,  ///< y = 0, coming from y < 0
   turn,     ///< v = 0
+  touch,    ///< v = 0 and a = 0: v only touches 0
 };
 
 /// The end of a piece: an event, or the end of the search. `h` counts from the start of the piece.

@@ -9,6 +9,7 @@
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
 #include "kernel/piece_end.hpp"
+#include "kernel/touch.hpp"
 
 #include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/outcome.hpp>
@@ -80,6 +81,8 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
   s.transmitted.slides(Real(sign * s.u), phi);
   if (end.event == PieceEvent::turn) {
     run.turn();
+  } else if (end.event == PieceEvent::touch) {
+    touch(run, drive, left);
   }
 }
 
