@@ -58,7 +58,7 @@ check_package(libstillpoint-dev
 # The module, where it was built: the interpreter that it depends on finds it.
 file(GLOB module "${WORK_DIR}/python3-stillpoint_*.deb")
 if(module)
-  check_package(python3-stillpoint "libnlopt[^\n]*python3 .>= 3[^\n]*python3-numpy"
+  check_package(python3-stillpoint "python3 .>= 3[^\n]*python3-numpy[^\n]*libnlopt"
     lib/python3/dist-packages/stillpoint/__init__.py lib/python3/dist-packages/stillpoint/__init__.pyi
     lib/python3/dist-packages/stillpoint/py.typed
     "lib/python3/dist-packages/stillpoint/_stillpoint[^/]*.so")

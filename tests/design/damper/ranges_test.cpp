@@ -435,7 +435,8 @@ BOOST_AUTO_TEST_CASE(a_tolerance_that_no_damper_has_is_said_with_the_largest) {
   for (int i = 0; i < 300; ++i) {
     RandomSource random(1'207'000 + static_cast<std::uint64_t>(i));
     Task task = random_task(random);
-    auto& [problem, limits, seed] = task;
+    Problem& problem = task.problem;
+    Limits& limits = task.limits;
     problem.beta *= 0.95;
     limits.tolerance = random.uniform(0.05, 0.9);
     const auto region_with = [&](double tolerance) {
