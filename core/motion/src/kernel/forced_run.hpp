@@ -377,7 +377,7 @@ class ForcedRun {
       arrive();
     } else if (end.event == PieceEvent::turn) {
       turn();
-    } else if (end.event == PieceEvent::touch) {
+    } else if (end.event == PieceEvent::touch) [[unlikely]] {
       touch(*this, drive, left);
     }
   }

@@ -99,7 +99,7 @@ class LinearPiece {
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
     const Real square = start_.a * start_.a + start_.v * (start_.v + 2 * rate_);
-    if (touches(square)) {
+    if (rate_ < 0 && touches(square)) [[unlikely]] {
       const End end = touch_within(limit);
       return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
     }
@@ -196,10 +196,11 @@ class LinearPiece {
     Real run;
   };
 
-  /// (F33): whether the smallest v is 0 within rounding. `square` is the discriminant of (F17).
+  /// (F33): whether the smallest v is 0 within rounding, for rate < 0. `square` is the discriminant
+  /// of (F17).
   [[nodiscard]] bool touches(const Real& square) const {
     using std::abs;
-    return rate_ < 0 && abs(square) <= -2 * rate_ * rounding();
+    return abs(square) <= -2 * rate_ * rounding();
   }
 
   /// What v may be wrong by. Friction is at most load + |y| + |a|.
