@@ -35,8 +35,8 @@ struct Edges {
 /// and the cap, for the whole box. A smaller v0 or p only helps.
 [[nodiscard]] bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits);
 
-/// Delta1(f) of the problem's criterion, in long double and rounded once; 0 where the motion does not
-/// return. Nothing is checked.
+/// Delta1(f) of the problem's criterion, in long double and rounded once; 0 where the motion does
+/// not return. Nothing is checked.
 [[nodiscard]] double unchecked_delta1(const Problem& problem, double f);
 
 /// The infimum of f for which Delta1 of the box's low corner leaves room below the cap.
