@@ -16,7 +16,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 
 # Where much is compiled at once, GCC spends a tenth of its time collecting garbage: from 512 MB on is early
-# enough. (clang-tidy, which looks at files one by one, does not know the option.)
+# enough.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_UNITY_BUILD)
   target_compile_options(stillpoint_build_flags INTERFACE --param=ggc-min-heapsize=524288)
 endif()

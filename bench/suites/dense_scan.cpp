@@ -19,7 +19,6 @@ namespace {
 
 using design::Combine;
 using design::RecordDesignRequest;
-using design::SearchRange;
 using design::SuiteDamper;
 using design::SuiteObjective;
 

@@ -22,11 +22,9 @@ namespace stillpoint::bench {
 
 namespace {
 
-using design::Combine;
 using design::RecordDesign;
 using design::RecordDesignRequest;
 using design::SearchRange;
-using design::SuiteFigures;
 using design::SuitePoint;
 
 /// What the docs promise.

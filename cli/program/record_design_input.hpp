@@ -3,10 +3,7 @@
 
 #include "settings.hpp"
 
-#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/record_design.hpp>
-
-#include <vector>
 
 namespace stillpoint::cli {
 
