@@ -298,7 +298,7 @@ class RecordRun {
 
   /// The largest |w + u| at samples i to i + at_once - 1, in any order.
   [[nodiscard]] Real largest_pull(std::size_t i, const Real& u) const {
-    std::array<Real, at_once / 2> most;
+    std::array<Real, at_once / 2> most{};
     for (std::size_t k = 0; k < most.size(); ++k) {
       most[k] = std::max(Run::magnitude(Real(u + sample(i + k))),
                          Run::magnitude(Real(u + sample(i + most.size() + k))));
