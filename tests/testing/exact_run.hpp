@@ -7,47 +7,14 @@
 #include "kernel/free_run.hpp"
 #include "kernel/margin_keeper.hpp"
 #include "kernel/phase_clock.hpp"
+#include "testing/exact.hpp"
 #include "testing/scene.hpp"
 
 #include <stillpoint/core/outcome.hpp>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
-
-namespace stillpoint::test {
-
-using Exact = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                            boost::multiprecision::et_off>;
-
-}  // namespace stillpoint::test
-
-// What the kernel's sqrt of an Exact finds. Boost's own goes bit by bit, in which the tests spent
-// half of their time.
-namespace boost::multiprecision {
-
-inline stillpoint::test::Exact sqrt(const stillpoint::test::Exact& square) {
-  using stillpoint::test::Exact;
-  if (!(square > 0)) {
-    return {std::sqrt(static_cast<double>(square))};
-  }
-  int exponent = 0;
-  Exact part = frexp(square, &exponent);
-  if (exponent % 2 != 0) {
-    part = ldexp(part, -1);
-    ++exponent;
-  }
-  // Newton's steps double the digits: 1/sqrt(part) has 16, then 32, and the root itself 64.
-  Exact inverse = 1 / std::sqrt(static_cast<double>(part));
-  inverse += ldexp(inverse * (1 - part * inverse * inverse), -1);
-  const Exact root = part * inverse;
-  return ldexp(root + ldexp(inverse * (part - root * root), -1), exponent / 2);
-}
-
-}  // namespace boost::multiprecision
 
 namespace stillpoint::test {
 

@@ -4,17 +4,18 @@
 // The formulas of the admissible region and of the designed motion as the paper writes them, in 50
 // digits, where no form is badly conditioned. The tests compare the library with these.
 
+#include "testing/exact.hpp"
+
 #include <stillpoint/design/problem.hpp>
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <string>
 
 namespace stillpoint::design_test {
 
-using Precise = boost::multiprecision::cpp_bin_float_50;
+using Precise = test::Exact;
 
 /// What the paper calls S, Delta1, A_1 and so on, for one problem.
 class Reference {
