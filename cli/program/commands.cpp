@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include "input/record_design.hpp"
+#include "input/request.hpp"
+#include "input/surface.hpp"
 #include "messages.hpp"
 #include "pages.hpp"
 #include "progress.hpp"
-#include "record_design_input.hpp"
-#include "request.hpp"
-#include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/record_design.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "command_line.hpp"
 #include "commands.hpp"
-#include "embedded.hpp"
 #include "messages.hpp"
+#include "options/command_line.hpp"
+#include "options/embedded.hpp"
+#include "options/scene.hpp"
 #include "progress.hpp"
-#include "scene.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/report/browser.hpp>

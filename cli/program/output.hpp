@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "settings.hpp"
+#include "options/settings.hpp"
 
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/sweep/output.hpp>

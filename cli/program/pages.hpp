@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "options/settings.hpp"
 #include "output.hpp"
-#include "settings.hpp"
 
 #include <stillpoint/figures/html_page.hpp>
 

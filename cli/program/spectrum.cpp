@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "motion_input.hpp"
+#include "input/motion.hpp"
+#include "input/record_suite.hpp"
+#include "input/surface.hpp"
 #include "pages.hpp"
 #include "progress.hpp"
-#include "record_suite_input.hpp"
-#include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/spectrum.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "input/request.hpp"
 #include "pages.hpp"
 #include "progress.hpp"
-#include "request.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/sweep.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "embedded.hpp"
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
+#include "options/embedded.hpp"
 
 namespace stillpoint::cli {
 

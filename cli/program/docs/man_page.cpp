@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/version.hpp>
-#include "embedded.hpp"
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
+#include "options/embedded.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "command_line.hpp"
-#include "options.hpp"
+#include "options/command_line.hpp"
+#include "options/options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

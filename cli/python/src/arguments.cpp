@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
-#include "scene.hpp"
+#include "options/scene.hpp"
 #include "values.hpp"
 
 #include <fmt/format.h>

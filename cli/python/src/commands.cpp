@@ -4,10 +4,10 @@
 
 #include "commands.hpp"
 #include "arguments.hpp"
+#include "input/record_design.hpp"
 #include "interruptible.hpp"
 #include "method.hpp"
 #include "parts.hpp"
-#include "record_design_input.hpp"
 #include "result.hpp"
 #include "values.hpp"
 

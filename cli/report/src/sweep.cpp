@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/sweep.hpp>
 
-#include "json_parts.hpp"
-#include "report_figures.hpp"
+#include "figures/report_figures.hpp"
+#include "json/parts.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "command_line.hpp"
-#include "options.hpp"
+#include "options/command_line.hpp"
+#include "options/options.hpp"
 #include "refusal.hpp"
 #include "run_program.hpp"
 #include "wrong_arguments.hpp"

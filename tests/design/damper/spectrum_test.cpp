@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "suite_check.hpp"
+#include "record/suite_check.hpp"
 
 #include "random_source.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "suite.hpp"
-#include "suite_check.hpp"
+#include "record/suite.hpp"
+#include "record/suite_check.hpp"
 
 #include "random_source.hpp"
 #include "suites_of_records.hpp"

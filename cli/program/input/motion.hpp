@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/settings.hpp"
+
+#include <stillpoint/design/physical.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace stillpoint::cli {
+
+using design::largest_physical;
+using design::smallest_physical;
+
+/// v0, p and x0 of a motion, however they were given.
+struct MotionInput {
+  double v0{0};
+  double p{1};
+  double x0{0};
+  std::optional<double> v0_low{};  ///< these two of a range
+  std::optional<double> p_high{};
+  std::optional<design::PhysicalInput> physical{};
+};
+
+/// Whether the task is given in metres and seconds. Throws UsageError for options that exclude each
+/// other.
+[[nodiscard]] bool is_physical(const Settings& settings, Command command);
+
+/// `from_rest`: the velocity may be missing, because something else sets the mass off. Throws
+/// UsageError for options that exclude each other and InputError for a missing or wrong value.
+[[nodiscard]] MotionInput motion_input(const Settings& settings, Command command, bool from_rest);
+
+/// A point friction, which may be given in metres, then at least `least`. Empty where not given.
+[[nodiscard]] std::optional<double> point_friction(
+    const Settings& settings, std::string_view plain, std::string_view metres,
+    const std::optional<design::PhysicalInput>& physical, double least = 0);
+
+}  // namespace stillpoint::cli
