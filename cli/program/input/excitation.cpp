@@ -24,14 +24,17 @@ std::optional<double> time_unit(const std::optional<design::PhysicalInput>& phys
 
 /// UsageError where an option of an excitation is set that `kind` does not take; null takes none.
 void refuse_others(const Settings& settings, const ExcitationKind* kind) {
-  for (const ExcitationKind& other : excitation_kinds()) {
-    for (const std::string_view option : other.takes) {
-      if (settings.has(option) && (kind == nullptr || !kind->has(option))) {
-        throw UsageError(
-            kind == nullptr
-                ? fmt::format("{} is for an excitation: give --excitation as well", option)
-                : fmt::format("{} and excitation {} exclude each other", option, kind->name));
-      }
+  for (const Option& option : options()) {
+    if (option.traits.load == Load::none || !settings.has(option.name)) {
+      continue;
+    }
+    if (kind == nullptr) {
+      throw UsageError(
+          fmt::format("{} is for an excitation: give --excitation as well", option.name));
+    }
+    if (!option.shapes(kind->load)) {
+      throw UsageError(
+          fmt::format("{} and excitation {} exclude each other", option.name, kind->name));
     }
   }
 }
@@ -55,17 +58,6 @@ double lambda(const Settings& settings, const ExcitationKind& kind,
                        : "give --lambda, its angular frequency");
 }
 
-/// A time in tau, which may have been given in seconds.
-std::optional<double> in_tau(const Settings& settings, const char* seconds, const char* tau,
-                             const std::optional<double>& time_s, double least) {
-  const auto value = settings.number(seconds);
-  if (!value) {
-    return settings.number(tau);
-  }
-  require_within(seconds, *value, least, largest_physical);
-  return *value / *time_s;
-}
-
 /// `what` in messages: "excitation" or "pulse".
 Harmonic wave(const Settings& settings, std::string_view what, const ExcitationKind& kind,
               const std::optional<double>& time_s) {
@@ -73,33 +65,33 @@ Harmonic wave(const Settings& settings, std::string_view what, const ExcitationK
   wave.k = settings.required("k", fmt::format("give --k, the peak of the {} in g", what));
   wave.lambda = lambda(settings, kind, time_s);
   wave.phase = settings.number("phase").value_or(wave.phase);
-  wave.duration = in_tau(settings, "excitation-duration", "duration", time_s, 0);
+  wave.duration = in_either(settings, "duration", "excitation-duration", time_s.value_or(1), 0);
   return wave;
 }
 
 ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
                        std::optional<double> p) {
   records::RecordOptions options = record_options(settings, clock);
-  options.scale = settings.number("record-scale").value_or(1);
+  const records::RecordScale scale = record_scale(settings, clock, p);
+  options.scale = scale.factor;
   const auto path = settings.text("record");
   if (!path) {
     throw InputError::missing("record", "give --record FILE");
   }
   records::RecordFile file = records::read_record(*path, options);
-  const records::RecordTarget target = record_target(settings);
-  const double factor = RecordScaling(settings, clock, p).factor(file.record, *path, target);
-  if (target.is_given()) {
+  const double factor = records::factor_to_target(scale, file.record, *path, clock);
+  if (scale.target.is_given()) {
     for (double& value : file.record.values) {
       value *= factor;
     }
   }
   const std::string units(name(file.units));
-  return {
-      std::move(file.record),
-      report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
-                           settings.number("record-step"), settings.number("record-scale"),
-                           target.peak, target.spectrum, settings.number("record-spectrum-period"),
-                           options.scale * factor, units}};
+  return {std::move(file.record),
+          report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
+                               settings.number("record-step"), settings.number("record-scale"),
+                               scale.target.peak, scale.target.spectrum,
+                               settings.number("record-spectrum-period"), options.scale * factor,
+                               units}};
 }
 
 }  // namespace
@@ -134,7 +126,8 @@ std::optional<ExcitationInput> excitation_input(
 
 std::optional<double> end_of_run(const Settings& settings,
                                  const std::optional<design::PhysicalInput>& physical) {
-  return in_tau(settings, "end-time", "t-end", time_unit(physical), smallest_physical);
+  return in_either(settings, "t-end", "end-time", time_unit(physical).value_or(1),
+                   smallest_physical);
 }
 
 std::optional<double> forced_end(const Settings& settings, const Excitation& excitation,
@@ -158,9 +151,9 @@ std::optional<design::Pulse> pulse_input(const Settings& settings,
     return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
   }
   // A scene's excitation is for simulate, and these are its options.
-  for (const std::string_view name : pulse_options) {
-    if (settings.has(name) && !settings.has("excitation")) {
-      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", name));
+  for (const Option& option : options()) {
+    if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
+      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", option.name));
     }
   }
   return std::nullopt;

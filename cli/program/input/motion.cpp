@@ -115,6 +115,16 @@ MotionInput motion_input(const Settings& settings, Command command, bool from_re
   return motion;
 }
 
+std::optional<double> in_either(const Settings& settings, std::string_view plain,
+                                const char* physical, double unit, double least) {
+  const auto value = settings.number(physical);
+  if (!value) {
+    return settings.number(plain);
+  }
+  require_within(physical, *value, least, largest_physical);
+  return *value / unit;
+}
+
 std::optional<double> point_friction(const Settings& settings, std::string_view plain,
                                      std::string_view metres,
                                      const std::optional<design::PhysicalInput>& physical,

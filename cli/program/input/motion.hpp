@@ -3,10 +3,13 @@
 
 #include "options/settings.hpp"
 
+#include <stillpoint/core/surface.hpp>
 #include <stillpoint/design/physical.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -31,9 +34,29 @@ struct MotionInput {
 /// UsageError for options that exclude each other and InputError for a missing or wrong value.
 [[nodiscard]] MotionInput motion_input(const Settings& settings, Command command, bool from_rest);
 
+/// A value that is given plain or, as the option `physical`, in its SI unit, then from `least` to
+/// largest_physical and `unit` times as large. Empty where not given.
+[[nodiscard]] std::optional<double> in_either(const Settings& settings, std::string_view plain,
+                                              const char* physical, double unit, double least);
+
 /// A point friction, which may be given in metres, then at least `least`. Empty where not given.
 [[nodiscard]] std::optional<double> point_friction(
     const Settings& settings, std::string_view plain, std::string_view metres,
     const std::optional<design::PhysicalInput>& physical, double least = 0);
+
+/// "x:f,x:f,...", as a scene's list of { "to": x, "f": f } reads in one text.
+[[nodiscard]] std::string zones_text(const nlohmann::json& list);
+
+/// The width of the notch, which may be given in metres. Empty where not given.
+[[nodiscard]] std::optional<double> notch_width(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// Edges are in metres with physical input. Throws InputError for a text that is no list of zones.
+[[nodiscard]] std::vector<FrictionZone> friction_zones(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// What the mass slides on.
+[[nodiscard]] Surface surface_input(const Settings& settings,
+                                    const std::optional<design::PhysicalInput>& physical);
 
 }  // namespace stillpoint::cli

@@ -3,11 +3,10 @@
 
 #include "options/settings.hpp"
 
-#include <stillpoint/records/record_file.hpp>
-#include <stillpoint/records/record_list.hpp>
+#include <stillpoint/records/record_suite.hpp>
 
 #include <optional>
-#include <string>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -15,24 +14,15 @@ namespace stillpoint::cli {
 [[nodiscard]] records::RecordOptions record_options(const Settings& settings,
                                                     const records::RecordClock& clock);
 
-/// --record-peak or --record-spectrum. Throws InputError.
-[[nodiscard]] records::RecordTarget record_target(const Settings& settings);
+/// `p` of the spectrum where --record-spectrum-period does not give it. Throws InputError.
+[[nodiscard]] records::RecordScale record_scale(const Settings& settings,
+                                                const records::RecordClock& clock,
+                                                std::optional<double> p);
 
-/// Scales records to targets.
-class RecordScaling {
- public:
-  /// `p` of the spectrum where --record-spectrum-period does not give it; empty: it must.
-  RecordScaling(const Settings& settings, const records::RecordClock& clock,
-                std::optional<double> p);
-
-  /// What brings `record`, read from `path`, to the target: 1 without one. Throws InputError for a
-  /// period that it does not resolve, FileError for a record that is 0 throughout.
-  [[nodiscard]] double factor(const Record& record, const std::string& path,
-                              const records::RecordTarget& target) const;
-
- private:
-  records::RecordClock clock_;
-  std::optional<double> p_;
-};
+/// The records of --record and --records-list. `p` is that of a spectrum to scale to; empty where
+/// the motions have several. Throws InputError and FileError.
+[[nodiscard]] std::vector<records::SuiteRecord> read_suite(const Settings& settings,
+                                                           const records::RecordClock& clock,
+                                                           std::optional<double> p);
 
 }  // namespace stillpoint::cli

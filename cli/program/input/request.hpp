@@ -8,7 +8,9 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
+#include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <optional>
@@ -48,6 +50,18 @@ struct SimulateInput {
 [[nodiscard]] std::vector<design::Part> catalogue_input(
     const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
 [[nodiscard]] SimulateInput simulate_input(const Settings& settings);
+/// The request; the rest of the result is empty.
+[[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
+
+/// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError where it
+/// is asked for both.
+[[nodiscard]] bool designs_under_records(const Settings& settings);
+
+/// The request, and what a report needs beside it. Throws UsageError, InputError and FileError.
+[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
+
+/// UsageError for an option that only the other kind of design takes.
+void require_options_for(const Settings& settings, DesignFor design);
 
 /// Opens the list and reads its header.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);

@@ -2,7 +2,6 @@
 #include "input/excitation.hpp"
 #include "input/motion.hpp"
 #include "input/request.hpp"
-#include "input/surface.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -48,8 +47,7 @@ std::optional<double> free_end(const Settings& settings,
   const auto t_end = end_of_run(settings, physical);
   if (t_end && !settings.has("trajectory")) {
     throw UsageError(fmt::format(
-        "{} is for a trajectory or an excitation: give --trajectory FILE or --excitation as "
-        "well",
+        "{} is for a trajectory or an excitation: give --trajectory FILE or --excitation as well",
         settings.has("end-time") ? "end-time" : "t-end"));
   }
   if (t_end) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "input/surface.hpp"
+#include "input/motion.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/units.hpp>
+#include <stillpoint/records/zones.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -16,25 +15,6 @@ namespace stillpoint::cli {
 namespace {
 
 constexpr std::string_view zones_name = "friction-zones";
-
-/// Of "x:f,x:f,...", where x may have a unit if it has a dimension.
-std::vector<FrictionZone> parse_zones(std::string_view text, Dimension edge) {
-  std::vector<FrictionZone> zones;
-  for (bool more = true; more;) {
-    const std::size_t comma = text.find(',');
-    const std::string_view zone = text.substr(0, comma);
-    const std::size_t colon = zone.find(':');
-    const std::string field = fmt::format("{} {}", zones_name, zones.size() + 1);
-    if (colon == std::string_view::npos) {
-      throw InputError(field, std::string(zone), "must be X:F, an edge and the friction up to it");
-    }
-    zones.push_back({records::parse_value(field + ": to", edge, zone.substr(0, colon)),
-                     parse_number(field + ": f", zone.substr(colon + 1))});
-    more = comma != std::string_view::npos;
-    text.remove_prefix(more ? comma + 1 : text.size());
-  }
-  return zones;
-}
 
 double in_units(double value, const std::optional<design::PhysicalInput>& physical) {
   return physical ? value / physical->scales.length_m : value;
@@ -79,7 +59,7 @@ std::vector<FrictionZone> friction_zones(const Settings& settings,
                                          const std::optional<design::PhysicalInput>& physical) {
   std::vector<FrictionZone> zones;
   if (const auto text = settings.text(zones_name)) {
-    zones = parse_zones(*text, physical ? Dimension::length : Dimension::none);
+    zones = records::parse_zones(zones_name, physical ? Dimension::length : Dimension::none, *text);
     for (FrictionZone& zone : zones) {
       zone.to = in_units(zone.to, physical);
     }

@@ -2,7 +2,6 @@
 #include "input/excitation.hpp"
 #include "input/motion.hpp"
 #include "input/request.hpp"
-#include "input/surface.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -31,10 +30,7 @@ using sweep::SweepUnits;
 
 std::optional<sweep::ListFormat> list_format(const Settings& settings) {
   const auto wanted = settings.known("list-format");
-  if (!wanted) {
-    return std::nullopt;
-  }
-  return *wanted == "csv" ? sweep::ListFormat::csv : sweep::ListFormat::jsonl;
+  return wanted ? sweep::parse_list_format(*wanted) : std::nullopt;
 }
 
 std::shared_ptr<sweep::List> open_list(const Settings& settings,
@@ -202,10 +198,11 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
 }
 
 sweep::RowFormat row_format(const Settings& settings) {
-  const auto output = settings.text("output");
-  const auto wanted = settings.known("format");
-  const bool npy = wanted ? *wanted == "npy" : output && output->ends_with(".npy");
-  return npy ? sweep::RowFormat::npy : sweep::RowFormat::csv;
+  if (const auto wanted = settings.known("format")) {
+    return *sweep::parse_row_format(*wanted);
+  }
+  return settings.text("output").value_or("").ends_with(".npy") ? sweep::RowFormat::npy
+                                                                : sweep::RowFormat::csv;
 }
 
 /// SweepSpec::identity: the options that decide the rows, as they were given.

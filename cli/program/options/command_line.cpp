@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "options/command_line.hpp"
 
+#include "options/embedded.hpp"
+
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/report/terminal.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/report/wrapped.hpp>
-#include "options/embedded.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdlib>
 #include <map>
 #include <string_view>
 #include <vector>
@@ -51,24 +48,6 @@ constexpr std::string_view about =
     "Designs friction dampers. A linear oscillator with constant friction f and point friction "
     "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move further than "
     "beta.";
-
-/// How wide help may be: $COLUMNS, else the width of the terminal on standard output, else 80; at
-/// least 50.
-std::size_t help_width() {
-  constexpr std::size_t usual = 80;
-  constexpr std::size_t least = 50;
-  const char* const columns = std::getenv("COLUMNS");
-  const std::string_view given = columns == nullptr ? "" : columns;
-  std::size_t width = 0;
-  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), width);
-  if (error == std::errc() && end == given.data() + given.size() && width > 0) {
-    return std::max(width, least);
-  }
-  ::winsize size{};
-  const bool known = ::isatty(STDOUT_FILENO) == 1 &&
-                     ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? std::max<std::size_t>(size.ws_col, least) : usual;
-}
 
 /// What CLI11 collects for one subcommand; texts, which are converted once the command is known.
 struct Collected {
@@ -164,17 +143,8 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
   return settings;
 }
 
-std::vector<std::string_view> command_names() {
-  std::vector<std::string_view> names;
-  names.reserve(command_helps.size());
-  for (const CommandHelp& help : command_helps) {
-    names.push_back(name(help.command));
-  }
-  return names;
-}
-
 void require_command(const std::optional<std::string>& given) {
-  const std::vector<std::string_view> names = command_names();
+  const std::span<const std::string_view> names = command_names();
   const std::string word = given.value_or("");
   if (std::ranges::find(names, word) == names.end()) {
     throw UsageError(fmt::format(
@@ -216,7 +186,8 @@ std::string short_help() {
   for (const CommandHelp& help : command_helps) {
     commands += fmt::format("  {:<10}{}\n", name(help.command), help.summary);
   }
-  return report::wrapped(embedded("help/short.txt", {{"commands", commands}}), help_width());
+  return report::wrapped(embedded("help/short.txt", {{"commands", commands}}),
+                         report::terminal_width());
 }
 
 Invocation parse_command_line(int argc, const char* const* argv) {
@@ -243,7 +214,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& asked) {
     invocation.reply = dynamic_cast<const CLI::CallForVersion*>(&asked) != nullptr
                            ? fmt::format("{}\n", asked.what())
-                           : report::wrapped(app.help(), help_width());
+                           : report::wrapped(app.help(), report::terminal_width());
     return invocation;
   } catch (const CLI::ParseError& error) {
     throw UsageError(records::shortened(error.what(), records::longest_path));

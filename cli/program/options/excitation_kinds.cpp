@@ -33,30 +33,16 @@ std::vector<std::string_view> names_where(bool (*holds)(const ExcitationKind&)) 
 std::span<const ExcitationKind> excitation_kinds() {
   using design::Pulse;
   using std::numbers::pi;
-  static const std::vector<std::string_view> pulse(pulse_options.begin(), pulse_options.end());
   static const std::array table{
-      // name, takes, angle, wave, pulse
-      ExcitationKind{
-          "harmonic",
-          {"k", "excitation-frequency", "lambda", "phase", "excitation-duration", "duration"},
-          0,
-          itself,
-          nullptr},
-      ExcitationKind{"half-sine", pulse, pi, of<Excitation, HalfSine>, of<Pulse, HalfSine>},
-      ExcitationKind{"full-sine", pulse, 2 * pi, of<Excitation, FullSine>, of<Pulse, FullSine>},
-      ExcitationKind{"rectangle", pulse, pi, of<Excitation, Rectangle>, of<Pulse, Rectangle>},
-      ExcitationKind{"record",
-                     {"record", "record-units", "record-step", "record-scale", "record-peak",
-                      "record-spectrum", "record-spectrum-period"},
-                     0,
-                     nullptr,
-                     nullptr},
+      // name, load, angle, wave, pulse
+      ExcitationKind{"harmonic", Load::harmonic, 0, itself, nullptr},
+      ExcitationKind{"half-sine", Load::pulse, pi, of<Excitation, HalfSine>, of<Pulse, HalfSine>},
+      ExcitationKind{"full-sine", Load::pulse, 2 * pi, of<Excitation, FullSine>,
+                     of<Pulse, FullSine>},
+      ExcitationKind{"rectangle", Load::pulse, pi, of<Excitation, Rectangle>, of<Pulse, Rectangle>},
+      ExcitationKind{"record", Load::record, 0, nullptr, nullptr},
   };
   return table;
-}
-
-bool ExcitationKind::has(std::string_view option) const {
-  return std::ranges::find(takes, option) != takes.end();
 }
 
 const ExcitationKind* find_excitation_kind(std::string_view name) {

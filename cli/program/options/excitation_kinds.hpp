@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "options/load.hpp"
+
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>
 
-#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -13,22 +14,16 @@ namespace stillpoint::cli {
 
 /// A kind of excitation. A new one is a row of the table in excitation_kinds.cpp.
 struct ExcitationKind {
-  std::string_view name;                ///< in --excitation
-  std::vector<std::string_view> takes;  ///< options
-  double angle{0};                      ///< lambda times its duration; 0: it has no end of its own
+  std::string_view name;  ///< in --excitation
+  Load load;              ///< the options that shape it
+  double angle{0};        ///< lambda times its duration; 0: it has no end of its own
   /// By a harmonic that has what any wave takes; null: a record.
   Excitation (*wave)(const Harmonic& given);
   /// What --pulse makes of it; null: it is no hit.
   design::Pulse (*pulse)(const Harmonic& given);
-
-  [[nodiscard]] bool has(std::string_view option) const;
 };
 
 [[nodiscard]] std::span<const ExcitationKind> excitation_kinds();
-
-/// What belongs to every --pulse.
-inline constexpr std::array<std::string_view, 4> pulse_options{"k", "excitation-frequency",
-                                                               "pulse-duration", "lambda"};
 
 /// Null where there is none of that name.
 [[nodiscard]] const ExcitationKind* find_excitation_kind(std::string_view name);

@@ -3,15 +3,17 @@
 
 #include "options/excitation_kinds.hpp"
 
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/records/record_file.hpp>
+#include <stillpoint/sweep/list.hpp>
+#include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -51,26 +53,27 @@ constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
 
-std::vector<std::string_view> criterion_names() {
-  using enum design::Criterion;
-  return {name(published), name(exact)};
-}
+constexpr Names names(std::to_array<Named<Command>>({{design, "design"},
+                                                     {region, "region"},
+                                                     {simulate, "simulate"},
+                                                     {spectrum, "spectrum"},
+                                                     {sweep, "sweep"},
+                                                     {accuracy, "accuracy"},
+                                                     {init, "init"}}));
 
-std::vector<std::string_view> record_unit_names() {
-  using enum records::RecordUnits;
-  return {name(g), name(m_per_s2), name(cm_per_s2)};
+std::vector<std::string_view> all_of(std::span<const std::string_view> list) {
+  return {list.begin(), list.end()};
 }
 
 /// Of a design for a hit, then what only one under records has.
 std::vector<std::string_view> all_objectives() {
-  const auto of_a_hit = design::objective_names();
-  std::vector<std::string_view> names(of_a_hit.begin(), of_a_hit.end());
+  std::vector<std::string_view> both = all_of(design::objective_names());
   for (const std::string_view name : design::suite_objective_names()) {
-    if (std::ranges::find(names, name) == names.end()) {
-      names.push_back(name);
+    if (std::ranges::find(both, name) == both.end()) {
+      both.push_back(name);
     }
   }
-  return names;
+  return both;
 }
 
 Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
@@ -92,6 +95,19 @@ OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = Ran
   traits.range = range;
   return traits;
 }
+/// Of the two kinds of design only that for a hit, or only that under records.
+OptionTraits for_hits(OptionTraits traits = {}) {
+  traits.design = DesignFor::hit;
+  return traits;
+}
+OptionTraits under_records(OptionTraits traits = {}) {
+  traits.design = DesignFor::records;
+  return traits;
+}
+OptionTraits of(Load load, OptionTraits traits = {}) {
+  traits.load = load;
+  return traits;
+}
 /// Of `spectrum` the axis.
 OptionTraits period_axis() {
   OptionTraits traits = axis_in_si(Rivals::stiffness, Dimension::time, RangeEnd::high);
@@ -101,8 +117,6 @@ OptionTraits period_axis() {
 
 /// In `help`, {} stands for the values.
 std::vector<Option> rows() {
-  const auto algorithms = design::algorithm_names();
-  const auto combines = design::combine_names();
   return {
       // name, kind, placeholder, group, help, commands, traits
       row("v0", number, "V", motion, "initial velocity", every,
@@ -145,7 +159,8 @@ std::vector<Option> rows() {
       row("hold", number, "H", damper,
           "what the notch holds at x = 0 besides f, in g; default: any load",
           of_suites | of_excitations,
-          {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
+          under_records(
+              {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities})),
       row("notch-width", number, "W", damper,
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
           design | of_excitations, plain_axis(Rivals::notch)),
@@ -156,9 +171,10 @@ std::vector<Option> rows() {
           "m or has a unit",
           of_excitations),
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
-          {.values = criterion_names(), .first_is_default = true}),
+          for_hits({.values = all_of(design::criterion_names()), .first_is_default = true})),
       row("arrivals", integer, "N", damper,
-          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1", of_designs),
+          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1", of_designs,
+          for_hits()),
       row("residual", number, "R", damper, "a rest with |x| up to R is admissible too",
           design | region, {.rivals = Rivals::residual, .units = dimensionless}),
       row("residual-m", number, "M", damper, "the same in m, with physical input", design | region,
@@ -168,9 +184,9 @@ std::vector<Option> rows() {
       row("tolerance-f", number, "R", damper,
           "the tolerance of f alone, R or LOW:HIGH: 0.8:1.2 is f from 0.8 to 1.2 times the "
           "design's",
-          design | region, {.range = RangeEnd::high}),
+          design | region, for_hits({.range = RangeEnd::high})),
       row("tolerance-delta", number, "R", damper, "the same of delta", design | region,
-          {.range = RangeEnd::high}),
+          for_hits({.range = RangeEnd::high})),
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
       row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
           {.rivals = Rivals::point_friction_limit}),
@@ -183,81 +199,83 @@ std::vector<Option> rows() {
       row("catalogue", text, "FILE", searching,
           "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
           "standard input",
-          of_designs, {.file = FileUse::read}),
+          of_designs, for_hits({.file = FileUse::read})),
       row("trade-off", integer, "N", searching,
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
-          design),
+          design, for_hits()),
       row("objective", text, "NAME", searching,
           "{}; under records acceleration (default), amplitude or residual", design | sweep,
           {.values = all_objectives(), .first_is_default = true}),
       row("combine", text, "NAME", searching,
           "of the figures of all records: {}; default: max below seven records", of_suites,
-          {.values = {combines.begin(), combines.end()}}),
+          under_records({.values = all_of(design::combine_names())})),
       row("search-f", text, "LOW:HIGH", searching,
-          "under records: where f is searched; default: from 0 to the largest load", design),
+          "under records: where f is searched; default: from 0 to the largest load", design,
+          under_records()),
       row("search-delta-m", text, "LOW:HIGH", searching,
           "under records: where delta is searched, in m; default: from 0 to what stops every "
           "return",
-          design, in_si(Dimension::length)),
+          design, under_records(in_si(Dimension::length))),
       row("search-period", text, "LOW:HIGH", searching,
           "under records: the period is searched as well, here, in s", design,
-          in_si(Dimension::time)),
+          under_records(in_si(Dimension::time))),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
-          {.values = {algorithms.begin(), algorithms.end()}}),
+          for_hits({.values = all_of(design::algorithm_names())})),
 
       row("excitation", text, "TYPE", shaking, "{}", of_excitations,
           {.values = excitation_names()}),
       row("k", number, "K", shaking, "peak of the excitation or pulse in g",
-          design | of_excitations, {.dimension = Dimension::gravities}),
+          design | of_excitations, of(Load::wave, {.dimension = Dimension::gravities})),
       row("excitation-frequency", number, "HZ", shaking,
           "with physical input: in Hz; of a pulse, that of its sine", in_hertz,
-          in_si(Dimension::frequency, Rivals::frequency)),
+          of(Load::wave, in_si(Dimension::frequency, Rivals::frequency))),
       row("pulse-duration", number, "S", shaking,
           "with physical input: how long half-sine, full-sine or rectangle last, in s", in_hertz,
-          in_si(Dimension::time, Rivals::frequency)),
+          of(Load::pulse, in_si(Dimension::time, Rivals::frequency))),
       row("lambda", number, "L", shaking,
           "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
           "last pi/L, full-sine 2 pi/L",
-          design | of_excitations, {.rivals = Rivals::frequency}),
+          design | of_excitations, of(Load::wave, {.rivals = Rivals::frequency})),
       row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
-          of_excitations),
+          of_excitations, of(Load::harmonic)),
       row("excitation-duration", number, "S", shaking,
           "with physical input: of a harmonic, in s, 0 or more; default for ever", of_excitations,
-          in_si(Dimension::time, Rivals::duration)),
+          of(Load::harmonic, in_si(Dimension::time, Rivals::duration))),
       row("duration", number, "TAU", shaking, "of a harmonic, in tau, 0 or more; default for ever",
-          of_excitations, {.rivals = Rivals::duration}),
+          of_excitations, of(Load::harmonic, {.rivals = Rivals::duration})),
       row("record", text, "FILE", shaking,
           "accelerations: PEER, ESM, K-NET, CSMIP, COSMOS, SMC or columns; times in s with "
-          "physical "
-          "input, else in tau; FILE#2 is channel 2; of design and spectrum, one or more, or "
-          "folders",
-          in_records, {.file = FileUse::read, .repeats = true}),
+          "physical input, else in tau; FILE#2 is channel 2; of design and spectrum, one or more, "
+          "or folders",
+          in_records, of(Load::record, {.file = FileUse::read, .repeats = true})),
       row("records-list", text, "FILE", shaking,
           "CSV with the header file,scale: more records; file,peak and file,spectrum give targets",
-          of_suites, {.file = FileUse::read}),
+          of_suites, under_records({.file = FileUse::read})),
       row("record-units", text, "UNITS", shaking, "{}", in_records,
-          {.values = record_unit_names(), .first_is_default = true}),
+          of(Load::record,
+             {.values = all_of(records::record_unit_names()), .first_is_default = true})),
       row("record-step", number, "DT", shaking,
           "between values that have no time column, in the unit of the times", in_records,
-          {.dimension = Dimension::time}),
+          of(Load::record, {.dimension = Dimension::time})),
       row("record-scale", number, "X", shaking, "factor on every value", in_records,
-          {.rivals = Rivals::record_scale}),
+          of(Load::record, {.rivals = Rivals::record_scale})),
       row("record-peak", number, "A", shaking, "scale each record to this peak, in g", in_records,
-          {.rivals = Rivals::record_scale, .dimension = Dimension::gravities}),
+          of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
       row("record-spectrum", number, "A", shaking,
           "scale each record so that its elastic spectrum, 5 % damping, has this value in g at the "
           "period",
-          in_records, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities}),
+          in_records,
+          of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
       row("record-spectrum-period", number, "T", shaking,
           "where not at the period of the motion, in the unit of the times", in_records,
-          {.dimension = Dimension::time}),
+          of(Load::record, {.dimension = Dimension::time})),
       row("end-time", number, "S", shaking,
           "with physical input: end of the run in s (default: end of the motion); a harmonic "
           "without a duration needs it",
           of_excitations, in_si(Dimension::time, Rivals::end)),
       row("t-end", number, "TAU", shaking,
-          "end of the run in tau (default: end of the motion); a harmonic without a duration "
-          "needs it",
+          "end of the run in tau (default: end of the motion); a harmonic without a duration needs "
+          "it",
           of_excitations, {.rivals = Rivals::end}),
 
       row("list", text, "FILE", sweeping,
@@ -265,15 +283,15 @@ std::vector<Option> rows() {
           {.role = Role::entries, .file = FileUse::read}),
       row("list-format", text, "NAME", sweeping,
           "{}; default: jsonl if the list begins with a brace, else csv", sweep,
-          {.role = Role::entries, .values = {"csv", "jsonl"}}),
+          {.role = Role::entries, .values = all_of(sweep::list_format_names())}),
       row("format", text, "NAME", sweeping,
           "{}; default: npy if the output's name ends in .npy, else csv", sweep,
-          {.role = Role::content, .values = {"csv", "npy"}}),
+          {.role = Role::content, .values = all_of(sweep::row_format_names())}),
       row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
           {.role = Role::output}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
       row("threads", integer, "N", sweeping, "default: all. No result depends on it",
-          of_suites | sweep, {.role = Role::execution}),
+          of_suites | sweep, under_records({.role = Role::execution})),
       row("resume", flag, "", sweeping, "continue an interrupted sweep", sweep,
           {.role = Role::execution}),
 
@@ -332,24 +350,15 @@ const std::vector<Option>& table() {
 }  // namespace
 
 std::string_view name(Command command) noexcept {
-  switch (command) {
-    case Command::design:
-      return "design";
-    case Command::region:
-      return "region";
-    case Command::simulate:
-      return "simulate";
-    case Command::spectrum:
-      return "spectrum";
-    case Command::sweep:
-      return "sweep";
-    case Command::accuracy:
-      return "accuracy";
-    case Command::init:
-      return "init";
-  }
-  assert(false && "a Command outside its enumeration");
-  return "";
+  return names.name(command);
+}
+
+std::optional<Command> parse_command(std::string_view name) noexcept {
+  return names.parse(name);
+}
+
+std::span<const std::string_view> command_names() {
+  return names.all();
 }
 
 std::span<const Option> options() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "options/load.hpp"
+
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
 
@@ -15,6 +17,8 @@ namespace stillpoint::cli {
 enum class Command { design, region, simulate, spectrum, sweep, accuracy, init };
 
 [[nodiscard]] std::string_view name(Command command) noexcept;
+[[nodiscard]] std::optional<Command> parse_command(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> command_names();
 
 /// Some of the commands: design | sweep.
 class CommandSet {
@@ -80,6 +84,9 @@ enum class RangeEnd { none, low, high };
 
 enum class FileUse { none, read, written, directory };
 
+/// A design is for a hit or under records; what only one of them takes.
+enum class DesignFor { both, hit, records };
+
 /// What most options leave as it is.
 struct OptionTraits {
   bool sweeps{false};            ///< a number, but in a sweep an axis
@@ -93,6 +100,8 @@ struct OptionTraits {
   bool first_is_default{false};            ///< of the values
   bool repeats{false};                     ///< may be given several times to what takes a suite
   RangeEnd range{RangeEnd::none};          ///< LOW:HIGH is a value as well, of design and region
+  DesignFor design{DesignFor::both};
+  Load load{Load::none};
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -119,6 +128,16 @@ struct Option {
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&
            (command == Command::design || command == Command::region);
+  }
+  [[nodiscard]] bool shapes(Load load) const {
+    return traits.load != Load::none &&
+           (traits.load == load ||
+            (traits.load == Load::wave && (load == Load::harmonic || load == Load::pulse)));
+  }
+  [[nodiscard]] DesignFor design_for() const {
+    return traits.load == Load::record ? DesignFor::records
+           : shapes(Load::pulse)       ? DesignFor::hit
+                                       : traits.design;
   }
   /// Whether a report repeats it in its scene.
   [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }

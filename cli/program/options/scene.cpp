@@ -4,7 +4,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/json_text.hpp>
-#include "input/surface.hpp"
+#include "input/motion.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "input/excitation.hpp"
-#include "options/excitation_kinds.hpp"
 #include "options/scene.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <span>
 #include <string_view>
 
 namespace stillpoint::cli {
@@ -39,36 +36,38 @@ void drop_excitation(const Settings& flags, Settings& scene) {
   if (asks_for_record) {
     scene.drop("excitation");
   }
-  for (const ExcitationKind& kind : excitation_kinds()) {
-    if ((kind.wave == nullptr) != asks_for_record) {
-      std::ranges::for_each(kind.takes, [&](std::string_view option) { scene.drop(option); });
+  for (const Option& option : options()) {
+    if (option.traits.load != Load::none &&
+        (option.traits.load == Load::record) != asks_for_record) {
+      scene.drop(option.name);
     }
   }
   scene.drop("pulse");
 }
 
+bool asks_for_hit(const Settings& given) {
+  return std::ranges::any_of(options(), [&](const Option& option) {
+    return option.traits.rivals == Rivals::hit && given.has(option.name);
+  });
+}
+
+bool asks_for_records(const Settings& given) {
+  return given.has("record") || given.has("records-list");
+}
+
 /// A design is for a hit or under records. A flag for one sets the other of the scene aside; of a
 /// scene that has both, for several commands, a design takes the hit.
 void keep_one_design(const Settings& flags, Settings& settings) {
-  constexpr std::array<std::string_view, 7> hit{
-      "v0", "velocity", "pulse", "k", "lambda", "pulse-duration", "excitation-frequency"};
-  constexpr std::array<std::string_view, 14> records{
-      "record",      "records-list",    "record-units",           "record-step", "record-scale",
-      "record-peak", "record-spectrum", "record-spectrum-period", "combine",     "search-f",
-      "hold",        "search-delta-m",  "search-period",          "threads"};
-  const auto any = [](const Settings& given, std::span<const std::string_view> names) {
-    return std::ranges::any_of(names, [&](std::string_view name) { return given.has(name); });
-  };
-  const bool records_asked = any(flags, std::span(records).first(2));
-  const bool for_a_hit = any(flags, std::span(hit).first(3)) ||
-                         (any(settings, std::span(hit).first(3)) && !records_asked);
-  if (!for_a_hit && !any(settings, std::span(records).first(2))) {
+  const bool for_a_hit =
+      asks_for_hit(flags) || (asks_for_hit(settings) && !asks_for_records(flags));
+  if (!for_a_hit && !asks_for_records(settings)) {
     return;
   }
-  for (const std::string_view name : for_a_hit ? std::span<const std::string_view>(records)
-                                               : std::span<const std::string_view>(hit)) {
-    if (!flags.has(name)) {
-      settings.drop(name);
+  for (const Option& option : options()) {
+    const bool of_the_hit = option.traits.rivals == Rivals::hit || option.shapes(Load::pulse);
+    if ((for_a_hit ? option.design_for() == DesignFor::records : of_the_hit) &&
+        !flags.has(option.name)) {
+      settings.drop(option.name);
     }
   }
 }
@@ -98,8 +97,10 @@ Settings scene_and_flags(Command command, const Settings& flags, Settings& scene
   }
   const bool pulse_serves = scene.has("pulse") && find_option("pulse")->serves(command);
   if (had_pulse && !pulse_serves && !scene.has("excitation") && !flags.has("excitation")) {
-    for (const std::string_view option : pulse_options) {
-      scene.drop(option);
+    for (const Option& option : options()) {
+      if (option.shapes(Load::pulse)) {
+        scene.drop(option.name);
+      }
     }
   }
   Settings settings = flags;

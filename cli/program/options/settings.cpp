@@ -117,8 +117,10 @@ void Settings::set_number_or_range(const Option& option, std::string_view text) 
   if (colon == std::string_view::npos) {
     return set_number(option, text);
   }
-  values_[option.name] = range_value(option, text.substr(0, colon), text.substr(colon + 1));
-  if (has_unit(text.substr(0, colon)) || has_unit(text.substr(colon + 1))) {
+  const std::string_view low = text.substr(0, colon);
+  const std::string_view high = text.substr(colon + 1);
+  values_[option.name] = range_value(option, low, high);
+  if (has_unit(low) || has_unit(high)) {
     with_units_[option.name] = text;
   }
 }

@@ -32,4 +32,7 @@ void check_only_finite(std::string_view report);
 /// |a - b| <= tolerance * max(|a|, |b|)
 [[nodiscard]] bool near(double a, double b, double tolerance);
 
+/// 0.4 g at 0 s, -0.2 g at 1 s, 0 at 2 s.
+inline constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
+
 }  // namespace stillpoint::cli_test

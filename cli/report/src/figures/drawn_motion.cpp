@@ -140,7 +140,7 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   }
   const double rate = fastest_rate(oscillator.p, excitation);
   const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
-  const double horizon = is_forced(request) ? answer.horizon : longest;
+  const double horizon = answer.horizon.value_or(longest);
   double last = std::min(horizon, longest);
   const auto listed =
       forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);

@@ -74,8 +74,8 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   double most = 0;
   for (const SuiteFigures& figures : map.figures) {
     if (admissible(figures, task.limits)) {
-      least = std::min(least, figure(figures, task.objective));
-      most = std::max(most, figure(figures, task.objective));
+      least = std::min(least, value_of(figures, task.objective));
+      most = std::max(most, value_of(figures, task.objective));
     }
   }
   Figure drawn;
@@ -90,7 +90,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
     for (std::size_t column = 0; column < map.f.size(); ++column) {
       const SuiteFigures& figures = map.figures[column * map.delta.size() + row];
       const std::size_t fault = broken_index(figures, task.limits);
-      const double place = (figure(figures, task.objective) - least) / width;
+      const double place = (value_of(figures, task.objective) - least) / width;
       const std::size_t shade = fault < broken.size()
                                     ? shades.size() + fault
                                     : std::min(static_cast<std::size_t>(place), shades.size() - 1);

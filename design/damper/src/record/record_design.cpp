@@ -26,13 +26,9 @@ constexpr Names objectives(
     std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
                                           {SuiteObjective::amplitude, "amplitude"},
                                           {SuiteObjective::residual, "residual"}}));
-constexpr std::array objective_list{objectives.name(SuiteObjective::acceleration),
-                                    objectives.name(SuiteObjective::amplitude),
-                                    objectives.name(SuiteObjective::residual)};
 
 constexpr Names combines(std::to_array<Named<Combine>>({{Combine::max, "max"},
                                                         {Combine::mean, "mean"}}));
-constexpr std::array combine_list{combines.name(Combine::max), combines.name(Combine::mean)};
 
 /// A limit alone that was relaxed is this much above the least that was found, so that a search
 /// with it, which is no more exact than that, finds a damper as well.
@@ -68,18 +64,35 @@ void require_limit(const char* field, const std::optional<double>& limit, double
 }
 
 void require_valid(const RecordDesignRequest& request) {
-  require_valid(request.records);
+  design::require_valid(request.records);
   require_range("p", request.p, smallest_speed, largest_speed);
-  require_limit("peak limit", request.limits.peak, smallest_speed);
-  require_limit("acceleration limit", request.limits.acceleration, smallest_speed);
-  require_limit("residual limit", request.limits.residual, 0);
+  require_limit("beta", request.limits.peak, smallest_speed);
+  require_limit("acceleration-max", request.limits.acceleration, smallest_speed);
+  require_limit("residual", request.limits.residual, 0);
   require_within("tolerance", request.tolerance, 0, 1 - 1e-9);
   require_within("scan_points", static_cast<double>(request.scan_points), 1, 1e8);
+}
+
+/// No further than what can be manufactured.
+void keep_below(std::optional<SearchRange>& range, const std::optional<double>& most,
+                const char* field) {
+  if (!most) {
+    return;
+  }
+  require_within(field, *most, 0, largest_speed);
+  range = range.value_or(SearchRange{0, *most});
+  if (range->low > *most) {
+    throw InputError(field, *most,
+                     fmt::format("must be at least {}, where its search begins", range->low));
+  }
+  range->high = std::min(range->high, *most);
 }
 
 /// With the ranges and the combination that the request leaves open.
 RecordDesignRequest completed(RecordDesignRequest request) {
   request.combine = request.combine.value_or(default_combine(request.records.size()));
+  keep_below(request.f, request.f_max, "f-max");
+  keep_below(request.delta, request.delta_max, "delta-max");
   request.f = request.f.value_or(SearchRange{0, largest_load(request.records)});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
@@ -186,9 +199,9 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
     }
     const SuiteOptimum least = optimum(suite, box, scan, which, limits, request.threads, watch);
     evaluations += least.evaluations;
-    SuiteShortfall shortfall{which, *limit, figure(nearest, which), {}};
+    SuiteShortfall shortfall{which, *limit, value_of(nearest, which), {}};
     if (!watch.stopped() && admissible(least.point.figures, limits)) {
-      shortfall.relaxed = figure(least.point.figures, which) * (1 + relaxed_by);
+      shortfall.relaxed = value_of(least.point.figures, which) * (1 + relaxed_by);
     }
     list.push_back(shortfall);
   }
@@ -204,7 +217,7 @@ std::optional<SuiteObjective> parse_suite_objective(std::string_view name) noexc
   return objectives.parse(name);
 }
 std::span<const std::string_view> suite_objective_names() {
-  return objective_list;
+  return objectives.all();
 }
 
 std::string_view name(Combine combine) noexcept {
@@ -214,7 +227,7 @@ std::optional<Combine> parse_combine(std::string_view name) noexcept {
   return combines.parse(name);
 }
 std::span<const std::string_view> combine_names() {
-  return combine_list;
+  return combines.all();
 }
 
 RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) {
@@ -279,6 +292,20 @@ SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
   }
   map.figures = suite.figures(dampers, task.threads);
   return map;
+}
+
+std::string summary(const RecordDesign& result) {
+  const auto& [damper, figures] = result.finding ? result.finding->point : result.nearest;
+  const std::string point =
+      fmt::format("p = {:.6g}, f = {:.6g}, delta = {:.6g}", damper.p, damper.f, damper.delta);
+  const std::string does =
+      figures.settled
+          ? fmt::format("transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
+                        figures.acceleration, figures.peak, figures.residual)
+          : "does not come to rest";
+  return result.finding ? fmt::format("{} {}{}", point, does,
+                                      result.finding->check.passed ? "" : "; the check failed")
+                        : fmt::format("no damper: the nearest, {}, {}", point, does);
 }
 
 }  // namespace stillpoint::design

@@ -8,8 +8,8 @@
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 namespace stillpoint::design {
@@ -43,7 +43,7 @@ SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
 }
 
 void require_valid(const SpectrumRequest& request) {
-  require_valid(request.records);
+  design::require_valid(request.records);
   if (request.p.empty()) {
     throw InputError::missing("p", "give at least one");
   }
@@ -85,9 +85,14 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
   const std::size_t points = request.p.size();
   result.records.assign(loads.size(), std::vector<SpectrumPoint>(points));
   const std::size_t entries = loads.size() * points;
-  std::atomic<std::size_t> done{0};
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
   const auto goes_on = [&] {
-    return !go_on || go_on(static_cast<double>(done++) / static_cast<double>(entries));
+    if (!go_on) {
+      return true;
+    }
+    const std::lock_guard lock(one_at_a_time);
+    return go_on(static_cast<double>(done++) / static_cast<double>(entries));
   };
   for_each_entry(static_cast<std::ptrdiff_t>(entries), request.threads, goes_on,
                  [&](std::ptrdiff_t entry) {

@@ -52,7 +52,7 @@ std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
   return loads;
 }
 
-double figure(const SuiteFigures& figures, SuiteObjective which) {
+double value_of(const SuiteFigures& figures, SuiteObjective which) {
   switch (which) {
     case SuiteObjective::amplitude:
       return figures.peak;
@@ -162,13 +162,13 @@ SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const Suit
   double off = figures.margin < least_suite_margin ? least_suite_margin - figures.margin : 0;
   for (const auto& [which, member] : limit_of) {
     const std::optional<double>& limit = limits.*member;
-    const double value = figure(figures, which);
+    const double value = value_of(figures, which);
     if (limit && value > *limit) {
       // Of the limit, or where no residual is allowed of the peak.
       off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);
     }
   }
-  return {std::min(off, never_rests), figure(figures, objective), figures.peak};
+  return {std::min(off, never_rests), value_of(figures, objective), figures.peak};
 }
 
 bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {

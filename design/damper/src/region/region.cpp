@@ -267,4 +267,11 @@ RegionAnswer answer(const RegionRequest& request) {
   return answer;
 }
 
+std::string summary(const RegionVerdict& verdict) {
+  const Region& region = verdict.region;
+  return region.feasible ? fmt::format("admissible for f from {:.6g} to {:.6g}", *region.f_lower,
+                                       *region.f_upper)
+                         : "no damper: " + verdict.reason;
+}
+
 }  // namespace stillpoint::design

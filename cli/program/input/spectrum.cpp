@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "commands.hpp"
 #include "input/motion.hpp"
-#include "input/record_suite.hpp"
-#include "input/surface.hpp"
-#include "pages.hpp"
-#include "progress.hpp"
+#include "input/record.hpp"
+#include "input/request.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/report/spectrum.hpp>
 
 #include <fmt/format.h>
 
 #include <limits>
-#include <mutex>
 #include <numbers>
-#include <optional>
-#include <string>
+#include <vector>
 
 namespace stillpoint::cli {
 
@@ -41,6 +35,8 @@ std::vector<double> periods(const Settings& settings) {
   }
   return list;
 }
+
+}  // namespace
 
 report::SpectrumReport spectrum_input(const Settings& settings) {
   static_cast<void>(is_physical(settings, Command::spectrum));
@@ -71,48 +67,6 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
   }
   request.records = read_suite(settings, {"s", scales.time_s, scales.p}, std::nullopt);
   return report;
-}
-
-/// Interrupted where it was.
-design::Spectrum watched_spectrum(const design::SpectrumRequest& request) {
-  Progress progress([](double done, double) { return fmt::format("{:.0f} %", 100 * done); }, 1);
-  std::mutex one_at_a_time;
-  design::Spectrum result = design::spectrum(request, [&](double done) {
-    const std::lock_guard lock(one_at_a_time);
-    return progress.goes_on(done);
-  });
-  if (Progress::interrupted()) {
-    throw Interrupted("interrupted: nothing is written");
-  }
-  return result;
-}
-
-}  // namespace
-
-report::SpectrumReport spectrum_report(const Settings& settings) {
-  report::SpectrumReport report = spectrum_input(settings);
-  report.result = watched_spectrum(report.result.request);
-  return report;
-}
-
-ExitCode run_spectrum(const Settings& settings, Output& output) {
-  const auto table = settings.text("table");
-  if (table == "-" && settings.flag("json")) {
-    throw UsageError("json and the table would both go to standard output: give --table FILE");
-  }
-  const report::SpectrumReport report = spectrum_report(settings);
-  if (table == "-") {
-    output.print(report::spectrum_csv(report));
-  } else if (table) {
-    output.write_file(
-        "table", *table,
-        table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report));
-  }
-  if (wants_page(settings)) {
-    write_page(settings, Command::spectrum, page(report), output);
-  }
-  print_report(report, settings, output, table != "-");
-  return exit_done;
 }
 
 }  // namespace stillpoint::cli

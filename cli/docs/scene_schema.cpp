@@ -121,8 +121,7 @@ std::string scene_schema() {
                             {"title", "A scene: the input of stillpoint"},
                             {"description",
                              "The keys are the names of the options; _ and - are the same. The "
-                             "program also accepts // and /* */ "
-                             "comments."},
+                             "program also accepts // and /* */ comments."},
                             {"type", "object"},
                             {"properties", properties},
                             {"additionalProperties", false}};

@@ -41,8 +41,7 @@ std::string zsh_case(const CommandHelp& help) {
   return fmt::format(
       "    {})\n"
       "      _arguments \\\n"
-      "{}"
-      "        '(- *)'{{-h,--help}}'[print the options]' \\\n"
+      "{}        '(- *)'{{-h,--help}}'[print the options]' \\\n"
       "        '(- *)--version[print the version]' \\\n"
       "        '1:{}'\n"
       "      ;;\n",
@@ -85,8 +84,7 @@ std::string bash_completion() {
     return option.traits.values.empty()
                ? ""
                : fmt::format(
-                     "    --{}) mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$cur\"); "
-                     "return ;;\n",
+                     "    --{}) mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$cur\"); return ;;\n",
                      option.name, value_names(option));
   };
   const auto words = [](const CommandHelp& help) {
