@@ -11,8 +11,10 @@ namespace stillpoint::records {
 
 std::vector<FrictionZone> parse_zones(std::string_view field, Dimension edge,
                                       std::string_view text) {
+  const std::vector<std::string_view> parts = split(text, ',');
   std::vector<FrictionZone> zones;
-  for (const std::string_view zone : split(text, ',')) {
+  zones.reserve(parts.size());
+  for (const std::string_view zone : parts) {
     const std::string place = fmt::format("{} {}", field, zones.size() + 1);
     const std::size_t colon = zone.find(':');
     if (colon == std::string_view::npos) {
