@@ -49,7 +49,7 @@ class DenseScan {
   DenseScan(const RecordDesignRequest& task, double found)
       : task_(task), best_(found * of_interest) {
     for (const design::SuiteRecord& record : task.records) {
-      loads_.emplace_back(scaled(record));
+      loads_.emplace_back(design::scaled(record));
     }
   }
 

@@ -55,7 +55,7 @@ bool compare_with_dense_scans(const std::vector<NamedSuite>& all) {
     const RecordDesign result = design::design(request);
     const double seconds = processor_seconds() - begin;
     const SuitePoint& point = result.nearest;
-    const double found = result.finding ? figure(point.figures, request.objective) : HUGE_VAL;
+    const double found = result.finding ? value_of(point.figures, request.objective) : HUGE_VAL;
     const DenseBest dense = dense_best(result.request, point.damper, found);
     const double excess = found / dense.value - 1;
     good = good && (excess <= largest_excess || std::isinf(dense.value));
@@ -80,8 +80,8 @@ std::optional<RecordDesign> best_of(const RecordDesignRequest& suite,
   std::optional<RecordDesign> best;
   for (const RecordDesignRequest& request : notches) {
     RecordDesign now = design::design(request);
-    if (now.finding && (!best || figure(now.finding->point.figures, suite.objective) <
-                                     figure(best->finding->point.figures, suite.objective))) {
+    if (now.finding && (!best || value_of(now.finding->point.figures, suite.objective) <
+                                     value_of(best->finding->point.figures, suite.objective))) {
       best = std::move(now);
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "request.hpp"
+#include "input/request.hpp"
 
 #include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/report/report.hpp>

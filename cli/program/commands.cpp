@@ -1,35 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include "input/motion.hpp"
+#include "input/request.hpp"
 #include "messages.hpp"
-#include "pages.hpp"
 #include "progress.hpp"
-#include "record_design_input.hpp"
-#include "request.hpp"
-#include "surface_input.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/report/progress_words.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
+#include <stillpoint/report/spectrum.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
 namespace stillpoint::cli {
 
 namespace {
-
-/// The page where it was asked for.
-template <class Report>
-void write_page_of(const Report& report, Command command, const Settings& settings,
-                   Output& output) {
-  if (wants_page(settings)) {
-    write_page(settings, command, page(report), output);
-  }
-}
 
 /// Says so beforehand where the motion takes minutes, which needs a raised limit.
 Simulation free_simulation(SimulationRequest request) {
@@ -56,7 +48,7 @@ Simulation watched(const SimulationRequest& request) {
     return free_simulation(request);
   }
   const double end = request.t_end.value_or(0);
-  Progress progress(progress_in_tau(end), end);
+  Progress progress([end](double tau, double) { return report::progress_in_tau(tau, end); }, end);
   double reached = 0;
   // A trajectory up to t_end comes first. It is too long for its limit before it takes minutes.
   bool traced = !(request.t_end && request.samples);
@@ -107,15 +99,21 @@ design::RecordDesign watched(const report::RecordDesignInput& input) {
   });
 }
 
-}  // namespace
-
-report::RecordDesignReport record_design_report(const Settings& settings) {
-  const report::RecordDesignInput input = record_design_input(settings);
-  return {watched(input), input.physical};
+/// Interrupted where it was.
+design::Spectrum watched(const design::SpectrumRequest& request) {
+  Progress progress([](double done, double) { return fmt::format("{:.0f} %", 100 * done); }, 1);
+  design::Spectrum result =
+      design::spectrum(request, [&](double done) { return progress.goes_on(done); });
+  if (Progress::interrupted()) {
+    throw Interrupted("interrupted: nothing is written");
+  }
+  return result;
 }
 
+}  // namespace
+
 report::DesignReport design_report(const Settings& settings) {
-  require_no_record_options(settings);
+  require_options_for(settings, DesignFor::hit);
   DesignInput input = design_input(settings);
   const std::optional<double> width = notch_width(settings, input.physical);
   require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
@@ -142,16 +140,6 @@ report::DesignReport design_report(const Settings& settings) {
   return report;
 }
 
-ExitCode run_design(const Settings& settings, Output& output) {
-  const auto show = [&](const auto& report) {
-    write_page_of(report, Command::design, settings, output);
-    print_report(report, settings, output);
-    return exit_code(report.result);
-  };
-  return designs_under_records(settings) ? show(record_design_report(settings))
-                                         : show(design_report(settings));
-}
-
 report::RegionReport region_report(const Settings& settings) {
   const RegionInput input = region_input(settings);
   report::RegionReport report{input.request, design::answer(input.request), input.physical, {}};
@@ -163,25 +151,34 @@ report::RegionReport region_report(const Settings& settings) {
   return report;
 }
 
+namespace {
+
+ExitCode run_design(const Settings& settings, Output& output) {
+  const auto show = [&](const auto& report) {
+    finish(report, Command::design, settings, output);
+    return exit_code(report.result);
+  };
+  if (designs_under_records(settings)) {
+    const report::RecordDesignInput input = record_design_input(settings);
+    return show(report::RecordDesignReport{watched(input), input.physical});
+  }
+  return show(design_report(settings));
+}
+
 ExitCode run_region(const Settings& settings, Output& output) {
   const report::RegionReport report = region_report(settings);
-  write_page_of(report, Command::region, settings, output);
-  print_report(report, settings, output);
+  finish(report, Command::region, settings, output);
   return report.answer.region.feasible ? exit_done : exit_infeasible;
 }
 
-report::MotionReport motion_report(const Settings& settings) {
-  SimulateInput input = simulate_input(settings);
-  Simulation answer = watched(input.request);
-  return {std::move(input.request), std::move(answer), input.record, input.physical};
-}
-
 ExitCode run_simulate(const Settings& settings, Output& output) {
-  const report::MotionReport report = motion_report(settings);
+  const SimulateInput input = simulate_input(settings);
+  const report::MotionReport report{input.request, watched(input.request), input.record,
+                                    input.physical};
   if (const std::string locked = report::lock_sentence(report); !locked.empty()) {
     remark(locked);
   }
-  const auto trajectory = settings.text("trajectory");
+  const std::optional<std::string>& trajectory = input.trajectory;
   if (trajectory) {
     const std::string rows = report::trajectory_csv(report.answer.trajectory, report.physical);
     if (*trajectory == "-") {
@@ -190,9 +187,36 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
       output.write_file("trajectory", *trajectory, rows);
     }
   }
-  write_page_of(report, Command::simulate, settings, output);
-  print_report(report, settings, output, trajectory != "-");
+  finish(report, Command::simulate, settings, output, trajectory != "-");
   return exit_done;
+}
+
+ExitCode run_spectrum(const Settings& settings, Output& output) {
+  const auto table = settings.text("table");
+  if (table == "-" && settings.flag("json")) {
+    throw UsageError("json and the table would both go to standard output: give --table FILE");
+  }
+  report::SpectrumReport report = spectrum_input(settings);
+  report.result = watched(report.result.request);
+  if (table == "-") {
+    output.print(report::spectrum_csv(report));
+  } else if (table) {
+    output.write_file(
+        "table", *table,
+        table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report));
+  }
+  finish(report, Command::spectrum, settings, output, table != "-");
+  return exit_done;
+}
+
+}  // namespace
+
+ExitCode run(Command command, const Settings& settings, Output& output) {
+  static const std::map<Command, ExitCode (*)(const Settings&, Output&)> runners{
+      {Command::design, run_design},     {Command::region, run_region},
+      {Command::simulate, run_simulate}, {Command::spectrum, run_spectrum},
+      {Command::sweep, run_sweep},       {Command::accuracy, run_accuracy}};
+  return runners.at(command)(settings, output);
 }
 
 }  // namespace stillpoint::cli

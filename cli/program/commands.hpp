@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "options/settings.hpp"
 #include "output.hpp"
-#include "settings.hpp"
 
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/record_design.hpp>
-#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
-#include <stillpoint/report/spectrum.hpp>
 
 namespace stillpoint::cli {
 
@@ -21,23 +19,19 @@ enum ExitCode : int {
   exit_interrupted = 130,  ///< the shells' code for SIGINT
 };
 
-/// Each runs one command and hands what it has to say to `output`, uncommitted. Wrong input leaves
-/// as an exception. A sweep sends its rows to their file or to standard output as they are
-/// computed; its exception says which of them are kept.
-ExitCode run_design(const Settings& settings, Output& output);
-ExitCode run_region(const Settings& settings, Output& output);
-ExitCode run_simulate(const Settings& settings, Output& output);
-ExitCode run_spectrum(const Settings& settings, Output& output);
+/// Runs a command that has settings and hands what it has to say to `output`, uncommitted. Wrong
+/// input leaves as an exception. A sweep sends its rows to their file or to standard output as they
+/// are computed; its exception says which of them are kept.
+ExitCode run(Command command, const Settings& settings, Output& output);
+
+/// Those with a file of their own.
 ExitCode run_sweep(const Settings& settings, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);
 
-/// What they have to say, before anything is shown. A design for a hit or under records, see
+/// What design and region have to say, before anything is shown; of a design for a hit, see
 /// designs_under_records.
 [[nodiscard]] report::DesignReport design_report(const Settings& settings);
-[[nodiscard]] report::RecordDesignReport record_design_report(const Settings& settings);
 [[nodiscard]] report::RegionReport region_report(const Settings& settings);
-[[nodiscard]] report::MotionReport motion_report(const Settings& settings);
-[[nodiscard]] report::SpectrumReport spectrum_report(const Settings& settings);
 
 /// 3 without an admissible design, 4 where the cross-check failed, else 0.
 [[nodiscard]] ExitCode exit_code(const design::DesignResult& result);

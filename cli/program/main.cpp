@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "command_line.hpp"
 #include "commands.hpp"
-#include "embedded.hpp"
 #include "messages.hpp"
+#include "options/command_line.hpp"
+#include "options/embedded.hpp"
+#include "options/scene.hpp"
 #include "progress.hpp"
-#include "scene.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/report/browser.hpp>
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -29,27 +28,6 @@ void note_unused(const Settings& scene, const Settings& settings, Command comman
       remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
   }
-}
-
-ExitCode run_command(Command command, const Settings& settings, Output& output) {
-  switch (command) {
-    case Command::design:
-      return run_design(settings, output);
-    case Command::region:
-      return run_region(settings, output);
-    case Command::simulate:
-      return run_simulate(settings, output);
-    case Command::spectrum:
-      return run_spectrum(settings, output);
-    case Command::sweep:
-      return run_sweep(settings, output);
-    case Command::accuracy:
-      return run_accuracy(settings, output);
-    case Command::init:
-      break;  // has no settings
-  }
-  assert(false && "a Command outside its enumeration");
-  return exit_wrong_input;
 }
 
 ExitCode answer(const Invocation& invocation, Output& output) {
@@ -89,7 +67,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     settings.set(*find_option("html"), temporary.emplace().path());
   }
   require_files_apart(invocation.command, settings, invocation.scene);
-  const ExitCode code = run_command(invocation.command, settings, output);
+  const ExitCode code = run(invocation.command, settings, output);
   output.commit();
   for (const std::string& doubt : doubts(settings, invocation.command)) {
     remark(fmt::format("warning: {}", doubt));
@@ -101,7 +79,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   return code;
 }
 
-int run(int argc, const char* const* argv) {
+int run_program(int argc, const char* const* argv) {
   try {
     if (argc <= 1) {
       std::fputs(short_help().c_str(), stderr);
@@ -123,5 +101,5 @@ int run(int argc, const char* const* argv) {
 }  // namespace stillpoint::cli
 
 int main(int argc, char** argv) {
-  return stillpoint::cli::run(argc, argv);
+  return stillpoint::cli::run_program(argc, argv);
 }

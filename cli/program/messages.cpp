@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "messages.hpp"
 
-#include "progress.hpp"
-
 #include <stillpoint/report/document.hpp>
 
 #include <fmt/format.h>
@@ -31,7 +29,7 @@ void say(const std::string& text) {
 }
 
 void remark(const std::string& text) {
-  if (!silent && !Hosted::here()) {
+  if (!silent) {
     say(text);
   }
 }

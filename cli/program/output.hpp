@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "settings.hpp"
+#include "options/settings.hpp"
 
+#include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/sweep/output.hpp>
 
 #include <nlohmann/json.hpp>
 
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::cli {
 
 using sweep::Output;
 
-/// The document as text, under the title of the settings; in colour only where standard output is a
-/// terminal, NO_COLOR is not set (or empty) and TERM is not "dumb".
+/// The document as text for the terminal, under the title of the settings.
 [[nodiscard]] std::string shown(const report::Document& document, const Settings& settings);
 
 /// The report on standard output: JSON where it was asked for, else the document; and where
@@ -33,6 +35,33 @@ void print_report(const Report& report, const Settings& settings, Output& output
   if (path) {
     output.write_file("output", *path, written);
   }
+}
+
+/// The figures that a command may draw; each is a file NAME.svg of --svg.
+[[nodiscard]] std::span<const std::string_view> figure_names(Command command);
+
+/// The file of a figure in the directory of --svg.
+[[nodiscard]] std::string svg_path(const std::string& directory, std::string_view figure);
+
+/// Whether --html or --svg asks for a page or its figures.
+[[nodiscard]] bool wants_page(const Settings& settings);
+
+/// Makes the directory of --svg and checks that --html can be written, so that no long run is in
+/// vain. Throws InputError and FileError.
+void prepare_page(const Settings& settings);
+
+/// Writes the page, with the title and the input that `settings` have, and each figure alone, where
+/// they are asked for. Throws InputError and FileError.
+void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output);
+
+/// The page where it was asked for, and the report; where `print` is false only its file.
+template <class Report>
+void finish(const Report& report, Command command, const Settings& settings, Output& output,
+            bool print = true) {
+  if (wants_page(settings)) {
+    write_page(settings, command, page(report), output);
+  }
+  print_report(report, settings, output, print);
 }
 
 }  // namespace stillpoint::cli

@@ -3,6 +3,8 @@
 
 #include "messages.hpp"
 
+#include <stillpoint/report/progress_words.hpp>
+
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -12,10 +14,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 namespace stillpoint::cli {
@@ -24,8 +24,6 @@ namespace {
 
 std::atomic<bool> interrupt_seen{false};  // without a lock, as a handler needs it
 static_assert(std::atomic<bool>::is_always_lock_free);
-
-thread_local std::optional<std::stop_token> host;
 
 double seconds_now() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -36,12 +34,6 @@ void note_interrupt(int /*signal*/) {
   interrupt_seen = true;
 }
 
-/// ", 0:50 left"
-std::string clock_text(double seconds) {
-  const auto minutes = static_cast<std::int64_t>(seconds / 60);
-  return fmt::format(", {}:{:02.0f} left", minutes, seconds - 60 * static_cast<double>(minutes));
-}
-
 /// What handled an interrupt before. One that comes once this one does is not forgotten.
 auto handle_interrupts() {
   interrupt_seen = false;
@@ -50,36 +42,21 @@ auto handle_interrupts() {
 
 }  // namespace
 
-Hosted::Hosted(std::stop_token stop) {
-  host = std::move(stop);
-}
-
-Hosted::~Hosted() {
-  host.reset();
-}
-
-bool Hosted::here() {
-  return host.has_value();
-}
-
 Progress::Progress(Line line, double end, double begun_with)
     : line_(std::move(line)),
       end_(end),
       begun_with_(begun_with),
-      shown_(::isatty(STDERR_FILENO) == 1 && !hushed() && !host),
-      announced_(hushed() || host),
+      shown_(::isatty(STDERR_FILENO) == 1 && !hushed()),
+      announced_(hushed()),
       started_s_(seconds_now()),
-      host_(host),
-      previous_(host ? SIG_DFL : handle_interrupts()) {
+      previous_(handle_interrupts()) {
   if (previous_ == SIG_IGN) {
     std::signal(SIGINT, SIG_IGN);  // as in the background of a script
   }
 }
 
 Progress::~Progress() {
-  if (!host_) {
-    std::signal(SIGINT, previous_);
-  }
+  std::signal(SIGINT, previous_);
   if (line_open_) {
     fmt::print(stderr, "\r\x1b[K");
   }
@@ -94,10 +71,10 @@ bool Progress::goes_on(double done) {
     line_open_ = true;
     const double seconds = now - started_s_;
     fmt::print(stderr, "\r{}{}\x1b[K", line_(done, seconds),
-               end_ > 0 ? clock_text(seconds_left(done, seconds)) : "");
+               end_ > 0 ? report::time_left(seconds_left(done, seconds)) : "");
     std::fflush(stderr);
   }
-  return !(host_ ? host_->stop_requested() : interrupted());
+  return !interrupted();
 }
 
 double Progress::seconds_left(double done, double seconds) const {
@@ -126,13 +103,10 @@ void Progress::announce_minutes(double done) {
 }
 
 bool Progress::interrupted() {
-  return host ? host->stop_requested() : interrupt_seen.load();
+  return interrupt_seen;
 }
 
 std::stop_token Progress::stop_token() {
-  if (host_) {
-    return *host_;
-  }
   if (!watcher_.joinable()) {
     watcher_ = std::jthread([stop = stop_](const std::stop_token& ended) mutable {
       constexpr std::chrono::milliseconds between_looks{20};
@@ -148,13 +122,6 @@ std::stop_token Progress::stop_token() {
     });
   }
   return stop_.get_token();
-}
-
-Progress::Line progress_in_tau(double end) {
-  return [end](double tau, double /*seconds*/) {
-    return end > 0 ? fmt::format("tau {:.6g} of {:.6g}, {:.0f} %", tau, end, 100 * tau / end)
-                   : fmt::format("tau {:.6g}", tau);
-  };
 }
 
 }  // namespace stillpoint::cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -14,19 +13,6 @@ namespace stillpoint::cli {
 class Interrupted : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-/// A caller that is not the program: while it lives, what this thread runs has no line, leaves
-/// signals alone and is interrupted by `stop`.
-class Hosted {
- public:
-  explicit Hosted(std::stop_token stop);
-  Hosted(const Hosted&) = delete;
-  Hosted& operator=(const Hosted&) = delete;
-  Hosted(Hosted&&) = delete;
-  Hosted& operator=(Hosted&&) = delete;
-  ~Hosted();
-  [[nodiscard]] static bool here();
 };
 
 /// Watches over a long run: a line on standard error when that is a terminal, and an interrupt that
@@ -65,13 +51,9 @@ class Progress {
   double last_shown_s_{0};
   double started_s_;
   double last_done_{0};
-  std::optional<std::stop_token> host_;
   void (*previous_)(int);
   std::stop_source stop_;
   std::jthread watcher_;
 };
-
-/// "tau 3 of 10, 30 %"; `end` 0 where that is not known.
-[[nodiscard]] Progress::Line progress_in_tau(double end);
 
 }  // namespace stillpoint::cli

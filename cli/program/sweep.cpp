@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "pages.hpp"
+#include "input/request.hpp"
 #include "progress.hpp"
-#include "request.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/sweep.hpp>
@@ -20,19 +19,6 @@ using sweep::SweepEnd;
 using sweep::SweepSpec;
 using sweep::SweepSummary;
 
-/// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s"
-Progress::Line progress_in_rows(std::int64_t begun_with, std::optional<std::int64_t> total) {
-  return [begun_with, total](double rows, double seconds) {
-    const double rate = (rows - static_cast<double>(begun_with)) / seconds;
-    if (!total) {
-      return fmt::format("{:.4g} rows, {:.3g} rows/s", rows, rate);
-    }
-    const auto all = static_cast<double>(*total);
-    return fmt::format("{:.4g} of {:.4g} rows, {:.0f} %, {:.3g} rows/s", rows, all,
-                       100 * rows / all, rate);
-  };
-}
-
 /// What the user can do about an error, now that `left` is there.
 std::string advice(const std::exception& error, const sweep::LeftRows& left) {
   const auto* const file = dynamic_cast<const records::FileError*>(&error);
@@ -47,8 +33,11 @@ std::string advice(const std::exception& error, const sweep::LeftRows& left) {
 SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::SweepMap* map) {
   const auto total = sweep::entries(spec);
   const std::int64_t begun_with = sink.found().rows;
-  Progress progress(progress_in_rows(begun_with, total), static_cast<double>(total.value_or(0)),
-                    static_cast<double>(begun_with));
+  Progress progress(
+      [&](double rows, double seconds) {
+        return report::progress_words(rows, begun_with, total, seconds);
+      },
+      static_cast<double>(total.value_or(0)), static_cast<double>(begun_with));
   const auto show = [&](const sweep::SweepState& state) {
     const auto rows = static_cast<double>(state.rows);
     progress.announce_minutes(rows);

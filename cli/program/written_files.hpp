@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "settings.hpp"
+#include "options/settings.hpp"
 
 #include <optional>
 #include <string>
 
 namespace stillpoint::cli {
 
-/// Throws UsageError where a file that `command` would write is one that it reads (scene, record,
-/// list), is to be written twice, or belongs to a sweep that is running. Links are followed; a
-/// device or a pipe may be written to any number of times. `scene` is a path, or "-" for standard
-/// input.
+/// Throws records::FileError where a file that `command` would write is one that it reads (scene,
+/// record, list), is to be written twice, or belongs to a sweep that is running. Links are
+/// followed; a device or a pipe may be written to any number of times. `scene` is a path, or "-"
+/// for standard input.
 void require_files_apart(Command command, const Settings& settings,
                          const std::optional<std::string>& scene);
 

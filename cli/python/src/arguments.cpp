@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
-#include "scene.hpp"
+#include "options/scene.hpp"
 #include "values.hpp"
 
 #include <fmt/format.h>
@@ -116,12 +116,10 @@ std::string documentation(Command command, std::string_view about) {
 
 py::list options(const std::string& command) {
   py::list all;
-  for (const Command known :
-       {Command::design, Command::region, Command::simulate, Command::spectrum, Command::sweep}) {
-    for (const Option& option : cli::options()) {
-      if (name(known) == command && takes(known, option)) {
-        all.append(py::make_tuple(keyword_of(option), type_of(option, known), help_of(option)));
-      }
+  const std::optional<Command> known = cli::parse_command(command);
+  for (const Option& option : cli::options()) {
+    if (known && takes(*known, option)) {
+      all.append(py::make_tuple(keyword_of(option), type_of(option, *known), help_of(option)));
     }
   }
   return all;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "settings.hpp"
+#include "options/settings.hpp"
 
 #include <pybind11/pybind11.h>
 

@@ -4,16 +4,17 @@
 
 #include "commands.hpp"
 #include "arguments.hpp"
+#include "input/request.hpp"
 #include "interruptible.hpp"
 #include "method.hpp"
 #include "parts.hpp"
-#include "record_design_input.hpp"
 #include "result.hpp"
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
+#include <stillpoint/report/spectrum.hpp>
 
 #include <array>
 #include <memory>
@@ -34,12 +35,19 @@ Answer answer(Report report) {
   return std::make_unique<ResultOf<Report>>(std::move(report));
 }
 
-Answer design(const Settings& settings) {
-  return cli::designs_under_records(settings) ? answer(cli::record_design_report(settings))
-                                              : answer(cli::design_report(settings));
+/// An interrupt ends a search.
+Answer design(const Settings& settings, const std::stop_token& stop) {
+  if (!cli::designs_under_records(settings)) {
+    return answer(cli::design_report(settings));
+  }
+  const report::RecordDesignInput input = cli::record_design_input(settings);
+  return answer(report::RecordDesignReport{
+      design::design(input.request,
+                     [&](const auto& /*progress*/) { return !stop.stop_requested(); }),
+      input.physical});
 }
 
-Answer region(const Settings& settings) {
+Answer region(const Settings& settings, const std::stop_token& /*stop*/) {
   return answer(cli::region_report(settings));
 }
 
@@ -89,23 +97,30 @@ class Motion final : public ResultOf<report::MotionReport> {
   }
 };
 
-Answer simulate(const Settings& settings) {
+Answer simulate(const Settings& settings, const std::stop_token& stop) {
   Settings wanted = settings;
   const bool forced = settings.has("excitation") || settings.has("record");
   if (settings.has("samples") || (!forced && (settings.has("t-end") || settings.has("end-time")))) {
     wanted.set(*cli::find_option("trajectory"), std::string("-"));
   }
-  return std::make_unique<Motion>(cli::motion_report(wanted));
+  cli::SimulateInput input = cli::simulate_input(wanted);
+  Simulation motion =
+      stillpoint::simulate(input.request, [&](double /*tau*/) { return !stop.stop_requested(); });
+  return std::make_unique<Motion>(report::MotionReport{std::move(input.request), std::move(motion),
+                                                       input.record, input.physical});
 }
 
-Answer spectrum(const Settings& settings) {
-  return answer(cli::spectrum_report(settings));
+Answer spectrum(const Settings& settings, const std::stop_token& stop) {
+  report::SpectrumReport found = cli::spectrum_input(settings);
+  found.result = design::spectrum(found.result.request,
+                                  [&](double /*done*/) { return !stop.stop_requested(); });
+  return answer(std::move(found));
 }
 
 /// A new command that answers with a report is a row.
 struct Row {
   Command command;
-  Answer (*run)(const Settings& settings);
+  Answer (*run)(const Settings& settings, const std::stop_token& stop);
   std::string_view about;
 };
 constexpr std::array rows{
@@ -169,7 +184,7 @@ PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t 
 
 Answer run(const Row& row, const py::object& scene, const py::dict& options) {
   const Settings given = settings(row.command, scene, options);
-  Answer found = interruptible([&](const std::stop_token& /*stop*/) { return row.run(given); });
+  Answer found = interruptible([&](const std::stop_token& stop) { return row.run(given, stop); });
   warn_of_doubts(given, row.command);
   return found;
 }

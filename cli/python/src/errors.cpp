@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "errors.hpp"
 
-#include "settings.hpp"
+#include "options/settings.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "progress.hpp"
-
 #include <pybind11/pybind11.h>
 
 #include <chrono>
@@ -22,10 +20,8 @@ auto interruptible(const Work& work) {
   std::future<decltype(work(source.get_token()))> answer;
   {
     const py::gil_scoped_release released;
-    answer = std::async(std::launch::async, [&work, stop = source.get_token()] {
-      const cli::Hosted hosted(stop);
-      return work(stop);
-    });
+    answer =
+        std::async(std::launch::async, [&work, stop = source.get_token()] { return work(stop); });
     while (answer.wait_for(between_looks) != std::future_status::ready) {
       const py::gil_scoped_acquire acquired;
       if (!interrupted && PyErr_CheckSignals() != 0) {

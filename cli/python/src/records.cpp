@@ -8,7 +8,6 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -34,9 +33,8 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   if (units) {
     options.units = records::parse_record_units(*units);
     if (!options.units) {
-      using enum records::RecordUnits;
-      const std::array names{name(g), name(m_per_s2), name(cm_per_s2)};
-      throw InputError("record-units", *units, "must be " + records::listed(names));
+      throw InputError("record-units", *units,
+                       "must be " + records::listed(records::record_unit_names()));
     }
   }
   options.scale = scale;

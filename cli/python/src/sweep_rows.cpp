@@ -2,9 +2,9 @@
 // The command sweep, with its rows in memory: what a file of the format npy holds, as an array.
 
 #include "arguments.hpp"
+#include "input/request.hpp"
 #include "interruptible.hpp"
 #include "parts.hpp"
-#include "request.hpp"
 #include "result.hpp"
 #include "values.hpp"
 #include "written_files.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "json_parts.hpp"
+#include "json/parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/report.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "report_figures.hpp"
+#include "figures/report_figures.hpp"
 
 #include <stillpoint/report/report.hpp>
 

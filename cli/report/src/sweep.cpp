@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/sweep.hpp>
 
-#include "json_parts.hpp"
-#include "report_figures.hpp"
+#include "figures/report_figures.hpp"
+#include "json/parts.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -95,6 +95,17 @@ Document document(const SweepSpec& spec, const SweepSummary& summary) {
     }
   }
   return document;
+}
+
+std::string progress_words(double rows, std::int64_t begun_with,
+                           const std::optional<std::int64_t>& total, double seconds) {
+  const double per_second = (rows - static_cast<double>(begun_with)) / seconds;
+  if (!total) {
+    return fmt::format("{:.4g} rows, {:.3g} rows/s", rows, per_second);
+  }
+  const auto all = static_cast<double>(*total);
+  return fmt::format("{:.4g} of {:.4g} rows, {:.0f} %, {:.3g} rows/s", rows, all, 100 * rows / all,
+                     per_second);
 }
 
 figures::HtmlPage page(const SweepSpec& spec, const SweepSummary& summary, const SweepMap& map) {

@@ -87,12 +87,12 @@ class ForcedSimulation {
       respond();
     }
     if (!result_.cancelled && !end) {
-      trace(request_.t_end.value_or(result_.horizon));
+      trace(request_.t_end.value_or(*result_.horizon));
     }
     if (!result_.cancelled) {
       result_.half_cycles =
           forced_half_cycles(request_.oscillator, request_.start, request_.excitation,
-                             result_.horizon, request_.max_half_cycles, go_on_, request_.surface);
+                             *result_.horizon, request_.max_half_cycles, go_on_, request_.surface);
     }
     return std::move(result_);
   }
@@ -141,7 +141,7 @@ Simulation simulate(const SimulationRequest& request, const std::function<bool(d
   Simulation result = ForcedSimulation(request, go_on)();
   if (!is_forced(request)) {
     result.forced.reset();
-    result.horizon = 0;
+    result.horizon.reset();
   }
   return result;
 }

@@ -97,4 +97,8 @@ std::optional<RecordUnits> parse_record_units(std::string_view name) noexcept {
   return units_names.parse(name);
 }
 
+std::span<const std::string_view> record_unit_names() {
+  return units_names.all();
+}
+
 }  // namespace stillpoint::records

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/record_scaling.hpp>
+#include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>

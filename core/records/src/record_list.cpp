@@ -20,10 +20,6 @@ namespace {
 
 constexpr std::size_t largest_list = std::size_t{1} << 20U;
 
-// In g; those of every physical value.
-constexpr double smallest_target = 1e-30;
-constexpr double largest_target = 1e30;
-
 /// A file or folder beside the list, or else from where the program runs. FILE#2 is as good.
 std::string beside(const std::string& list, const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(list).parent_path();
@@ -61,7 +57,7 @@ ListedRecord listed_record(std::string path, Column column, std::string_view tex
   }
   const char* const name = column == Column::peak ? "peak" : "spectrum";
   const double value = parse_value(name, Dimension::gravities, text);
-  require_within(name, value, smallest_target, largest_target);
+  require_within(name, value, smallest_physical, largest_physical);
   return {std::move(path), 1,
           column == Column::peak ? RecordTarget{value, {}} : RecordTarget{{}, value}};
 }

@@ -8,7 +8,9 @@
 // of at most half a radian, in which the Taylor series (2) of y converges to the last bit.
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_scaling.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <fmt/format.h>
 
@@ -135,12 +137,45 @@ double mean_interval(const Record& record) {
                                     static_cast<double>(record.times.size() - 1);
 }
 
-double spectral_acceleration(const Record& record, double p) {
-  // The period of a caller may have come from a quotient: an ulp or two do not matter.
+namespace {
+
+/// A period may have come from a quotient: an ulp or two do not matter.
+bool resolved(double period, double shortest) {
   constexpr double rounding = 1e-12;
+  return period >= shortest * (1 - rounding);
+}
+
+/// The spectrum that is scaled to the target.
+double own_spectrum(const Record& record, const std::string& path, const RecordClock& clock,
+                    std::optional<double> p) {
+  if (!p) {
+    throw InputError::missing("record-spectrum-period",
+                              "the motions may have several periods: give the one at which the "
+                              "spectrum is scaled");
+  }
+  const double period = 2 * std::numbers::pi * clock.per_tau / *p;
+  const double shortest = mean_interval(record) * clock.per_tau;
+  if (!resolved(period, shortest)) {
+    throw InputError(
+        "record-spectrum-period", period,
+        fmt::format("must be at least {:.6g} {}, the mean time between two values of record {}",
+                    shortest, clock.unit, path));
+  }
+  return spectral_acceleration(record, *p);
+}
+
+void require_target(const char* name, const std::optional<double>& target) {
+  if (target) {
+    require_within(name, *target, smallest_physical, largest_physical);
+  }
+}
+
+}  // namespace
+
+double spectral_acceleration(const Record& record, double p) {
   const double period = 2 * std::numbers::pi / p;
   const double shortest = mean_interval(record);
-  if (!(period >= shortest * (1 - rounding))) {
+  if (!resolved(period, shortest)) {
     throw InputError(
         "record-spectrum-period", period,
         fmt::format("in tau must be at least {:.6g}, the mean time between two values", shortest));
@@ -154,6 +189,24 @@ double spectral_acceleration(const Record& record, double p) {
   }
   oscillator.follow(0, 0, 3.5);  // its first turn is at most pi/sqrt(1 - zeta^2) = 3.15 later
   return oscillator.most();
+}
+
+double factor_to_target(const RecordScale& scale, const Record& record, const std::string& path,
+                        const RecordClock& clock) {
+  const auto& [peak, spectrum] = scale.target;
+  require_target("record-peak", peak);
+  require_target("record-spectrum", spectrum);
+  if (!scale.target.is_given()) {
+    return 1;
+  }
+  const double own =
+      spectrum ? own_spectrum(record, path, clock, scale.spectrum_p) : peak_acceleration(record);
+  if (own == 0) {
+    throw FileError({"record", path}, spectrum
+                                          ? "moves no oscillator, so its spectrum cannot be scaled"
+                                          : "is 0 throughout, so it cannot be scaled to a peak");
+  }
+  return (spectrum ? *spectrum : *peak) / own;
 }
 
 }  // namespace stillpoint::records

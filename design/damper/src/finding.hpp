@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "pulse_profile.hpp"
+#include "pulse/profile.hpp"
 
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/pulse.hpp>

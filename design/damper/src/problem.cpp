@@ -95,4 +95,8 @@ std::optional<Criterion> parse_criterion(std::string_view name) noexcept {
   return criteria.parse(name);
 }
 
+std::span<const std::string_view> criterion_names() {
+  return criteria.all();
+}
+
 }  // namespace stillpoint::design

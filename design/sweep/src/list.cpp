@@ -5,6 +5,7 @@
 #include "list_line.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
 
@@ -21,6 +22,9 @@ namespace {
 using records::longest_word;
 using records::printable;
 using records::trimmed;
+
+constexpr Names list_formats(std::to_array<Named<ListFormat>>({{ListFormat::csv, "csv"},
+                                                               {ListFormat::jsonl, "jsonl"}}));
 
 using enum Quantity;
 constexpr std::array listed_inputs{v0, p, x0, beta, f, delta, hold, notch_width};
@@ -52,6 +56,18 @@ std::string counted(std::size_t count, std::string_view what) {
 }
 
 }  // namespace
+
+std::string_view name(ListFormat format) noexcept {
+  return list_formats.name(format);
+}
+
+std::optional<ListFormat> parse_list_format(std::string_view name) noexcept {
+  return list_formats.parse(name);
+}
+
+std::span<const std::string_view> list_format_names() {
+  return list_formats.all();
+}
 
 List::List(const std::string& path, std::optional<ListFormat> format,
            const std::optional<SweepUnits>& units)

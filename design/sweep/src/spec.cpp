@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 #include <stillpoint/sweep/spec.hpp>
@@ -14,6 +15,11 @@
 namespace stillpoint::sweep {
 
 namespace {
+
+constexpr Names kinds(std::to_array<Named<SweepKind>>(
+    {{SweepKind::free, "free"}, {SweepKind::forced, "forced"}, {SweepKind::design, "design"}}));
+constexpr Names row_formats(std::to_array<Named<RowFormat>>({{RowFormat::csv, "csv"},
+                                                             {RowFormat::npy, "npy"}}));
 
 using enum Quantity;
 
@@ -66,20 +72,23 @@ InputError unknown_column(std::string_view wanted, const std::vector<Quantity>& 
 }  // namespace
 
 std::string_view name(SweepKind kind) noexcept {
-  switch (kind) {
-    case SweepKind::free:
-      return "free";
-    case SweepKind::forced:
-      return "forced";
-    case SweepKind::design:
-      return "design";
-  }
-  assert(false && "a SweepKind outside its enumeration");
-  return "";
+  return kinds.name(kind);
+}
+
+std::optional<SweepKind> parse_sweep_kind(std::string_view name) noexcept {
+  return kinds.parse(name);
 }
 
 std::string_view name(RowFormat format) noexcept {
-  return format == RowFormat::csv ? "csv" : "npy";
+  return row_formats.name(format);
+}
+
+std::optional<RowFormat> parse_row_format(std::string_view name) noexcept {
+  return row_formats.parse(name);
+}
+
+std::span<const std::string_view> row_format_names() {
+  return row_formats.all();
 }
 
 std::optional<std::int64_t> entries(const SweepSpec& spec) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "generated_docs.hpp"
-#include "command_line.hpp"
-#include "options.hpp"
+#include "options/command_line.hpp"
+#include "options/options.hpp"
 #include "run_program.hpp"
 #include "testing/printing.hpp"
 

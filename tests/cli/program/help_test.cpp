@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "options.hpp"
+#include "options/options.hpp"
 #include "run_program.hpp"
 #include "testing/contains.hpp"
 

@@ -25,9 +25,6 @@ namespace data = boost::unit_test::data;
 /// Of a figure worked out by hand, after its way through metres.
 constexpr double hand_tolerance = 1e-12;
 
-/// 0.4 g at 0 s, -0.2 g at 1 s, 0 at 2 s.
-constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
-
 /// A damper that does not move, so that every figure is known: it passes the load on.
 const Arguments held{"design", "--record",         "a.txt", "--period", "2.8s", "--search-f",
                      "2:2",    "--search-delta-m", "0:0"};
@@ -56,6 +53,12 @@ const std::vector<Wrong> wrong_inputs{
      {"velocity and records exclude each other"}},
     {"no such file", {"design", "--record", "b.txt", "--period", "2"}, {"b.txt"}},
     {"no period", {"design", "--record", "a.txt", "--max-displacement", "0.2"}, {"period"}},
+    {"a catalogue",
+     {"design", "--record", "a.txt", "--period", "2", "--catalogue", "parts.csv"},
+     {"catalogue is not for a design under records"}},
+    {"a trade-off",
+     {"design", "--record", "a.txt", "--period", "2", "--trade-off", "5"},
+     {"trade-off is not for a design under records"}},
     {"no range",
      {"design", "--record", "a.txt", "--period", "2", "--search-f", "0.1"},
      {"search-f = 0.1", "LOW:HIGH"}},

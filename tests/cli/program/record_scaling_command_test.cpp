@@ -27,8 +27,6 @@ namespace data = boost::unit_test::data;
 /// Of a figure worked out by hand, after its way through seconds.
 constexpr double hand_tolerance = 1e-12;
 
-/// 0.4 g at 0 s, -0.2 g at 1 s, 0 at 2 s.
-constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
 /// 0.25 g for 5 s.
 constexpr const char* long_load = "0 0.25\n1 0.25\n2 0.25\n3 0.25\n4 0.25\n5 0.25\n";
 
@@ -162,7 +160,7 @@ const std::vector<Wrong> wrong{
      {"record-spectrum-period is missing"}},
     {"two targets",
      {"design", "--period", "2", "--records-list", "peaks.csv", "--record-spectrum", "1"},
-     {"record-spectrum and the targets in peaks.csv exclude each other"}},
+     {"records-list peaks.csv: its targets and record-spectrum exclude each other"}},
     {"a target of 0 in a list",
      {"design", "--period", "2", "--records-list", "none.csv"},
      {"records-list none.csv, line 2: peak = 0"}},

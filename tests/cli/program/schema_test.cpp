@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "generated_docs.hpp"
 #include "json_schema.hpp"
-#include "options.hpp"
+#include "options/options.hpp"
 #include "run_program.hpp"
 #include "testing/printing.hpp"
 

@@ -27,8 +27,6 @@ namespace data = boost::unit_test::data;
 /// Metres and seconds on the way there and back.
 constexpr double units_tolerance = 1e-12;
 
-constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
-
 const Arguments asked{"spectrum", "--record",  "a.txt", "--period", "1s:3s:5", "--f",
                       "0.02",     "--delta-m", "20mm",  "--hold",   "0.1"};
 

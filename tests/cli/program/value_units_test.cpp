@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "options/settings.hpp"
 #include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
-#include "settings.hpp"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>

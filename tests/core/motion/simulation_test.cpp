@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(a_forced_run_ends_at_t_end) {
   request.t_end = 7;
   request.samples = 2;
   const Simulation motion = simulate(request);
-  BOOST_TEST(motion.horizon == 7);
+  BOOST_TEST((motion.horizon == 7));
   BOOST_TEST(motion.trajectory.back().tau == 7);
   BOOST_TEST(motion.half_cycles.back().end_time == 7);
   BOOST_TEST((motion.response.outcome == Outcome::running));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "check/runge_kutta.hpp"
 #include "random_source.hpp"
-#include "runge_kutta.hpp"
 
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>

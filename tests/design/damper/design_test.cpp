@@ -113,6 +113,9 @@ BOOST_AUTO_TEST_CASE(a_design_in_one_line) {
   request.problem.beta = 0.5;
   result = design::design(request);
   BOOST_TEST(summary(result) == "no damper: " + result.reason);
+  const RegionAnswer region = answer(RegionRequest{{1, 1, 0.9}});
+  BOOST_TEST(summary(region).starts_with("admissible for f from 0."), summary(region));
+  BOOST_TEST(summary(region).ends_with(" to 0.353553"), summary(region));  // f3 = V0 p / sqrt(8)
 }
 
 BOOST_AUTO_TEST_CASE(each_name_leads_back_to_its_enumerator) {

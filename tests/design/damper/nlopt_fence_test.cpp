@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "nlopt_fence.hpp"
+#include "search/nlopt_fence.hpp"
 #include "random_source.hpp"
 #include "unit_problem.hpp"
-#include "way_space.hpp"
+#include "way/space.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -79,7 +79,9 @@ void check_against_dense_scan(const RecordDesignRequest& request, int side) {
   const RecordDesign result = design::design(request);
   BOOST_REQUIRE(result.finding.has_value());
   BOOST_TEST(result.finding->check.passed, result.finding->check.relative_error);
-  const double found = figure(result.finding->point.figures, request.objective);
+  const std::string line = summary(result);
+  BOOST_TEST((line.starts_with("p = ") && line.find(" transmits 0.") != std::string::npos), line);
+  const double found = value_of(result.finding->point.figures, request.objective);
   const double best = best_of_dense_scan(result, side);
   BOOST_TEST(found <= best * (1 + optimum_tolerance), found << ", the dense scan has " << best);
 }
@@ -229,6 +231,8 @@ BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
   const RecordDesign result = design::design(request);
   BOOST_TEST(!result.finding.has_value());
   BOOST_TEST(!result.nearest.figures.settled);
+  BOOST_TEST(summary(result) ==
+             "no damper: the nearest, p = 1, f = 0, delta = 0, does not come to rest");
 }
 
 BOOST_AUTO_TEST_CASE(each_single_limit_that_is_said_to_do_does) {
@@ -240,7 +244,7 @@ BOOST_AUTO_TEST_CASE(each_single_limit_that_is_said_to_do_does) {
   BOOST_REQUIRE(none.shortfalls.size() == 3);
   int relaxed = 0;
   for (const SuiteShortfall& shortfall : none.shortfalls) {
-    BOOST_TEST(shortfall.nearest == figure(none.nearest.figures, shortfall.which));
+    BOOST_TEST(shortfall.nearest == value_of(none.nearest.figures, shortfall.which));
     if (!shortfall.relaxed) {
       continue;
     }
@@ -327,9 +331,9 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
   refused("p", [](auto& request) { request.p = {0, 1}; });
   refused("f", [](auto& request) { request.f = SearchRange{-1, 1}; });
   refused("delta", [](auto& request) { request.delta = SearchRange{1, 0}; });
-  refused("peak limit", [](auto& request) { request.limits.peak = 0; });
-  refused("residual limit", [](auto& request) { request.limits.residual = -1; });
-  refused("acceleration limit", [](auto& request) { request.limits.acceleration = 0; });
+  refused("beta", [](auto& request) { request.limits.peak = 0; });
+  refused("residual", [](auto& request) { request.limits.residual = -1; });
+  refused("acceleration-max", [](auto& request) { request.limits.acceleration = 0; });
   refused("tolerance", [](auto& request) { request.tolerance = 1; });
   refused("hold", [](auto& request) { request.hold = -1; });
   refused("notch-width", [](auto& request) { request.notch_width = 0; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "runge_kutta.hpp"
+#include "check/runge_kutta.hpp"
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>

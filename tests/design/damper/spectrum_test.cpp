@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "suite_check.hpp"
+#include "record/suite_check.hpp"
 
 #include "random_source.hpp"
 
@@ -23,7 +23,7 @@ namespace {
 
 using namespace stillpoint;
 using namespace stillpoint::design;
-using design_test::RandomSource;
+using stillpoint::design_test::RandomSource;
 
 /// Of closed forms: some roundings of sines.
 constexpr double closed_form_tolerance = 1e-13;

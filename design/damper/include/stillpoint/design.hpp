@@ -3,10 +3,12 @@
 
 // All of stillpoint::design; it includes what it uses of stillpoint::core.
 
+#include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/design/doubtful_values.hpp>
 #include <stillpoint/design/hits.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/practice.hpp>

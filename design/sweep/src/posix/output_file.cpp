@@ -47,6 +47,26 @@ void require_file_name(std::string_view field, const std::string& path) {
   }
 }
 
+void make_directory(std::string_view field, const std::string& path) {
+  if (path.empty()) {
+    throw InputError(std::string(field), "\"\"", "must be the name of a directory");
+  }
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) {
+    throw records::FileError({std::string(field), path}, error.message());
+  }
+}
+
+void require_directory_of(std::string_view field, const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code unknown;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, unknown)) {
+    throw records::FileError({std::string(field), path},
+                             fmt::format("there is no directory {}", folder.string()));
+  }
+}
+
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());

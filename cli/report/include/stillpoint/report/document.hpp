@@ -68,8 +68,6 @@ struct TextOptions {
 /// headed sections of aligned columns. Control characters in the title are spelled out.
 [[nodiscard]] std::string text(const Document& document, const TextOptions& options = {});
 
-/// The parts of a section as HTML, without its heading.
-[[nodiscard]] std::string html(const Section& section);
 /// The sections behind the answer as HTML, without a page around them.
 [[nodiscard]] std::string html(const Document& document);
 /// One of them, or the answer, without its heading.

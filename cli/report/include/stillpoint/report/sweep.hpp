@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace stillpoint::report {
@@ -21,6 +24,11 @@ namespace stillpoint::report {
 [[nodiscard]] figures::HtmlPage page(const sweep::SweepSpec& spec,
                                      const sweep::SweepSummary& summary,
                                      const sweep::SweepMap& map);
+
+/// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s", after `seconds` of a run that began with some
+/// rows.
+[[nodiscard]] std::string progress_words(double rows, std::int64_t begun_with,
+                                         const std::optional<std::int64_t>& total, double seconds);
 
 inline constexpr std::array<std::string_view, 1> sweep_figures{"map"};
 

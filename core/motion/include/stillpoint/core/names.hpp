@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -19,7 +20,9 @@ using Named = std::pair<Enum, std::string_view>;
 template <class Enum, std::size_t size>
 class Names {
  public:
-  explicit constexpr Names(std::array<Named<Enum>, size> rows) : rows_(std::move(rows)) {}
+  explicit constexpr Names(std::array<Named<Enum>, size> rows) : rows_(std::move(rows)) {
+    std::ranges::transform(rows_, names_.begin(), &Named<Enum>::second);
+  }
 
   [[nodiscard]] constexpr std::string_view name(Enum value) const noexcept {
     const auto row = std::ranges::find(rows_, value, &Named<Enum>::first);
@@ -33,8 +36,12 @@ class Names {
     return row != rows_.end() ? std::optional(row->first) : std::nullopt;
   }
 
+  /// All of them, in the order of the rows.
+  [[nodiscard]] constexpr std::span<const std::string_view> all() const noexcept { return names_; }
+
  private:
   std::array<Named<Enum>, size> rows_;
+  std::array<std::string_view, size> names_{};
 };
 
 }  // namespace stillpoint

@@ -36,8 +36,8 @@ struct Simulation {
   /// notch. Up to t_end, otherwise to the end of the motion. A motion that never ends gets ten
   /// periods (a forced motion ten more after the excitation).
   std::vector<State> trajectory;
-  /// The tau where half-cycles and trajectory of a forced motion end; 0 for a free one.
-  double horizon{0};
+  /// The tau where half-cycles and trajectory of a forced motion end; empty for a free one.
+  std::optional<double> horizon{};
   bool cancelled{false};  ///< go_on returned false: the rest is incomplete
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,7 @@ enum class RecordUnits { g, m_per_s2, cm_per_s2 };
 [[nodiscard]] std::string_view name(RecordUnits units) noexcept;
 /// Empty for any other name.
 [[nodiscard]] std::optional<RecordUnits> parse_record_units(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> record_unit_names();
 
 /// The unit of the times in a file, and which of them a motion can follow, excitation.hpp. This is
 /// asked while the file is read, so that an error can name the line.

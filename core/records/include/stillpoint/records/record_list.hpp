@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <stillpoint/records/record_scaling.hpp>
+
 #include <string>
 #include <vector>
 
 namespace stillpoint::records {
-
-/// What a record is scaled to: a peak or a value of its spectrum, in g; with neither it keeps its
-/// size.
-struct RecordTarget {
-  std::optional<double> peak{};
-  std::optional<double> spectrum{};
-
-  [[nodiscard]] bool is_given() const { return peak || spectrum; }
-};
 
 /// A line of a list of records.
 struct ListedRecord {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/records/record_file.hpp>
 
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace stillpoint::records {
 
@@ -23,8 +24,28 @@ inline constexpr double spectrum_damping = 0.05;
 /// period 2 pi/p shorter than the mean interval, which the record does not resolve.
 [[nodiscard]] double spectral_acceleration(const Record& record, double p);
 
-/// The files of a folder that may be records, by the ending of their names, in the order of their
-/// names; of anything else the path itself. Throws FileError for a folder without any.
-[[nodiscard]] std::vector<std::string> record_files(const std::string& path);
+/// What a record is scaled to: a peak or a value of its spectrum, in g; with neither it keeps its
+/// size.
+struct RecordTarget {
+  std::optional<double> peak{};
+  std::optional<double> spectrum{};
+
+  [[nodiscard]] bool is_given() const { return peak || spectrum; }
+};
+
+/// How the values of records are scaled.
+struct RecordScale {
+  double factor{1};  ///< of require_scale
+  RecordTarget target{};
+  /// Where the spectrum is taken; empty: the motions have several p, and a target of the spectrum
+  /// is refused.
+  std::optional<double> spectrum_p{};
+};
+
+/// What brings `record`, read from `path`, to the target: 1 without one. Throws InputError for a
+/// wrong target and for a period that the record does not resolve, FileError for a record that is 0
+/// throughout.
+[[nodiscard]] double factor_to_target(const RecordScale& scale, const Record& record,
+                                      const std::string& path, const RecordClock& clock);
 
 }  // namespace stillpoint::records

@@ -27,6 +27,11 @@ struct Unit {
   int power_of_ten;
 };
 
+/// Of the positive values of anything that is built or recorded, in SI units and in g, with room to
+/// spare. What these make dimensionless is valid as well.
+inline constexpr double smallest_physical = 1e-30;
+inline constexpr double largest_physical = 1e30;
+
 /// The units of a dimension, the SI unit first; of gravities that is g. None for a plain number.
 [[nodiscard]] std::vector<Unit> units_of(Dimension dimension);
 

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <optional>
 #include <string_view>
 
 namespace stillpoint::design {
 
-/// Of anything that is built, in SI units, with room to spare. What these make dimensionless is
-/// valid as well.
-inline constexpr double smallest_physical = 1e-30;
-inline constexpr double largest_physical = 1e30;
+using records::largest_physical;
+using records::smallest_physical;
 
 /// The scales between metres, seconds and the paper's dimensionless numbers, its (5):
 ///   length H, time sqrt(H/g), velocity sqrt(g H), omega^2 = g p^2 / H.

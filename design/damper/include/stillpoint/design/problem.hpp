@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace stillpoint::design {
@@ -78,5 +79,6 @@ void require_valid(const Problem& problem, const Limits& limits = {});
 [[nodiscard]] std::string_view name(Criterion criterion) noexcept;
 /// The criterion of that name; empty where there is none.
 [[nodiscard]] std::optional<Criterion> parse_criterion(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> criterion_names();
 
 }  // namespace stillpoint::design

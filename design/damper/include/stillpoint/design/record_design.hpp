@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/records/record_suite.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -32,12 +33,7 @@ enum class Combine { max, mean };
 [[nodiscard]] std::optional<Combine> parse_combine(std::string_view name) noexcept;
 [[nodiscard]] std::span<const std::string_view> combine_names();
 
-/// W(tau) = scale * record.
-struct SuiteRecord {
-  std::string name;  ///< for messages and reports
-  Record record;
-  double scale{1};  ///< not 0
-};
+using records::SuiteRecord;
 
 /// The record times its scale.
 [[nodiscard]] Record scaled(const SuiteRecord& record);
@@ -64,6 +60,8 @@ struct RecordDesignRequest {
   /// the peak, or without a limit the peak without a damper: the most that the spring and the load
   /// can give on the way back from there. A notch that takes more stops every return as well.
   std::optional<SearchRange> delta{};
+  std::optional<double> f_max{};  ///< what can be manufactured: the search ends there at the latest
+  std::optional<double> delta_max{};  ///< the same
   SuiteObjective objective{SuiteObjective::acceleration};
   std::optional<Combine> combine{};  ///< default: max below seven records, else mean
   SuiteLimits limits{};
@@ -90,7 +88,8 @@ struct SuiteFigures {
   bool settled{true};
 };
 
-[[nodiscard]] double figure(const SuiteFigures& figures, SuiteObjective which);
+/// The one of the figures that the objective is about.
+[[nodiscard]] double value_of(const SuiteFigures& figures, SuiteObjective which);
 
 /// A damper is passed over where a decision of a motion is closer than this to the other outcome:
 /// neither the check nor the world could tell which of the two it is.
@@ -163,6 +162,9 @@ struct RecordDesign {
   std::vector<SuiteShortfall> shortfalls;
   SuiteSearch search;
 };
+
+/// The result in one line for people: the damper and its figures, or how near the best came.
+[[nodiscard]] std::string summary(const RecordDesign& result);
 
 /// How far a search has come.
 struct RecordProgress {

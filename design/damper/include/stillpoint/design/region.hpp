@@ -202,6 +202,9 @@ struct RegionAnswer : RegionVerdict {
   std::optional<Practice> practice{};
 };
 
+/// The answer in one line for people: the interval of f, or why the region is empty.
+[[nodiscard]] std::string summary(const RegionVerdict& verdict);
+
 /// Throws InputError as admissible_region does, for f or delta not in [0, 1e300], and for delta
 /// without f.
 [[nodiscard]] RegionAnswer answer(const RegionRequest& request);

@@ -43,7 +43,8 @@ struct Spectrum {
   std::vector<SpectrumPoint> combined;
 };
 
-/// `go_on`, if not empty, is asked by several threads with the share that is done; after a false
+/// `go_on`, if not empty, is asked once at a time, but by several threads, with the share that is
+/// done; after a false
 /// the rest is skipped and the spectrum of no use. Throws InputError.
 [[nodiscard]] Spectrum spectrum(const SpectrumRequest& request,
                                 const std::function<bool(double)>& go_on = {});

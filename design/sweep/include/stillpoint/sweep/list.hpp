@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@ namespace stillpoint::sweep {
 class LineReader;
 
 enum class ListFormat { csv, jsonl };
+
+[[nodiscard]] std::string_view name(ListFormat format) noexcept;
+[[nodiscard]] std::optional<ListFormat> parse_list_format(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> list_format_names();
 
 /// The entries of a list, one on each line: CSV with a header that names the columns, or JSON
 /// objects that all have the same keys. Blank lines are skipped. Columns are inputs of a sweep.

@@ -13,6 +13,13 @@ namespace stillpoint::sweep {
 /// Throws InputError if `path` is empty or "-", and FileError if it is a directory.
 void require_file_name(std::string_view field, const std::string& path);
 
+/// Makes a directory, and those that it is in. Throws InputError if `path` is empty, FileError
+/// where it cannot be made.
+void make_directory(std::string_view field, const std::string& path);
+
+/// Throws FileError unless the directory of the file is there.
+void require_directory_of(std::string_view field, const std::string& path);
+
 /// Writes everything; 0 or the error.
 [[nodiscard]] int write_all(int descriptor, std::string_view text);
 

@@ -27,10 +27,13 @@ enum class SweepKind {
 };
 
 [[nodiscard]] std::string_view name(SweepKind kind) noexcept;
+[[nodiscard]] std::optional<SweepKind> parse_sweep_kind(std::string_view name) noexcept;
 
 enum class RowFormat { csv, npy };
 
 [[nodiscard]] std::string_view name(RowFormat format) noexcept;
+[[nodiscard]] std::optional<RowFormat> parse_row_format(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> row_format_names();
 
 /// What a sweep is to compute, and where its rows go. Without `units` everything is dimensionless.
 struct SweepSpec {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/version.hpp>
+#include "generated_docs.hpp"
+#include "option_facts.hpp"
+#include "options/embedded.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// A line of plain text as roff has it: no character is a request, a hyphen is a minus.
+std::string roff(std::string_view text) {
+  static const std::map<char, std::string_view> escapes{
+      {'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
+  std::string result;
+  for (const char c : text) {
+    const auto found = escapes.find(c);
+    result += found == escapes.end() ? std::string_view(&c, 1) : found->second;
+  }
+  return result.starts_with('.') ? "\\&" + result : result;
+}
+
+/// Lines that stay as they are.
+std::string verbatim(std::string_view text) {
+  std::string block = ".PP\n.EX\n";
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    block += roff(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return block + ".EE\n";
+}
+
+std::string synopsis(const CommandHelp& help) {
+  return fmt::format(".B stillpoint {}\n[\\fI{}\\fR]{}\n.br\n", name(help.command),
+                     help.words.empty() ? "SCENE" : "KIND",
+                     help.words.empty() ? " [\\fIOPTION\\fR]..." : "");
+}
+
+std::string command_section(const CommandHelp& help) {
+  return fmt::format(".SS {}\n{}\n", name(help.command), roff(help.summary)) +
+         verbatim(help.examples);
+}
+
+std::string entry(const Option& option) {
+  const std::string value =
+      option.kind == OptionKind::flag ? "" : fmt::format(" \\fI{}\\fR", roff(option.placeholder));
+  return fmt::format(".TP\n\\fB{}\\fR{}\n{} ({}{})\n", roff(fmt::format("--{}", option.name)),
+                     value, roff(option.help), command_names(&option, ", "),
+                     option.traits.sweeps ? "*" : "");
+}
+
+/// Every option under the heading of its group, with the commands that have it.
+std::string option_entries() {
+  std::string_view group;
+  return for_options([&group](const Option& option) {
+    const bool begins = option.group != group;
+    group = option.group;
+    return (begins ? fmt::format(".SS {}\n", roff(group)) : "") + entry(option);
+  });
+}
+
+/// The units of each dimension.
+std::string units() {
+  std::string entries;
+  for (const auto& [what, dimension] :
+       {std::pair{"length", Dimension::length}, std::pair{"velocity", Dimension::velocity},
+        std::pair{"time", Dimension::time}, std::pair{"frequency", Dimension::frequency},
+        std::pair{"mass", Dimension::mass}, std::pair{"stiffness", Dimension::stiffness},
+        std::pair{"acceleration", Dimension::acceleration},
+        std::pair{"peak of a load", Dimension::gravities}}) {
+    entries += fmt::format(".TP\n{}\n{}\n", what, records::unit_names(dimension));
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::string man_page() {
+  return embedded("shell/man", {{"version", std::string(report::program_version())},
+                                {"synopsis", for_commands(synopsis)},
+                                {"about", roff(program_about())},
+                                {"commands", for_commands(command_section)},
+                                {"options", option_entries()},
+                                {"units", units()}});
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include "generated_docs.hpp"
+#include "option_facts.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A number, and in a text a number with its unit.
+ordered_json number_type(Dimension dimension) {
+  if (dimension == Dimension::none) {
+    return {{"type", "number"}};
+  }
+  std::string names;
+  for (const records::Unit& unit : records::units_of(dimension)) {
+    names += fmt::format("{}{}", names.empty() ? "" : "|", unit.name);
+  }
+  return {{"type", {"number", "string"}},
+          {"pattern",
+           fmt::format("^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *({})$", names)}};
+}
+
+ordered_json type_of(const Option& option) {
+  if (option.traits.range != RangeEnd::none && !option.traits.sweeps) {
+    return {
+        {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 2}};
+  }
+  if (option.traits.sweeps) {
+    return {{"type", {"number", "string", "array"}},
+            {"items", number_type(option.traits.dimension)},
+            {"minItems", 1}};
+  }
+  switch (option.kind) {
+    case OptionKind::number:
+      return number_type(option.traits.dimension);
+    case OptionKind::integer:
+      return {{"type", "integer"}};
+    case OptionKind::text:
+      if (option.name == "friction-zones") {
+        const ordered_json zone{
+            {"type", "object"},
+            {"required", {"to", "f"}},
+            {"properties", {{"to", number_type(Dimension::length)}, {"f", {{"type", "number"}}}}},
+            {"additionalProperties", false}};
+        return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", zone}};
+      }
+      if (option.traits.repeats) {
+        return {{"type", {"string", "array"}}, {"minItems", 1}, {"items", {{"type", "string"}}}};
+      }
+      return option.traits.values.empty()
+                 ? ordered_json{{"type", "string"}}
+                 : ordered_json{{"type", "string"}, {"enum", option.traits.values}};
+    case OptionKind::flag:
+      return {{"type", "boolean"}};
+    case OptionKind::axis:
+      break;
+  }
+  assert(false && "an option of the table is no axis by itself");
+  return {};
+}
+
+/// "; may carry a unit: m, cm or mm"
+std::string units_text(const Option& option) {
+  const std::string names = records::unit_names(option.traits.dimension);
+  return names.empty() ? "" : "; in a text it may carry its unit: " + names;
+}
+
+ordered_json described(const Option& option) {
+  ordered_json entry = type_of(option);
+  entry["description"] =
+      std::string(option.help) + " (" + command_names(&option, ", ") + ")" +
+      (option.traits.axis_of_spectrum ? "; only a sweep and a spectrum take an axis"
+       : option.traits.sweeps         ? "; only a sweep takes an axis"
+                                      : "") +
+      (option.traits.range != RangeEnd::none ? "; design and region also take a range [LOW, HIGH]"
+                                             : "") +
+      units_text(option);
+  return entry;
+}
+
+/// Under both spellings of its name.
+void add(ordered_json& properties, const Option& option, const ordered_json& entry) {
+  std::string underscored(option.name);
+  std::ranges::replace(underscored, '-', '_');
+  properties[underscored] = entry;
+  properties[std::string(option.name)] = entry;
+}
+
+/// The name of a type, or an object that has it as `type` beside the options of its group.
+ordered_json excitation(const Option& option) {
+  ordered_json properties{{"type", type_of(option)}};
+  properties["type"]["description"] = option.help;
+  for (const Option& other : options()) {
+    if (other.group == option.group && other.name != option.name) {
+      add(properties, other, described(other));
+    }
+  }
+  const ordered_json object{{"type", "object"},
+                            {"minProperties", 1},
+                            {"properties", properties},
+                            {"additionalProperties", false}};
+  return {{"anyOf", {described(option), object}}};
+}
+
+}  // namespace
+
+std::string scene_schema() {
+  ordered_json properties = ordered_json::object();
+  for (const Option& option : options()) {
+    add(properties, option, option.name == "excitation" ? excitation(option) : described(option));
+  }
+  const ordered_json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                            {"$id", "urn:stillpoint:scene"},
+                            {"title", "A scene: the input of stillpoint"},
+                            {"description",
+                             "The keys are the names of the options; _ and - are the same. The "
+                             "program also accepts // and /* */ comments."},
+                            {"type", "object"},
+                            {"properties", properties},
+                            {"additionalProperties", false}};
+  constexpr int indent = 2;
+  return schema.dump(indent) + "\n";
+}
+
+}  // namespace stillpoint::cli

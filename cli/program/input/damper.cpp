@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The requests of design and region, which share their task.
+
+#include "input/excitation.hpp"
+#include "input/motion.hpp"
+#include "input/request.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/box_shape.hpp>
+#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/sweep/catalogue_file.hpp>
+
+#include <fmt/format.h>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// Of a limit of Delta, as problem.hpp has it.
+constexpr double smallest_limit = 1e-300;
+
+struct Task {
+  design::Problem problem;
+  design::Limits limits;
+  std::optional<design::PhysicalInput> physical;
+};
+
+/// The stroke beta. Says in `motion` what it is in metres.
+double stroke(const Settings& settings, MotionInput& motion) {
+  if (!motion.physical) {
+    return settings.required("beta", "give --beta, or --max-displacement in m");
+  }
+  const double displacement =
+      settings.required("max-displacement", "give the largest admissible displacement in m");
+  require_within("max-displacement", displacement, smallest_physical, largest_physical);
+  motion.physical->max_displacement_m = displacement;
+  return displacement / motion.physical->scales.length_m;
+}
+
+/// R, or LOW:HIGH as factors.
+std::optional<design::Spread> spread(const Settings& settings, const char* name) {
+  if (const auto range = settings.range(name)) {
+    return design::spread_of_factors(name, range->low, range->high);
+  }
+  const auto value = settings.number(name);
+  return value ? std::optional(design::spread_of_tolerance(name, *value)) : std::nullopt;
+}
+
+/// With a pulse, without a velocity.
+Task task(const Settings& settings, Command command, bool pulse) {
+  MotionInput motion = motion_input(settings, command, pulse);
+  const double beta = stroke(settings, motion);
+  if (motion.physical && !pulse) {
+    require_within("velocity", motion.physical->velocity_m_per_s, smallest_physical,
+                   largest_physical);
+  }
+  Task task{
+      {motion.v0, motion.p, beta, criterion(settings), settings.integer("arrivals").value_or(1)},
+      {settings.number("f-max"),
+       point_friction(settings, "delta-max", "delta-max-m", motion.physical, smallest_limit),
+       settings.number("tolerance").value_or(0), settings.number("acceleration-max")},
+      motion.physical};
+  task.problem.v0_low = motion.v0_low;
+  task.problem.p_high = motion.p_high;
+  task.problem.residual = point_friction(settings, "residual", "residual-m", motion.physical);
+  shape_box(task.limits, spread(settings, "tolerance-f"), spread(settings, "tolerance-delta"));
+  return task;
+}
+
+/// In `units`, which lack how metres are read.
+std::vector<design::Part> read_parts(const Settings& settings, sweep::CatalogueUnits units) {
+  const Option& in_metres = *find_option("delta-m");
+  units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
+  return sweep::read_catalogue(*settings.text("catalogue"), units);
+}
+
+}  // namespace
+
+design::Criterion criterion(const Settings& settings) {
+  const auto wanted = settings.known("criterion");
+  return wanted ? *design::parse_criterion(*wanted) : design::Problem().criterion;
+}
+
+design::Objective objective(const Settings& settings) {
+  const auto wanted = settings.text("objective");
+  if (!wanted) {
+    return design::SearchOptions().objective;
+  }
+  const auto objective = design::parse_objective(*wanted);
+  if (!objective) {
+    throw InputError("objective", *wanted,
+                     fmt::format("must be {}{}", listed(design::objective_names()),
+                                 design::parse_suite_objective(*wanted) ? " without records" : ""));
+  }
+  return *objective;
+}
+
+DesignInput design_input(const Settings& settings) {
+  const Task given = task(settings, Command::design, settings.has("pulse"));
+  const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
+  const std::optional<std::string> algorithm = settings.text("algorithm");
+  if (algorithm && algorithm->empty()) {
+    throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
+  }
+  DesignInput input{{given.problem, given.limits, {}, pulse}, given.physical};
+  input.request.search.objective = objective(settings);
+  input.request.search.algorithm = algorithm.value_or("");
+  return input;
+}
+
+RegionInput region_input(const Settings& settings) {
+  if (settings.has("pulse") && !settings.has("v0") && !settings.has("velocity")) {
+    throw InputError::missing(
+        "v0", "region needs a velocity, not a pulse: give --v0, or --velocity in m/s");
+  }
+  const Task given = task(settings, Command::region, false);
+  RegionInput input{{given.problem, given.limits, settings.number("f")}, given.physical};
+  auto& [problem, limits, f, delta] = input.request;
+  delta = point_friction(settings, "delta", "delta-m", given.physical);
+  if (f) {
+    require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
+  }
+  if (delta && !f) {
+    throw InputError::missing("f", "delta alone is not a point of the region, give --f as well");
+  }
+  return input;
+}
+
+std::optional<std::vector<design::Part>> catalogue_input(
+    const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical) {
+  if (!settings.has("catalogue")) {
+    return std::nullopt;
+  }
+  if (settings.has("pulse")) {
+    throw UsageError("catalogue and pulse exclude each other: parts are chosen for a velocity");
+  }
+  sweep::CatalogueUnits units;
+  units.p = p;
+  if (physical) {
+    units.length_m = physical->scales.length_m;
+  }
+  return read_parts(settings, units);
+}
+
+std::vector<design::Part> catalogue_input(const Settings& settings,
+                                          const std::optional<sweep::SweepUnits>& physical) {
+  if (!settings.has("catalogue")) {
+    return {};
+  }
+  if (settings.text("catalogue") == "-" && settings.text("list") == "-") {
+    throw UsageError(
+        "the list and the catalogue cannot both be standard input: give a file for one");
+  }
+  sweep::CatalogueUnits units;
+  if (physical) {
+    units.length_m = 1;
+    units.metres_only = true;
+  }
+  return read_parts(settings, units);
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "input/excitation.hpp"
+
+#include "input/motion.hpp"
+#include "input/record.hpp"
+#include "options/excitation_kinds.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <utility>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// The seconds of one tau; empty without physical input.
+std::optional<double> time_unit(const std::optional<design::PhysicalInput>& physical) {
+  return physical ? std::optional(physical->scales.time_s) : std::nullopt;
+}
+
+/// UsageError where an option of an excitation is set that `kind` does not take; null takes none.
+void refuse_others(const Settings& settings, const ExcitationKind* kind) {
+  for (const Option& option : options()) {
+    if (option.traits.load == Load::none || !settings.has(option.name)) {
+      continue;
+    }
+    if (kind == nullptr) {
+      throw UsageError(
+          fmt::format("{} is for an excitation: give --excitation as well", option.name));
+    }
+    if (!option.shapes(kind->load)) {
+      throw UsageError(
+          fmt::format("{} and excitation {} exclude each other", option.name, kind->name));
+    }
+  }
+}
+
+/// The angular frequency, from what it was given as. tau is the time over `time_s`.
+double lambda(const Settings& settings, const ExcitationKind& kind,
+              const std::optional<double>& time_s) {
+  if (const auto hertz = settings.number("excitation-frequency")) {
+    require_within("excitation-frequency", *hertz, smallest_physical, largest_physical);
+    return 2 * std::numbers::pi * *hertz * *time_s;
+  }
+  if (const auto seconds = settings.number("pulse-duration")) {
+    require_within("pulse-duration", *seconds, smallest_physical, largest_physical);
+    return kind.angle * *time_s / *seconds;
+  }
+  return settings.required(
+      "lambda", time_s ? kind.angle != 0 ? "give --pulse-duration in s, --excitation-frequency in "
+                                           "Hz, or --lambda, the dimensionless angular frequency"
+                                         : "give --excitation-frequency in Hz, or --lambda, the "
+                                           "dimensionless angular frequency"
+                       : "give --lambda, its angular frequency");
+}
+
+/// `what` in messages: "excitation" or "pulse".
+Harmonic wave(const Settings& settings, std::string_view what, const ExcitationKind& kind,
+              const std::optional<double>& time_s) {
+  Harmonic wave;
+  wave.k = settings.required("k", fmt::format("give --k, the peak of the {} in g", what));
+  wave.lambda = lambda(settings, kind, time_s);
+  wave.phase = settings.number("phase").value_or(wave.phase);
+  wave.duration = in_either(settings, "duration", "excitation-duration", time_s.value_or(1), 0);
+  return wave;
+}
+
+ExcitationInput record(const Settings& settings, const records::RecordClock& clock,
+                       std::optional<double> p) {
+  records::RecordOptions options = record_options(settings, clock);
+  const records::RecordScale scale = record_scale(settings, clock, p);
+  options.scale = scale.factor;
+  const auto path = settings.text("record");
+  if (!path) {
+    throw InputError::missing("record", "give --record FILE");
+  }
+  records::RecordFile file = records::read_record(*path, options);
+  const double factor = records::factor_to_target(scale, file.record, *path, clock);
+  if (scale.target.is_given()) {
+    for (double& value : file.record.values) {
+      value *= factor;
+    }
+  }
+  const std::string units(name(file.units));
+  return {std::move(file.record),
+          report::RecordOrigin{*path, std::move(file.description), settings.text("record-units"),
+                               settings.number("record-step"), settings.number("record-scale"),
+                               scale.target.peak, scale.target.spectrum,
+                               settings.number("record-spectrum-period"), options.scale * factor,
+                               units}};
+}
+
+}  // namespace
+
+std::optional<std::string> excitation_type(const Settings& settings) {
+  auto type = settings.known("excitation");
+  return !type && settings.has("record") ? std::optional<std::string>("record") : type;
+}
+
+std::optional<ExcitationInput> excitation_input(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical,
+    std::optional<double> p) {
+  const auto type = excitation_type(settings);
+  const ExcitationKind* const kind = type ? find_excitation_kind(*type) : nullptr;
+  refuse_others(settings, kind);
+  if (kind == nullptr) {
+    return std::nullopt;
+  }
+  ExcitationInput input;
+  if (kind->wave != nullptr) {
+    input.excitation = kind->wave(wave(settings, "excitation", *kind, time_unit(physical)));
+  } else {
+    // One that is scaled to its spectrum at the period of a motion needs that there is one motion.
+    input = record(settings,
+                   physical ? records::RecordClock{"s", physical->scales.time_s, p.value_or(1)}
+                            : records::RecordClock{"tau", 1, p.value_or(1)},
+                   p);
+  }
+  require_valid(input.excitation);
+  return input;
+}
+
+std::optional<double> end_of_run(const Settings& settings,
+                                 const std::optional<design::PhysicalInput>& physical) {
+  return in_either(settings, "t-end", "end-time", time_unit(physical).value_or(1),
+                   smallest_physical);
+}
+
+std::optional<double> forced_end(const Settings& settings, const Excitation& excitation,
+                                 const std::optional<design::PhysicalInput>& physical) {
+  const auto t_end = end_of_run(settings, physical);
+  if (t_end) {
+    require_within("t-end", *t_end, smallest_speed, largest_speed);
+  } else if (!duration(excitation)) {
+    throw InputError::missing(physical ? "end-time" : "t-end",
+                              physical ? "give --end-time in s, the excitation never ends"
+                                       : "give --t-end, the excitation never ends");
+  }
+  return t_end;
+}
+
+std::optional<design::Pulse> pulse_input(const Settings& settings,
+                                         const std::optional<design::PhysicalInput>& physical) {
+  const auto type = settings.known("pulse");
+  if (type) {
+    const ExcitationKind& kind = *find_excitation_kind(*type);
+    return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
+  }
+  // A scene's excitation is for simulate, and these are its options.
+  for (const Option& option : options()) {
+    if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
+      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", option.name));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/settings.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/records/record_file.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <optional>
+#include <string>
+
+namespace stillpoint::cli {
+
+/// What shakes the base, and where a record comes from.
+struct ExcitationInput {
+  Excitation excitation;
+  std::optional<report::RecordOrigin> record;
+};
+
+/// What --excitation names; with --record alone "record". Empty: free motion. Throws
+/// InputError for another name.
+[[nodiscard]] std::optional<std::string> excitation_type(const Settings& settings);
+
+/// Empty for a free motion. With physical input frequencies are in hertz and the times of a record
+/// in seconds; `p` is that of the motion, empty where there are several.
+/// Throws UsageError for options that exclude each other, FileError for a wrong file and InputError
+/// for a wrong value.
+[[nodiscard]] std::optional<ExcitationInput> excitation_input(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical,
+    std::optional<double> p);
+
+/// --end-time or --t-end, in tau; empty where neither is given. Throws InputError.
+[[nodiscard]] std::optional<double> end_of_run(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// The same of a run under the excitation; empty: up to the end of the motion. Throws InputError.
+[[nodiscard]] std::optional<double> forced_end(
+    const Settings& settings, const Excitation& excitation,
+    const std::optional<design::PhysicalInput>& physical);
+
+/// The pulse that gives the initial velocity of a design; empty where none is asked for. Throws
+/// UsageError for its options without it, and InputError for a wrong value.
+[[nodiscard]] std::optional<design::Pulse> pulse_input(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+}  // namespace stillpoint::cli

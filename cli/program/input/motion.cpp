@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "input/motion.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// UsageError where more than one option of a set of rivals is given. Of the hits a command looks
+/// only at those that it has: a scene's pulse is for design.
+void require_no_rivals(const Settings& settings, Command command) {
+  std::map<Rivals, std::string_view> given;
+  for (const Option& option : options()) {
+    const Rivals rivals = option.traits.rivals;
+    if (rivals == Rivals::none || !settings.has(option.name) ||
+        (rivals == Rivals::hit && !option.serves(command))) {
+      continue;
+    }
+    const auto [first, alone] = given.emplace(rivals, option.name);
+    if (!alone) {
+      throw UsageError(fmt::format("{} and {} exclude each other: give one of them", first->second,
+                                   option.name));
+    }
+  }
+}
+
+/// The first option that is set of those in these units; null where there is none.
+const Option* first_in(Units units, const Settings& settings) {
+  const auto found = std::ranges::find_if(options(), [&](const Option& option) {
+    // The gravity that turns a record's m/s2 into g says nothing of the motion.
+    const bool of_a_record = option.name == "gravity" && settings.has("record");
+    return option.traits.units == units && settings.has(option.name) && !of_a_record;
+  });
+  return found == options().end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool is_physical(const Settings& settings, Command command) {
+  require_no_rivals(settings, command);
+  const Option* const plain = first_in(Units::dimensionless, settings);
+  const Option* const physical = first_in(Units::physical, settings);
+  if (plain != nullptr && physical != nullptr) {
+    throw UsageError(
+        fmt::format("{} and {} exclude each other: give everything in metres and seconds, or "
+                    "everything dimensionless",
+                    plain->name, physical->name));
+  }
+  return physical != nullptr;
+}
+
+namespace {
+
+double initial_velocity(const Settings& settings, std::string_view name, bool may_be_missing,
+                        std::string_view hint) {
+  return may_be_missing ? settings.number(name).value_or(0) : settings.required(name, hint);
+}
+
+MotionInput physical_motion(const Settings& settings, bool from_rest) {
+  design::PhysicalIsolator isolator;
+  isolator.period_s = settings.number("period");
+  isolator.natural_frequency_hz = settings.number("natural-frequency");
+  isolator.stiffness_n_per_m = settings.number("stiffness");
+  isolator.mass_kg = settings.number("mass");
+  isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
+  const double x0_m = settings.number("x0-m").value_or(0);
+  const double velocity = initial_velocity(settings, "velocity", x0_m != 0 || from_rest,
+                                           "give the initial velocity in m/s");
+  const design::PhysicalInput physical = design::physical_input(isolator, velocity, x0_m);
+  const design::Scales& scales = physical.scales;
+  MotionInput motion;
+  motion.v0 = velocity / scales.velocity_m_per_s;
+  motion.p = scales.p;
+  motion.x0 = x0_m / scales.length_m;
+  motion.physical = physical;
+  if (const auto range = settings.range("velocity")) {
+    motion.v0_low = range->low == range->high ? motion.v0 : range->low / scales.velocity_m_per_s;
+  }
+  for (const char* const name : {"period", "natural-frequency", "stiffness"}) {
+    if (const auto range = settings.range(name)) {
+      require_within(name, range->low, smallest_physical, largest_physical);
+      const double ratio = range->high / range->low;
+      motion.p_high = scales.p * (name == std::string_view("stiffness") ? std::sqrt(ratio) : ratio);
+    }
+  }
+  return motion;
+}
+
+}  // namespace
+
+MotionInput motion_input(const Settings& settings, Command command, bool from_rest) {
+  if (is_physical(settings, command)) {
+    return physical_motion(settings, from_rest);
+  }
+  MotionInput motion;
+  motion.x0 = settings.number("x0").value_or(0);
+  motion.v0 = initial_velocity(settings, "v0", motion.x0 != 0 || from_rest,
+                               "give --v0, or --velocity in m/s");
+  motion.p = settings.required("p", "give --p, or --period in s");
+  if (const auto range = settings.range("v0")) {
+    motion.v0_low = range->low;
+  }
+  if (const auto range = settings.range("p")) {
+    motion.p_high = range->high;
+  }
+  return motion;
+}
+
+std::optional<double> in_either(const Settings& settings, std::string_view plain,
+                                const char* physical, double unit, double least) {
+  const auto value = settings.number(physical);
+  if (!value) {
+    return settings.number(plain);
+  }
+  require_within(physical, *value, least, largest_physical);
+  return *value / unit;
+}
+
+std::optional<double> point_friction(const Settings& settings, std::string_view plain,
+                                     std::string_view metres,
+                                     const std::optional<design::PhysicalInput>& physical,
+                                     double least) {
+  const auto value = settings.number(metres);
+  if (!value) {
+    return settings.number(plain);
+  }
+  const double unit = physical->scales.length_m;
+  const double most = std::min(largest_square * unit, std::numeric_limits<double>::max());
+  if (!(*value >= least * unit && *value <= most)) {
+    throw InputError(std::string(metres), *value,
+                     fmt::format("must be a number from {:.3g} to {:.3g}", least * unit, most));
+  }
+  return *value / unit;
+}
+
+}  // namespace stillpoint::cli

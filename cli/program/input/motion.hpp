@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/settings.hpp"
+
+#include <stillpoint/core/surface.hpp>
+#include <stillpoint/design/physical.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+using design::largest_physical;
+using design::smallest_physical;
+
+/// v0, p and x0 of a motion, however they were given.
+struct MotionInput {
+  double v0{0};
+  double p{1};
+  double x0{0};
+  std::optional<double> v0_low{};  ///< these two of a range
+  std::optional<double> p_high{};
+  std::optional<design::PhysicalInput> physical{};
+};
+
+/// Whether the task is given in metres and seconds. Throws UsageError for options that exclude each
+/// other.
+[[nodiscard]] bool is_physical(const Settings& settings, Command command);
+
+/// `from_rest`: the velocity may be missing, because something else sets the mass off. Throws
+/// UsageError for options that exclude each other and InputError for a missing or wrong value.
+[[nodiscard]] MotionInput motion_input(const Settings& settings, Command command, bool from_rest);
+
+/// A value that is given plain or, as the option `physical`, in its SI unit, then from `least` to
+/// largest_physical and `unit` times as large. Empty where not given.
+[[nodiscard]] std::optional<double> in_either(const Settings& settings, std::string_view plain,
+                                              const char* physical, double unit, double least);
+
+/// A point friction, which may be given in metres, then at least `least`. Empty where not given.
+[[nodiscard]] std::optional<double> point_friction(
+    const Settings& settings, std::string_view plain, std::string_view metres,
+    const std::optional<design::PhysicalInput>& physical, double least = 0);
+
+/// "x:f,x:f,...", as a scene's list of { "to": x, "f": f } reads in one text.
+[[nodiscard]] std::string zones_text(const nlohmann::json& list);
+
+/// The width of the notch, which may be given in metres. Empty where not given.
+[[nodiscard]] std::optional<double> notch_width(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// Edges are in metres with physical input. Throws InputError for a text that is no list of zones.
+[[nodiscard]] std::vector<FrictionZone> friction_zones(
+    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+
+/// What the mass slides on.
+[[nodiscard]] Surface surface_input(const Settings& settings,
+                                    const std::optional<design::PhysicalInput>& physical);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "input/record.hpp"
+
+#include "input/motion.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/physical.hpp>
+
+#include <numbers>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// A time in the unit of the records' times. Without physical input that is tau, and seconds are
+/// wrong.
+std::optional<double> record_time(const Settings& settings, std::string_view name,
+                                  const records::RecordClock& clock) {
+  if (const auto given = settings.with_unit(name); given && clock.unit != "s") {
+    throw InputError(std::string(name), *given,
+                     "must be a number without a unit: without physical input times are in tau");
+  }
+  return settings.number(name);
+}
+
+}  // namespace
+
+records::RecordOptions record_options(const Settings& settings, const records::RecordClock& clock) {
+  records::RecordOptions options;
+  options.step = record_time(settings, "record-step", clock);
+  if (const auto units = settings.known("record-units")) {
+    options.units = records::parse_record_units(*units);
+  }
+  options.gravity_m_per_s2 = settings.number("gravity").value_or(design::Scales().gravity_m_per_s2);
+  options.clock = clock;
+  return options;
+}
+
+records::RecordScale record_scale(const Settings& settings, const records::RecordClock& clock,
+                                  std::optional<double> p) {
+  if (const auto period = record_time(settings, "record-spectrum-period", clock)) {
+    require_within("record-spectrum-period", *period, smallest_physical, largest_physical);
+    p = 2 * std::numbers::pi * clock.per_tau / *period;
+  }
+  return {settings.number("record-scale").value_or(1),
+          {settings.number("record-peak"), settings.number("record-spectrum")},
+          p};
+}
+
+std::vector<records::SuiteRecord> read_suite(const Settings& settings,
+                                             const records::RecordClock& clock,
+                                             std::optional<double> p) {
+  return records::read_suite({settings.texts("record"), settings.text("records-list")},
+                             record_scale(settings, clock, p), record_options(settings, clock));
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "input/request.hpp"
+
+#include "input/motion.hpp"
+#include "input/record.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/record_file.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// "LOW:HIGH", each with its unit where it has one.
+std::optional<design::SearchRange> search_range(const Settings& settings, const char* name) {
+  const auto text = settings.text(name);
+  if (!text) {
+    return std::nullopt;
+  }
+  const std::size_t colon = text->find(':');
+  if (colon == std::string::npos) {
+    throw InputError(name, *text, "must be LOW:HIGH");
+  }
+  const auto [low, high] =
+      range_value(*find_option(name), text->substr(0, colon), text->substr(colon + 1));
+  require_within(name, high, low, largest_physical);
+  return design::SearchRange{low, high};
+}
+
+/// With the longest period where only the range of the search is given.
+MotionInput suite_motion(const Settings& settings,
+                         const std::optional<design::SearchRange>& periods) {
+  Settings whole = settings;
+  const bool given =
+      settings.has("period") || settings.has("natural-frequency") || settings.has("stiffness");
+  if (periods && !given) {
+    whole.set(*find_option("period"), periods->high);
+  }
+  return motion_input(whole, Command::design, true);
+}
+
+design::SuiteObjective suite_objective(const Settings& settings) {
+  const auto wanted = settings.text("objective");
+  const auto objective = design::parse_suite_objective(wanted.value_or("acceleration"));
+  if (!objective) {
+    throw InputError(
+        "objective", *wanted,
+        fmt::format("must be {} under records", listed(design::suite_objective_names())));
+  }
+  return *objective;
+}
+
+}  // namespace
+
+bool designs_under_records(const Settings& settings) {
+  const bool records = settings.has("record") || settings.has("records-list");
+  for (const std::string_view hit : {"v0", "velocity", "pulse"}) {
+    if (records && settings.has(hit)) {
+      throw UsageError(fmt::format("{} and records exclude each other: give one of them", hit));
+    }
+  }
+  return records;
+}
+
+void require_options_for(const Settings& settings, DesignFor design) {
+  for (const Option& option : options()) {
+    const DesignFor only = option.design_for();
+    if (only != DesignFor::both && only != design && settings.has(option.name)) {
+      throw UsageError(fmt::format("{} is {}", option.name,
+                                   design == DesignFor::hit
+                                       ? "for a design under records: give --record as well"
+                                       : "not for a design under records"));
+    }
+  }
+}
+
+report::RecordDesignInput record_design_input(const Settings& settings) {
+  require_options_for(settings, DesignFor::records);
+  const auto periods = search_range(settings, "search-period");
+  const MotionInput start = suite_motion(settings, periods);
+  report::RecordDesignInput input;
+  input.physical = start.physical;
+  design::RecordDesignRequest& request = input.request;
+  const double length = start.physical ? start.physical->scales.length_m : 1;
+  request.records =
+      read_suite(settings,
+                 start.physical ? records::RecordClock{"s", start.physical->scales.time_s, start.p}
+                                : records::RecordClock{"tau", 1, start.p},
+                 periods ? std::nullopt : std::optional(start.p));
+  request.p = {start.p, start.p};
+  if (periods) {
+    require_within("search-period", periods->low, smallest_physical, largest_physical);
+    const double tau = start.physical->scales.time_s;
+    request.p = {2 * std::numbers::pi * tau / periods->high,
+                 2 * std::numbers::pi * tau / periods->low};
+  }
+  request.f = search_range(settings, "search-f");
+  request.f_max = settings.number("f-max");
+  if (const auto range = search_range(settings, "search-delta-m")) {
+    request.delta = design::SearchRange{range->low / length, range->high / length};
+  }
+  request.delta_max = point_friction(settings, "delta-max", "delta-max-m", start.physical);
+  request.objective = suite_objective(settings);
+  if (const auto wanted = settings.known("combine")) {
+    request.combine = design::parse_combine(*wanted);
+  }
+  request.limits = {in_either(settings, "beta", "max-displacement", length, smallest_physical),
+                    settings.number("acceleration-max"),
+                    in_either(settings, "residual", "residual-m", length, 0)};
+  request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
+  request.notch_width = notch_width(settings, start.physical);
+  request.tolerance = settings.number("tolerance").value_or(request.tolerance);
+  request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
+  return input;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/settings.hpp"
+
+#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/design/catalogue.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/report.hpp>
+#include <stillpoint/report/spectrum.hpp>
+#include <stillpoint/sweep/spec.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// A request, and what a report or a file needs beside it. `physical` where it was given in metres
+/// and seconds.
+template <class Request>
+struct Input {
+  Request request;
+  std::optional<design::PhysicalInput> physical;
+};
+using DesignInput = Input<design::DesignRequest>;
+using RegionInput = Input<design::RegionRequest>;
+
+struct SimulateInput {
+  SimulationRequest request;
+  std::optional<report::RecordOrigin> record;
+  std::optional<std::string> trajectory;  ///< the file
+  std::optional<design::PhysicalInput> physical;
+};
+
+/// Empty where not given. Throws InputError outside of 1 to 1e15.
+[[nodiscard]] std::optional<double> half_cycle_limit(const Settings& settings);
+
+/// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
+[[nodiscard]] DesignInput design_input(const Settings& settings);
+[[nodiscard]] RegionInput region_input(const Settings& settings);
+/// The parts of --catalogue, in the units of the task; empty without. Throws UsageError with a
+/// pulse and records::FileError for a wrong file.
+[[nodiscard]] std::optional<std::vector<design::Part>> catalogue_input(
+    const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical);
+/// The same for a sweep; the unit of length is a metre.
+[[nodiscard]] std::vector<design::Part> catalogue_input(
+    const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
+[[nodiscard]] SimulateInput simulate_input(const Settings& settings);
+/// The request; the rest of the result is empty.
+[[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
+
+/// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError where it
+/// is asked for both.
+[[nodiscard]] bool designs_under_records(const Settings& settings);
+
+/// The request, and what a report needs beside it. Throws UsageError, InputError and FileError.
+[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
+
+/// UsageError for an option that only the other kind of design takes.
+void require_options_for(const Settings& settings, DesignFor design);
+
+/// Opens the list and reads its header.
+[[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
+
+/// The options of those names, or their defaults. Throw InputError.
+[[nodiscard]] design::Criterion criterion(const Settings& settings);
+[[nodiscard]] design::Objective objective(const Settings& settings);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "input/excitation.hpp"
+#include "input/motion.hpp"
+#include "input/request.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+namespace stillpoint::cli {
+
+namespace {
+
+Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
+  const double f = settings.required("f", "give --f, the constant friction (0 for none)");
+  const auto delta = point_friction(settings, "delta", "delta-m", motion.physical);
+  if (!delta) {
+    throw InputError::missing("delta", "give --delta, the point friction (0 for none)");
+  }
+  return {motion.p, f, *delta,
+          settings.number("hold").value_or(std::numeric_limits<double>::infinity())};
+}
+
+void add_output(const Settings& settings, SimulateInput& input) {
+  input.request.max_half_cycles =
+      settings.count("max-half-cycles", input.request.max_half_cycles, 0, 100'000);
+  input.trajectory = settings.text("trajectory");
+  if (input.trajectory == "-" && settings.flag("json")) {
+    throw UsageError(
+        "json and the trajectory would both go to standard output: give --trajectory FILE");
+  }
+  const std::int64_t samples = settings.count("samples", 1000, 2, 1'000'000);
+  if (input.trajectory) {
+    input.request.samples = samples;
+  } else if (settings.has("samples")) {
+    throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
+  }
+}
+
+/// The end of a free motion is that of its trajectory.
+std::optional<double> free_end(const Settings& settings,
+                               const std::optional<design::PhysicalInput>& physical) {
+  const auto t_end = end_of_run(settings, physical);
+  if (t_end && !settings.has("trajectory")) {
+    throw UsageError(fmt::format(
+        "{} is for a trajectory or an excitation: give --trajectory FILE or --excitation as well",
+        settings.has("end-time") ? "end-time" : "t-end"));
+  }
+  if (t_end) {
+    require_within("t-end", *t_end, std::numeric_limits<double>::min(),
+                   std::numeric_limits<double>::max());
+  }
+  return t_end;
+}
+
+}  // namespace
+
+std::optional<double> half_cycle_limit(const Settings& settings) {
+  const std::optional<double> limit = settings.number("half-cycle-limit");
+  if (limit) {
+    require_within("half-cycle-limit", *limit, 1, 1e15);
+  }
+  return limit;
+}
+
+SimulateInput simulate_input(const Settings& settings) {
+  // A motion needs a start, unless something shakes it out of rest.
+  const bool from_rest = excitation_type(settings) || settings.has("k");
+  const MotionInput motion = motion_input(settings, Command::simulate, from_rest);
+  SimulateInput input;
+  SimulationRequest& request = input.request;
+  input.physical = motion.physical;
+  request.start = {motion.x0, motion.v0};
+  request.oscillator = oscillator(settings, motion);
+  request.half_cycle_limit = half_cycle_limit(settings);
+  add_output(settings, input);
+  request.surface = surface_input(settings, motion.physical);
+  require_valid(request.oscillator, request.start);
+  require_valid(request.oscillator, request.surface);
+  auto excitation = excitation_input(settings, motion.physical, motion.p);
+  if (!excitation) {
+    request.t_end = free_end(settings, motion.physical);
+    return input;
+  }
+  request.t_end = forced_end(settings, excitation->excitation, motion.physical);
+  request.excitation = std::move(excitation->excitation);
+  input.record = std::move(excitation->record);
+  require_valid(request.oscillator, request.start, request.excitation, request.t_end);
+  return input;
+}
+
+}  // namespace stillpoint::cli

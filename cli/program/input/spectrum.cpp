@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "input/motion.hpp"
+#include "input/record.hpp"
+#include "input/request.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// A page still shows as many.
+constexpr std::int64_t most_periods = 10'000;
+
+std::vector<double> periods(const Settings& settings) {
+  const auto axis = settings.axis("period");
+  if (!axis) {
+    throw InputError::missing("period", "give --period LOW:HIGH:N, in s");
+  }
+  if (axis->size() > most_periods) {
+    throw InputError("period", axis->text(),
+                     fmt::format("must be at most {} values", most_periods));
+  }
+  std::vector<double> list;
+  list.reserve(static_cast<std::size_t>(axis->size()));
+  for (std::int64_t i = 0; i < axis->size(); ++i) {
+    require_within("period", (*axis)[i], smallest_physical, largest_physical);
+    list.push_back((*axis)[i]);
+  }
+  return list;
+}
+
+}  // namespace
+
+report::SpectrumReport spectrum_input(const Settings& settings) {
+  static_cast<void>(is_physical(settings, Command::spectrum));
+  const std::vector<double> list = periods(settings);
+  design::PhysicalIsolator isolator;
+  isolator.period_s = list.back();
+  isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
+  report::SpectrumReport report{{}, design::physical_input(isolator, 0, 0)};
+  const design::Scales& scales = report.physical.scales;
+  design::SpectrumRequest& request = report.result.request;
+  for (const double period : list) {
+    request.p.push_back(2 * std::numbers::pi * scales.time_s / period);
+  }
+  request.f = settings.required("f", "give --f, the constant friction");
+  const auto delta = point_friction(settings, "delta", "delta-m", report.physical);
+  if (!delta) {
+    throw InputError::missing("delta-m", "give --delta-m, the point friction in m");
+  }
+  request.delta = *delta;
+  if (const auto wanted = settings.known("combine")) {
+    request.combine = design::parse_combine(*wanted);
+  }
+  request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
+  request.notch_width = notch_width(settings, report.physical);
+  request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
+  if (!settings.has("record") && !settings.has("records-list")) {
+    throw InputError::missing("record", "give --record FILE or --records-list FILE");
+  }
+  request.records = read_suite(settings, {"s", scales.time_s, scales.p}, std::nullopt);
+  return report;
+}
+
+}  // namespace stillpoint::cli

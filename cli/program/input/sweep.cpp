@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "input/excitation.hpp"
+#include "input/motion.hpp"
+#include "input/request.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/physical.hpp>
+#include <stillpoint/records/units.hpp>
+#include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/spec.hpp>
+#include <stillpoint/sweep/state.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using sweep::Axis;
+using sweep::Quantity;
+using sweep::SweepKind;
+using sweep::SweepSpec;
+using sweep::SweepUnits;
+
+std::optional<sweep::ListFormat> list_format(const Settings& settings) {
+  const auto wanted = settings.known("list-format");
+  return wanted ? sweep::parse_list_format(*wanted) : std::nullopt;
+}
+
+std::shared_ptr<sweep::List> open_list(const Settings& settings,
+                                       const std::optional<SweepUnits>& units) {
+  const auto format = list_format(settings);
+  if (const auto path = settings.text("list")) {
+    return std::make_shared<sweep::List>(*path, format, units);
+  }
+  if (format) {
+    throw UsageError("list-format is for a list: give --list FILE as well");
+  }
+  return {};
+}
+
+bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
+  return settings.has(option_name(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
+}
+
+/// What is dimensionless by a length that a physical sweep does not have, and has a rival in
+/// metres, seconds or hertz.
+void refuse_dimensionless(const Settings& settings) {
+  for (const Option& plain : options()) {
+    const auto rivals = physical_rivals(plain);
+    if (plain.kind == OptionKind::number && plain.traits.dimension == Dimension::none &&
+        !rivals.empty() && settings.has(plain.name)) {
+      throw UsageError(fmt::format("{} is dimensionless: with physical input give --{}", plain.name,
+                                   rivals.front()->name));
+    }
+  }
+}
+
+/// Empty for dimensionless input.
+std::optional<SweepUnits> units(const Settings& settings) {
+  if (!is_physical(settings, Command::sweep)) {
+    return std::nullopt;
+  }
+  refuse_dimensionless(settings);
+  SweepUnits units;
+  units.gravity_m_per_s2 = settings.number("gravity").value_or(units.gravity_m_per_s2);
+  require_within("gravity", units.gravity_m_per_s2, smallest_physical, largest_physical);
+  if (settings.has("stiffness")) {
+    units.restoring = sweep::Restoring::stiffness;
+    units.mass_kg = settings.required("mass", "stiffness needs a mass as well");
+    require_within("mass", units.mass_kg, smallest_physical, largest_physical);
+  } else if (settings.has("natural-frequency")) {
+    units.restoring = sweep::Restoring::natural_frequency;
+  }
+  return units;
+}
+
+/// What an excitation is made dimensionless with.
+std::optional<design::PhysicalInput> physical_scales(const std::optional<SweepUnits>& units) {
+  if (!units) {
+    return std::nullopt;
+  }
+  design::PhysicalInput physical;
+  physical.scales.time_s = units->time_s();
+  physical.scales.gravity_m_per_s2 = units->gravity_m_per_s2;
+  return physical;
+}
+
+SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
+  if (!given(settings, spec, Quantity::beta)) {
+    return excitation_type(settings) ? SweepKind::forced : SweepKind::free;
+  }
+  const std::string beta = option_name(Quantity::beta, spec.units);
+  for (const Quantity other :
+       {Quantity::f, Quantity::delta, Quantity::x0, Quantity::hold, Quantity::notch_width}) {
+    if (given(settings, spec, other)) {
+      throw UsageError(fmt::format("{0} and {1} exclude each other: {0} asks for a design", beta,
+                                   option_name(other, spec.units)));
+    }
+  }
+  return SweepKind::design;
+}
+
+/// Options that only one kind uses are refused with another, not ignored.
+void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
+  const std::string beta = option_name(Quantity::beta, spec.units);
+  if (spec.kind == SweepKind::design) {
+    for (const char* const other :
+         {"excitation", "record", "friction-zones", "t-end", "end-time", "half-cycle-limit"}) {
+      if (settings.has(other)) {
+        throw UsageError(fmt::format("{} and {} exclude each other", beta, other));
+      }
+    }
+    return;
+  }
+  for (const Option& option : options()) {
+    const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate) &&
+                            option.traits.role == Role::input;
+    if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
+      throw UsageError(fmt::format("{} is for designs: give --{} as well", option.name, beta));
+    }
+  }
+  for (const char* const end : {"t-end", "end-time"}) {
+    if (spec.kind == SweepKind::free && settings.has(end)) {
+      throw UsageError(fmt::format("{} is for an excitation: give --excitation as well", end));
+    }
+  }
+}
+
+/// What is wrong with the time or the frequency of a load, by the option that gave it.
+InputError of_physical_option(const InputError& error, const Settings& settings) {
+  std::string field = error.field();
+  std::ranges::replace(field, '_', '-');
+  const Option* const plain = find_option(field);
+  for (const Option* option :
+       plain == nullptr ? std::vector<const Option*>() : physical_rivals(*plain)) {
+    if (settings.has(option->name) && !option->traits.sweeps) {
+      const auto unit = records::units_of(option->traits.dimension).front().name;
+      return {std::string(option->name), fmt::format("{} {}", *settings.number(option->name), unit),
+              fmt::format("makes {}", error.what())};
+    }
+  }
+  return error;
+}
+
+/// Where nothing else is given a motion starts from x = 0, and from rest if something else moves
+/// it.
+void add_axes(const Settings& settings, SweepSpec& spec) {
+  const bool may_rest = spec.kind == SweepKind::forced ||
+                        (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
+  for (const Quantity input : sweep::inputs(spec.kind)) {
+    const std::string option = option_name(input, spec.units);
+    if (const auto axis = settings.axis(option)) {
+      spec.axes.push_back({input, *axis});
+    } else if (!given(settings, spec, input) &&
+               (input == Quantity::x0 || (input == Quantity::v0 && may_rest))) {
+      spec.axes.push_back({input, Axis({0})});
+    }
+  }
+}
+
+void add_motion(const Settings& settings, SweepSpec& spec) {
+  spec.half_cycle_limit = half_cycle_limit(settings);
+  spec.zones = friction_zones(settings, physical_scales(spec.units));
+  const auto input = excitation_input(settings, physical_scales(spec.units), {});
+  if (!input) {
+    return;
+  }
+  spec.excitation = input->excitation;
+  spec.t_end = forced_end(settings, spec.excitation, physical_scales(spec.units));
+}
+
+void add_design(const Settings& settings, SweepSpec& spec) {
+  spec.task.criterion = criterion(settings);
+  spec.task.arrivals = settings.integer("arrivals").value_or(spec.task.arrivals);
+  spec.search.objective = objective(settings);
+  spec.limits.f_max = settings.number("f-max");
+  spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
+  spec.limits.acceleration_max = settings.number("acceleration-max");
+  spec.limits.tolerance = settings.number("tolerance").value_or(0);
+  spec.parts = catalogue_input(settings, spec.units);
+}
+
+std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
+  const auto asked = settings.text("columns");
+  const bool times = settings.flag("times");
+  if (asked && times) {
+    throw UsageError("columns and times exclude each other: name stop_time among the columns");
+  }
+  return asked ? sweep::parse_columns(*asked, spec.kind, spec.units)
+               : sweep::default_columns(spec, times);
+}
+
+sweep::RowFormat row_format(const Settings& settings) {
+  if (const auto wanted = settings.known("format")) {
+    return *sweep::parse_row_format(*wanted);
+  }
+  return settings.text("output").value_or("").ends_with(".npy") ? sweep::RowFormat::npy
+                                                                : sweep::RowFormat::csv;
+}
+
+/// SweepSpec::identity: the options that decide the rows, as they were given.
+std::string identity(const Settings& settings, const SweepSpec& spec) {
+  nlohmann::ordered_json result;
+  result["version"] = report::program_version();
+  result["kind"] = name(spec.kind);
+  result["format"] = name(spec.format);
+  for (const Quantity column : spec.columns) {
+    result["columns"].push_back(name(column));
+  }
+  result["list"] = spec.list != nullptr;
+  for (const auto& [option, value] : settings.values()) {
+    const Option& known = *find_option(option);
+    if (known.traits.role == Role::input && known.serves(Command::sweep)) {
+      result[std::string(option)] = as_json(value);
+    }
+  }
+  result["record_digest"] = sweep::digest(spec.excitation);
+  if (!spec.parts.empty()) {
+    result["catalogue_digest"] = sweep::digest(spec.parts);
+  }
+  return result.dump();
+}
+
+}  // namespace
+
+SweepSpec sweep_request(const Settings& settings) {
+  SweepSpec spec;
+  spec.output = settings.text("output");
+  spec.format = row_format(settings);
+  const std::int64_t all_threads = std::max(1U, std::thread::hardware_concurrency());
+  spec.threads = static_cast<int>(settings.count("threads", all_threads, 1, 1024));
+  spec.resume = settings.flag("resume");
+  spec.units = units(settings);
+  spec.list = open_list(settings, spec.units);
+  spec.kind = kind_of(settings, spec);
+  refuse_for_other_kinds(settings, spec);
+  if (spec.kind == SweepKind::design) {
+    add_design(settings, spec);
+  } else {
+    add_motion(settings, spec);
+  }
+  add_axes(settings, spec);
+  spec.columns = columns(settings, spec);
+  spec.identity = identity(settings, spec);
+  try {
+    require_valid(spec);
+  } catch (const InputError& error) {
+    if (spec.units) {
+      throw of_physical_option(error, settings);
+    }
+    throw;
+  }
+  return spec;
+}
+
+}  // namespace stillpoint::cli

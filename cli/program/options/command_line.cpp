@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "options/command_line.hpp"
+
+#include "options/embedded.hpp"
+
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/report/terminal.hpp>
+#include <stillpoint/report/version.hpp>
+#include <stillpoint/report/wrapped.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// What stands below the options of a command, "stillpoint" that of the program.
+std::string_view footer(std::string_view name) {
+  const std::string_view text = embedded(fmt::format("help/{}.txt", name));
+  return text.substr(0, text.size() - 1);  // a file ends in a line's end
+}
+
+CommandHelp command_row(Command command, std::string_view summary,
+                        std::vector<std::string_view> words = {}) {
+  return {command, summary, footer(name(command)), std::move(words)};
+}
+
+const std::array command_helps{
+    command_row(Command::design, "design a damper that stops at x = 0 on the first return"),
+    command_row(Command::region, "the admissible region of f and delta, without a search"),
+    command_row(Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory"),
+    command_row(Command::spectrum, "one damper under records over the period, beside f alone"),
+    command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
+    command_row(Command::accuracy,
+                "time and error of each method on one motion, against 50 digits"),
+    command_row(Command::init, "print a commented scene to start from", starter_names()),
+};
+
+constexpr std::string_view about =
+    "Designs friction dampers. A linear oscillator with constant friction f and point friction "
+    "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move further than "
+    "beta.";
+
+/// What CLI11 collects for one subcommand; texts, which are converted once the command is known.
+struct Collected {
+  std::string scene;
+  std::map<std::string_view, std::vector<std::string>> texts;
+  std::map<std::string_view, bool> flags;
+};
+
+void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
+  app.set_help_flag("-h,--help", "print this text");
+  app.add_flag_callback(
+         "--version", [] { throw CLI::CallForVersion(report::version_line(), 0); },
+         "print the version")
+      ->configurable(false);
+  app.add_option("scene", collected.scene,
+                 help.words.empty()
+                     ? "scene file in JSON, or - for standard input"
+                     : listed(help.words) + "; default " + std::string(help.words.front()))
+      ->type_name("");
+  for (const Option& option : options()) {
+    if (!option.serves(help.command)) {
+      continue;
+    }
+    const std::string flag = fmt::format("--{}", option.name);
+    CLI::Option* added =
+        option.kind == OptionKind::flag
+            ? app.add_flag(flag, collected.flags[option.name], std::string(option.help))
+            : app.add_option(flag, collected.texts[option.name], std::string(option.help))
+                  ->type_name(std::string(option.kind_in(help.command) == OptionKind::axis
+                                              ? "AXIS"
+                                              : option.placeholder))
+                  ->expected(1)
+                  ->allow_extra_args(false)
+                  ->take_all();
+    added->group(std::string(option.group));
+  }
+  app.footer(std::string(help.examples));
+  app.allow_extras();
+}
+
+void refuse_extras(const CLI::App& app, Command command) {
+  const std::vector<std::string> extras = app.remaining();
+  if (extras.empty()) {
+    return;
+  }
+  const std::string first = records::shortened(extras.front(), records::longest_word);
+  if (!first.starts_with("-")) {
+    throw UsageError(fmt::format("{}: unexpected, only one scene can be given", first));
+  }
+  std::string_view bare = first;
+  bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
+  bare = bare.substr(0, bare.find('='));
+  const Option* known = find_option(bare);
+  throw UsageError(known != nullptr
+                       ? fmt::format("{}: is not an option of {}", first, app.get_name())
+                       : fmt::format("{}: unknown option{}", first, suggestion(bare, command)));
+}
+
+void set_typed(Settings& settings, const Option& option, const std::string& text, Command command) {
+  switch (option.kind_in(command)) {
+    case OptionKind::axis:
+      return settings.set(option, axis_value(option, text));
+    case OptionKind::number:
+      return option.takes_range_in(command) ? settings.set_number_or_range(option, text)
+                                            : settings.set_number(option, text);
+    case OptionKind::integer:
+      return settings.set(option, parse_integer(option.name, text));
+    case OptionKind::text:
+    case OptionKind::flag:
+      break;
+  }
+  settings.set(option, text);
+}
+
+Settings from_flags(const CLI::App& app, const Collected& collected, Command command) {
+  Settings settings;
+  for (const Option& option : options()) {
+    const CLI::Option* given = app.get_option_no_throw(fmt::format("--{}", option.name));
+    if (given == nullptr || given->count() == 0) {
+      continue;
+    }
+    if (given->count() > 1 && !option.repeats_in(command)) {
+      throw UsageError(fmt::format("--{} is given {} times: an option can be given only once",
+                                   option.name, given->count()));
+    }
+    if (option.kind == OptionKind::flag) {
+      settings.set(option, collected.flags.at(option.name));
+    } else {
+      const std::vector<std::string>& texts = collected.texts.at(option.name);
+      set_typed(settings, option, fmt::format("{}", fmt::join(texts, "\n")), command);
+    }
+  }
+  return settings;
+}
+
+void require_command(const std::optional<std::string>& given) {
+  const std::span<const std::string_view> names = command_names();
+  const std::string word = given.value_or("");
+  if (std::ranges::find(names, word) == names.end()) {
+    throw UsageError(fmt::format(
+        "{}: must be {} (stillpoint --help){}",
+        given ? "command " + records::shortened(word, records::longest_word) : "no command",
+        listed(names), suggestion(word, names)));
+  }
+}
+
+/// "help" is for people alone: with a command it is that command's --help.
+std::vector<std::string> without_help_command(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    if (words.size() > 1 && !words[1].starts_with('-')) {
+      throw UsageError(fmt::format("help {}: one command at a time", words.front()));
+    }
+    if (!words.empty() && !words[0].starts_with('-')) {
+      require_command(words[0]);
+    }
+    words.emplace_back("--help");
+  }
+  std::ranges::reverse(words);  // as CLI11 takes them
+  return words;
+}
+
+}  // namespace
+
+std::span<const CommandHelp> all_commands() {
+  return command_helps;
+}
+
+std::string_view program_about() {
+  return about;
+}
+
+std::string short_help() {
+  std::string commands;
+  for (const CommandHelp& help : command_helps) {
+    commands += fmt::format("  {:<10}{}\n", name(help.command), help.summary);
+  }
+  return report::wrapped(embedded("help/short.txt", {{"commands", commands}}),
+                         report::terminal_width());
+}
+
+Invocation parse_command_line(int argc, const char* const* argv) {
+  CLI::App app{std::string(about), "stillpoint"};
+  app.set_help_flag("-h,--help", "print this text");
+  app.set_version_flag("--version", report::version_line())->description("print the version");
+  app.allow_extras();
+  app.footer(std::string(footer("stillpoint")));
+  std::vector<std::string> words = without_help_command(argc, argv);
+  std::array<Collected, command_helps.size()> collected;
+  for (std::size_t i = 0; i < command_helps.size(); ++i) {
+    const CommandHelp& help = command_helps[i];
+    CLI::App& command =
+        *app.add_subcommand(std::string(name(help.command)), std::string(help.summary));
+    // To set up the options of all commands would take longer than most answers do.
+    if (std::ranges::find(words, command.get_name()) != words.end()) {
+      add_options(command, help, collected[i]);
+    }
+  }
+  app.add_subcommand("help", "print the options of a command");
+  Invocation invocation;
+  try {
+    app.parse(words);
+  } catch (const CLI::Success& asked) {
+    invocation.reply = dynamic_cast<const CLI::CallForVersion*>(&asked) != nullptr
+                           ? fmt::format("{}\n", asked.what())
+                           : report::wrapped(app.help(), report::terminal_width());
+    return invocation;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(records::shortened(error.what(), records::longest_path));
+  }
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (parsed.empty()) {
+    const std::vector<std::string> extras = app.remaining();
+    require_command(extras.empty() ? std::nullopt : std::optional(extras.front()));
+  }
+  if (parsed.size() > 1) {
+    throw UsageError(fmt::format("{} and {}: one command at a time", parsed[0]->get_name(),
+                                 parsed[1]->get_name()));
+  }
+  const CLI::App& chosen = *parsed.front();
+  const auto index = static_cast<std::size_t>(
+      std::ranges::find(command_helps, chosen.get_name(),
+                        [](const CommandHelp& help) { return name(help.command); }) -
+      command_helps.begin());
+  invocation.command = command_helps[index].command;
+  refuse_extras(chosen, invocation.command);
+  invocation.flags = from_flags(chosen, collected[index], invocation.command);
+  if (chosen.get_option("scene")->count() > 0) {
+    invocation.scene = collected[index].scene;
+  }
+  return invocation;
+}
+
+}  // namespace stillpoint::cli

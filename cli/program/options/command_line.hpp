@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/options.hpp"
+#include "options/settings.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// What --help says of a command beside its options.
+struct CommandHelp {
+  Command command;
+  std::string_view summary;
+  std::string_view examples;              ///< and what else stands below the options
+  std::vector<std::string_view> words{};  ///< all that can stand behind it; empty: a scene
+};
+
+/// Every command, in the order of --help.
+[[nodiscard]] std::span<const CommandHelp> all_commands();
+
+/// What --help says of the program.
+[[nodiscard]] std::string_view program_about();
+
+/// What the command line asks for.
+struct Invocation {
+  Command command{Command::design};
+  Settings flags;
+  std::optional<std::string> scene;  ///< path or "-"; of init the kind
+  std::optional<std::string> reply;  ///< --help or --version: print this, and nothing else is asked
+};
+
+/// What `stillpoint` alone prints.
+[[nodiscard]] std::string short_help();
+
+/// Throws UsageError or InputError for anything that is not understood.
+[[nodiscard]] Invocation parse_command_line(int argc, const char* const* argv);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "options/embedded.hpp"
+
+#include "options/options.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <algorithm>
+#include <cassert>
+
+namespace stillpoint::cli {
+
+std::string_view embedded(std::string_view file) {
+  static const std::map<std::string_view, std::string_view> files{
+#include "embedded.inc"
+  };
+  assert(files.contains(file) && "a file that the program does not have");
+  return files.at(file);
+}
+
+std::string embedded(std::string_view file, const std::map<std::string_view, std::string>& texts) {
+  std::string result;
+  std::string_view rest = embedded(file);
+  for (;;) {
+    const std::size_t at = rest.find('@');
+    const std::size_t end = rest.find('@', at + 1);
+    if (std::max(at, end) == std::string_view::npos) {
+      return result.append(rest);
+    }
+    result += rest.substr(0, at);
+    result += texts.at(rest.substr(at + 1, end - at - 1));
+    rest.remove_prefix(end + 1);
+  }
+}
+
+std::vector<std::string_view> starter_names() {
+  return {"building", "machine", "equipment"};
+}
+
+std::string starter_scene(const std::optional<std::string>& kind) {
+  const std::vector<std::string_view> names = starter_names();
+  const std::string wanted = kind.value_or(std::string(names.front()));
+  if (std::ranges::find(names, wanted) == names.end()) {
+    throw InputError("init", wanted, "must be " + listed(names) + suggestion(wanted, names));
+  }
+  return std::string(embedded("starters/" + wanted + ".json"));
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+#include "options/options.hpp"
+
+#include "options/excitation_kinds.hpp"
+
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design/search.hpp>
+#include <stillpoint/records/record_file.hpp>
+#include <stillpoint/sweep/list.hpp>
+#include <stillpoint/sweep/spec.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using enum Command;
+using enum OptionKind;
+
+constexpr std::string_view motion = "Motion (dimensionless)";
+constexpr std::string_view physical =
+    "Motion in SI units, or with units: 150mm, 2.8s, 1200t (instead of the dimensionless options)";
+constexpr std::string_view damper = "Damper";
+constexpr std::string_view shaking = "Excitation (W in units of g)";
+constexpr std::string_view searching = "Search";
+constexpr std::string_view sweeping = "Sweep";
+constexpr std::string_view output = "Output";
+
+constexpr CommandSet every = design | region | simulate | sweep | accuracy;
+/// One motion.
+constexpr CommandSet motions = simulate | accuracy;
+/// What takes metres and seconds.
+constexpr CommandSet in_metres = every;
+/// A suite of records, and nothing else.
+constexpr CommandSet of_suites = design | spectrum;
+/// What makes a report.
+constexpr CommandSet reporting = every | spectrum;
+constexpr CommandSet of_designs = design | region | sweep;
+constexpr CommandSet of_excitations = motions | sweep;
+/// What a load with a wave, or a pulse, takes in hertz and seconds.
+constexpr CommandSet in_hertz = design | of_excitations;
+/// What takes acceleration records.
+constexpr CommandSet in_records = of_suites | of_excitations;
+constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
+
+constexpr auto dimensionless = Units::dimensionless;
+constexpr auto si = Units::physical;
+
+constexpr Names names(std::to_array<Named<Command>>({{design, "design"},
+                                                     {region, "region"},
+                                                     {simulate, "simulate"},
+                                                     {spectrum, "spectrum"},
+                                                     {sweep, "sweep"},
+                                                     {accuracy, "accuracy"},
+                                                     {init, "init"}}));
+
+std::vector<std::string_view> all_of(std::span<const std::string_view> list) {
+  return {list.begin(), list.end()};
+}
+
+/// Of a design for a hit, then what only one under records has.
+std::vector<std::string_view> all_objectives() {
+  std::vector<std::string_view> both = all_of(design::objective_names());
+  for (const std::string_view name : design::suite_objective_names()) {
+    if (std::ranges::find(both, name) == both.end()) {
+      both.push_back(name);
+    }
+  }
+  return both;
+}
+
+Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
+           std::string_view group, std::string help, CommandSet commands,
+           OptionTraits traits = {}) {
+  return {name, kind, placeholder, group, std::move(help), commands, std::move(traits)};
+}
+
+/// What a sweep varies, without a unit and with one, and what has a unit and is one number.
+OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
+  return {.sweeps = true, .rivals = rivals, .units = dimensionless, .range = range};
+}
+OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none) {
+  return {.rivals = rivals, .units = si, .dimension = dimension};
+}
+OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = RangeEnd::none) {
+  OptionTraits traits = in_si(dimension, rivals);
+  traits.sweeps = true;
+  traits.range = range;
+  return traits;
+}
+/// Of the two kinds of design only that for a hit, or only that under records.
+OptionTraits for_hits(OptionTraits traits = {}) {
+  traits.design = DesignFor::hit;
+  return traits;
+}
+OptionTraits under_records(OptionTraits traits = {}) {
+  traits.design = DesignFor::records;
+  return traits;
+}
+OptionTraits of(Load load, OptionTraits traits = {}) {
+  traits.load = load;
+  return traits;
+}
+/// Of `spectrum` the axis.
+OptionTraits period_axis() {
+  OptionTraits traits = axis_in_si(Rivals::stiffness, Dimension::time, RangeEnd::high);
+  traits.axis_of_spectrum = true;
+  return traits;
+}
+
+/// In `help`, {} stands for the values.
+std::vector<Option> rows() {
+  return {
+      // name, kind, placeholder, group, help, commands, traits
+      row("v0", number, "V", motion, "initial velocity", every,
+          plain_axis(Rivals::hit, RangeEnd::high)),
+      row("p", number, "P", motion, "square root of the stiffness", every,
+          plain_axis(Rivals::stiffness, RangeEnd::low)),
+      row("beta", number, "B", motion, "largest admissible displacement", of_designs,
+          plain_axis(Rivals::stroke)),
+      row("pulse", text, "TYPE", motion,
+          "{}, with --k and --pulse-duration or --lambda: the hit instead of an initial velocity",
+          design, {.rivals = Rivals::hit, .values = pulse_names()}),
+      row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
+          plain_axis(Rivals::start)),
+
+      row("velocity", number, "M/S", physical, "initial velocity in m/s", in_metres,
+          axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
+      row("max-displacement", number, "M", physical, "largest admissible displacement in m",
+          of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
+      row("period", number, "S", physical,
+          "natural period without friction in s; of spectrum LOW:HIGH:N", in_metres | spectrum,
+          period_axis()),
+      row("natural-frequency", number, "HZ", physical, "instead of the period, in Hz", in_metres,
+          axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low)),
+      row("stiffness", number, "N/M", physical, "instead of the period, in N/m; needs --mass",
+          in_metres, axis_in_si(Rivals::stiffness, Dimension::stiffness, RangeEnd::low)),
+      row("mass", number, "KG", physical, "in kg; adds forces and energies to the report",
+          in_metres, in_si(Dimension::mass)),
+      row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres | spectrum,
+          in_si(Dimension::acceleration)),
+      row("x0-m", number, "M", physical, "initial displacement in m", motions | sweep,
+          axis_in_si(Rivals::start, Dimension::length)),
+
+      row("f", number, "F", damper, "constant friction coefficient",
+          region | motions | sweep | spectrum, {.sweeps = true}),
+      row("delta", number, "D", damper, "point friction", region | motions | sweep,
+          {.sweeps = true, .rivals = Rivals::point_friction}),
+      row("delta-m", number, "M", damper, "point friction in m, with physical input",
+          region | motions | sweep | spectrum,
+          axis_in_si(Rivals::point_friction, Dimension::length)),
+      row("hold", number, "H", damper,
+          "what the notch holds at x = 0 besides f, in g; default: any load",
+          of_suites | of_excitations,
+          under_records(
+              {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities})),
+      row("notch-width", number, "W", damper,
+          "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
+          design | of_excitations, plain_axis(Rivals::notch)),
+      row("notch-width-m", number, "M", damper, "the same in m, with physical input",
+          of_suites | of_excitations, axis_in_si(Rivals::notch, Dimension::length)),
+      row("friction-zones", text, "X:F,...", damper,
+          "friction that steps with |x|: F up to X, f beyond the last; with physical input X is in "
+          "m or has a unit",
+          of_excitations),
+      row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
+          for_hits({.values = all_of(design::criterion_names()), .first_is_default = true})),
+      row("arrivals", integer, "N", damper,
+          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1", of_designs,
+          for_hits()),
+      row("residual", number, "R", damper, "a rest with |x| up to R is admissible too",
+          design | region, {.rivals = Rivals::residual, .units = dimensionless}),
+      row("residual-m", number, "M", damper, "the same in m, with physical input", design | region,
+          in_si(Dimension::length, Rivals::residual)),
+      row("tolerance", number, "R", damper,
+          "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
+      row("tolerance-f", number, "R", damper,
+          "the tolerance of f alone, R or LOW:HIGH: 0.8:1.2 is f from 0.8 to 1.2 times the "
+          "design's",
+          design | region, for_hits({.range = RangeEnd::high})),
+      row("tolerance-delta", number, "R", damper, "the same of delta", design | region,
+          for_hits({.range = RangeEnd::high})),
+      row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
+      row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
+          {.rivals = Rivals::point_friction_limit}),
+      row("delta-max-m", number, "M", damper, "the same in m, with physical input", of_designs,
+          in_si(Dimension::length, Rivals::point_friction_limit)),
+      row("acceleration-max", number, "A", damper,
+          "largest acceleration in g that the mass may feel outside the notch", of_designs,
+          {.dimension = Dimension::gravities}),
+
+      row("catalogue", text, "FILE", searching,
+          "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
+          "standard input",
+          of_designs, for_hits({.file = FileUse::read})),
+      row("trade-off", integer, "N", searching,
+          "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
+          design, for_hits()),
+      row("objective", text, "NAME", searching,
+          "{}; under records acceleration (default), amplitude or residual", design | sweep,
+          {.values = all_objectives(), .first_is_default = true}),
+      row("combine", text, "NAME", searching,
+          "of the figures of all records: {}; default: max below seven records", of_suites,
+          under_records({.values = all_of(design::combine_names())})),
+      row("search-f", text, "LOW:HIGH", searching,
+          "under records: where f is searched; default: from 0 to the largest load", design,
+          under_records()),
+      row("search-delta-m", text, "LOW:HIGH", searching,
+          "under records: where delta is searched, in m; default: from 0 to what stops every "
+          "return",
+          design, under_records(in_si(Dimension::length))),
+      row("search-period", text, "LOW:HIGH", searching,
+          "under records: the period is searched as well, here, in s", design,
+          under_records(in_si(Dimension::time))),
+      row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
+          for_hits({.values = all_of(design::algorithm_names())})),
+
+      row("excitation", text, "TYPE", shaking, "{}", of_excitations,
+          {.values = excitation_names()}),
+      row("k", number, "K", shaking, "peak of the excitation or pulse in g",
+          design | of_excitations, of(Load::wave, {.dimension = Dimension::gravities})),
+      row("excitation-frequency", number, "HZ", shaking,
+          "with physical input: in Hz; of a pulse, that of its sine", in_hertz,
+          of(Load::wave, in_si(Dimension::frequency, Rivals::frequency))),
+      row("pulse-duration", number, "S", shaking,
+          "with physical input: how long half-sine, full-sine or rectangle last, in s", in_hertz,
+          of(Load::pulse, in_si(Dimension::time, Rivals::frequency))),
+      row("lambda", number, "L", shaking,
+          "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
+          "last pi/L, full-sine 2 pi/L",
+          design | of_excitations, of(Load::wave, {.rivals = Rivals::frequency})),
+      row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
+          of_excitations, of(Load::harmonic)),
+      row("excitation-duration", number, "S", shaking,
+          "with physical input: of a harmonic, in s, 0 or more; default for ever", of_excitations,
+          of(Load::harmonic, in_si(Dimension::time, Rivals::duration))),
+      row("duration", number, "TAU", shaking, "of a harmonic, in tau, 0 or more; default for ever",
+          of_excitations, of(Load::harmonic, {.rivals = Rivals::duration})),
+      row("record", text, "FILE", shaking,
+          "accelerations: PEER, ESM, K-NET, CSMIP, COSMOS, SMC or columns; times in s with "
+          "physical input, else in tau; FILE#2 is channel 2; of design and spectrum, one or more, "
+          "or folders",
+          in_records, of(Load::record, {.file = FileUse::read, .repeats = true})),
+      row("records-list", text, "FILE", shaking,
+          "CSV with the header file,scale: more records; file,peak and file,spectrum give targets",
+          of_suites, under_records({.file = FileUse::read})),
+      row("record-units", text, "UNITS", shaking, "{}", in_records,
+          of(Load::record,
+             {.values = all_of(records::record_unit_names()), .first_is_default = true})),
+      row("record-step", number, "DT", shaking,
+          "between values that have no time column, in the unit of the times", in_records,
+          of(Load::record, {.dimension = Dimension::time})),
+      row("record-scale", number, "X", shaking, "factor on every value", in_records,
+          of(Load::record, {.rivals = Rivals::record_scale})),
+      row("record-peak", number, "A", shaking, "scale each record to this peak, in g", in_records,
+          of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
+      row("record-spectrum", number, "A", shaking,
+          "scale each record so that its elastic spectrum, 5 % damping, has this value in g at the "
+          "period",
+          in_records,
+          of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
+      row("record-spectrum-period", number, "T", shaking,
+          "where not at the period of the motion, in the unit of the times", in_records,
+          of(Load::record, {.dimension = Dimension::time})),
+      row("end-time", number, "S", shaking,
+          "with physical input: end of the run in s (default: end of the motion); a harmonic "
+          "without a duration needs it",
+          of_excitations, in_si(Dimension::time, Rivals::end)),
+      row("t-end", number, "TAU", shaking,
+          "end of the run in tau (default: end of the motion); a harmonic without a duration needs "
+          "it",
+          of_excitations, {.rivals = Rivals::end}),
+
+      row("list", text, "FILE", sweeping,
+          "one entry a row: CSV with a header, or JSON lines; - for standard input", sweep,
+          {.role = Role::entries, .file = FileUse::read}),
+      row("list-format", text, "NAME", sweeping,
+          "{}; default: jsonl if the list begins with a brace, else csv", sweep,
+          {.role = Role::entries, .values = all_of(sweep::list_format_names())}),
+      row("format", text, "NAME", sweeping,
+          "{}; default: npy if the output's name ends in .npy, else csv", sweep,
+          {.role = Role::content, .values = all_of(sweep::row_format_names())}),
+      row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
+          {.role = Role::output}),
+      row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
+      row("threads", integer, "N", sweeping, "default: all. No result depends on it",
+          of_suites | sweep, under_records({.role = Role::execution})),
+      row("resume", flag, "", sweeping, "continue an interrupted sweep", sweep,
+          {.role = Role::execution}),
+
+      row("max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate,
+          {.role = Role::content}),
+      row("half-cycle-limit", number, "N", output,
+          "refuse a motion that may take more half-cycles (default 1e8; no limit under an "
+          "excitation)",
+          simulate | sweep),
+      row("trajectory", text, "FILE", output,
+          "write tau,x,v to a CSV file; - prints them instead of the report", simulate,
+          {.role = Role::output, .file = FileUse::written}),
+      row("samples", integer, "N", output,
+          "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
+          {.role = Role::output}),
+      row("table", text, "FILE", output,
+          "write each record and period to a file: NumPy's format if its name ends in .npy, else "
+          "CSV; - prints CSV instead of the report",
+          spectrum, {.role = Role::output, .file = FileUse::written}),
+      row("html", text, "FILE", output, "write a page with figures, readable offline", drawn,
+          {.role = Role::output, .file = FileUse::written}),
+      row("svg", text, "DIR", output, "write each figure to this directory", drawn,
+          {.role = Role::output, .file = FileUse::directory}),
+      row("open", flag, "", output, "open the page of --html, or a temporary one, in a browser",
+          drawn, {.role = Role::output}),
+      row("title", text, "TEXT", output, "a heading for the report", reporting,
+          {.role = Role::content}),
+      row("json", flag, "", output, "print the JSON report, and nothing else", reporting,
+          {.role = Role::output}),
+      row("output", text, "FILE", output,
+          "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", reporting,
+          {.role = Role::output, .file = FileUse::written}),
+      row("quiet", flag, "", output, "print nothing but errors on standard error", reporting,
+          {.role = Role::output}),
+      row("verbose", flag, "", output, "print the whole report", reporting, {.role = Role::output}),
+  };
+}
+
+const std::vector<Option>& table() {
+  static const std::vector<Option> table = [] {
+    std::vector<Option> all = rows();
+    for (Option& option : all) {
+      if (const std::size_t place = option.help.find("{}"); place != std::string::npos) {
+        std::string values = listed(option.traits.values);
+        if (option.traits.first_is_default) {
+          values.insert(option.traits.values.front().size(), " (default)");
+        }
+        option.help.replace(place, 2, values);
+      }
+    }
+    return all;
+  }();
+  return table;
+}
+
+}  // namespace
+
+std::string_view name(Command command) noexcept {
+  return names.name(command);
+}
+
+std::optional<Command> parse_command(std::string_view name) noexcept {
+  return names.parse(name);
+}
+
+std::span<const std::string_view> command_names() {
+  return names.all();
+}
+
+std::span<const Option> options() {
+  return table();
+}
+
+const Option* find_option(std::string_view name) {
+  const auto found = std::ranges::find(table(), name, &Option::name);
+  return found == table().end() ? nullptr : &*found;
+}
+
+std::vector<const Option*> physical_rivals(const Option& option) {
+  std::vector<const Option*> rivals;
+  for (const Option& other : table()) {
+    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
+        other.traits.dimension != Dimension::none) {
+      rivals.push_back(&other);
+    }
+  }
+  return rivals;
+}
+
+std::string suggestion(std::string_view wrong, std::optional<Command> command) {
+  std::vector<std::string_view> names;
+  for (const Option& option : table()) {
+    if (!command || option.serves(*command)) {
+      names.push_back(option.name);
+    }
+  }
+  return records::suggestion(wrong, names);
+}
+
+}  // namespace stillpoint::cli

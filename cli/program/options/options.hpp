@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/load.hpp"
+
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/records/units.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::cli {
+
+enum class Command { design, region, simulate, spectrum, sweep, accuracy, init };
+
+[[nodiscard]] std::string_view name(Command command) noexcept;
+[[nodiscard]] std::optional<Command> parse_command(std::string_view name) noexcept;
+[[nodiscard]] std::span<const std::string_view> command_names();
+
+/// Some of the commands: design | sweep.
+class CommandSet {
+ public:
+  // One command is a set of one. NOLINTNEXTLINE(google-explicit-constructor)
+  constexpr CommandSet(Command one) : bits_(1U << static_cast<unsigned>(one)) {}
+
+  [[nodiscard]] constexpr bool has(Command command) const {
+    return (bits_ & CommandSet(command).bits_) != 0;
+  }
+  friend constexpr CommandSet operator|(CommandSet a, CommandSet b) {
+    a.bits_ |= b.bits_;
+    return a;
+  }
+
+ private:
+  unsigned bits_;
+};
+
+constexpr CommandSet operator|(Command a, Command b) {
+  return CommandSet(a) | CommandSet(b);
+}
+
+/// An axis is one number or many, see Axis.
+enum class OptionKind { number, integer, text, flag, axis };
+
+/// What an option is for. Reports echo the first three as a scene; rows of a sweep that is resumed
+/// depend on `input` alone, and on the entries themselves.
+enum class Role {
+  input,      ///< decides the numbers
+  entries,    ///< where a sweep's entries come from
+  content,    ///< which of the numbers are reported
+  execution,  ///< how they are computed, on which they do not depend
+  output,     ///< where they go
+};
+
+/// Sets of options of which at most one can be given.
+enum class Rivals {
+  none,
+  hit,
+  stiffness,
+  stroke,
+  start,
+  point_friction,
+  point_friction_limit,
+  residual,
+  frequency,
+  duration,
+  end,
+  notch,
+  record_scale,
+};
+
+using records::Dimension;
+using records::listed;
+using records::suggestion;
+
+/// A task is given either dimensionless or in metres and seconds, not in both.
+enum class Units { any, dimensionless, physical };
+
+/// Which end of a range stands for it, for example as the motion that is shown.
+enum class RangeEnd { none, low, high };
+
+enum class FileUse { none, read, written, directory };
+
+/// A design is for a hit or under records; what only one of them takes.
+enum class DesignFor { both, hit, records };
+
+/// What most options leave as it is.
+struct OptionTraits {
+  bool sweeps{false};            ///< a number, but in a sweep an axis
+  bool axis_of_spectrum{false};  ///< the same of a spectrum
+  Rivals rivals{Rivals::none};
+  Units units{Units::any};
+  Dimension dimension{Dimension::none};
+  Role role{Role::input};
+  FileUse file{FileUse::none};
+  std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
+  bool first_is_default{false};            ///< of the values
+  bool repeats{false};                     ///< may be given several times to what takes a suite
+  RangeEnd range{RangeEnd::none};          ///< LOW:HIGH is a value as well, of design and region
+  DesignFor design{DesignFor::both};
+  Load load{Load::none};
+};
+
+/// One option of the program: a flag --name on the command line and a key of a scene file, where
+/// '-' and '_' are the same.
+struct Option {
+  std::string_view name;
+  OptionKind kind;
+  std::string_view placeholder;  ///< in --help
+  std::string_view group;        ///< heading in --help
+  std::string help;
+  CommandSet commands;
+  OptionTraits traits{};
+
+  [[nodiscard]] bool serves(Command command) const { return commands.has(command); }
+  [[nodiscard]] OptionKind kind_in(Command command) const {
+    return (traits.sweeps && command == Command::sweep) ||
+                   (traits.axis_of_spectrum && command == Command::spectrum)
+               ? OptionKind::axis
+               : kind;
+  }
+  [[nodiscard]] bool repeats_in(Command command) const {
+    return traits.repeats && (command == Command::design || command == Command::spectrum);
+  }
+  [[nodiscard]] bool takes_range_in(Command command) const {
+    return traits.range != RangeEnd::none &&
+           (command == Command::design || command == Command::region);
+  }
+  [[nodiscard]] bool shapes(Load load) const {
+    return traits.load != Load::none &&
+           (traits.load == load ||
+            (traits.load == Load::wave && (load == Load::harmonic || load == Load::pulse)));
+  }
+  [[nodiscard]] DesignFor design_for() const {
+    return traits.load == Load::record ? DesignFor::records
+           : shapes(Load::pulse)       ? DesignFor::hit
+                                       : traits.design;
+  }
+  /// Whether a report repeats it in its scene.
+  [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }
+  [[nodiscard]] bool takes_file() const {
+    return traits.file == FileUse::read || traits.file == FileUse::written;
+  }
+};
+
+/// Every option of every command, in the order of --help.
+[[nodiscard]] std::span<const Option> options();
+
+/// The option of that name, whatever its command; null where there is none.
+[[nodiscard]] const Option* find_option(std::string_view name);
+
+/// The options that can stand in place of it and have a unit.
+[[nodiscard]] std::vector<const Option*> physical_rivals(const Option& option);
+
+/// "; did you mean NAME?" for an option that is one or two slips away, else "". Options of
+/// `command` come first.
+[[nodiscard]] std::string suggestion(std::string_view wrong,
+                                     std::optional<Command> command = std::nullopt);
+
+}  // namespace stillpoint::cli

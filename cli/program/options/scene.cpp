@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "options/scene.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/json_text.hpp>
+#include "input/motion.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// A scene has some hundred bytes.
+constexpr std::size_t largest_scene = std::size_t{1} << 20U;
+
+constexpr std::string_view standard_input = "from standard input";
+
+std::string shown(std::string_view key) {
+  return records::printable(key, records::longest_word);
+}
+
+/// As options are named.
+std::string hyphened(std::string key) {
+  std::ranges::replace(key, '_', '-');
+  return key;
+}
+
+/// A number, a text "first:last:count" or an array of numbers.
+Axis axis(const Option& option, const nlohmann::json& value) {
+  const std::string field(option.name);
+  const auto wrong = [&] {
+    return InputError(field, value.dump(),
+                      "must be a number, a range \"first:last:count\" or an array of numbers");
+  };
+  if (value.is_string()) {
+    return axis_value(option, value.get<std::string>());
+  }
+  std::vector<double> values;
+  for (const nlohmann::json& entry : value.is_array() ? value : nlohmann::json::array({value})) {
+    if (entry.is_string() && option.traits.dimension != Dimension::none &&
+        has_unit(entry.get<std::string>())) {
+      values.push_back(parse_value(option, entry.get<std::string>()));
+    } else if (entry.is_number()) {
+      values.push_back(entry.get<double>());
+    } else {
+      throw wrong();
+    }
+  }
+  if (values.empty()) {
+    throw wrong();
+  }
+  return Axis(std::move(values));
+}
+
+/// A line for each, as repeated flags give them.
+std::string joined_texts(const Option& option, const nlohmann::json& list) {
+  std::string text;
+  for (const nlohmann::json& entry : list) {
+    if (!entry.is_string()) {
+      throw InputError(std::string(option.name), entry.dump(), "must be a text in quotes");
+    }
+    text += (text.empty() ? "" : "\n") + entry.get<std::string>();
+  }
+  if (text.empty()) {
+    throw InputError(std::string(option.name), list.dump(), "must have at least one text");
+  }
+  return text;
+}
+
+/// Of what is not a number with its unit in a text.
+Settings::Value typed(const Option& option, const nlohmann::json& value, Command command) {
+  const auto wrong_type = [&](std::string_view wanted) {
+    return InputError(std::string(option.name), value.dump(), fmt::format("must be {}", wanted));
+  };
+  switch (option.kind_in(command)) {
+    case OptionKind::axis:
+      return axis(option, value);
+    case OptionKind::number:
+      if (!value.is_number()) {
+        throw wrong_type(option.traits.dimension == Dimension::none
+                             ? "a number"
+                             : "a number, or a text of a number with its unit");
+      }
+      return value.get<double>();
+    case OptionKind::integer:
+      if (!value.is_number_integer()) {
+        throw wrong_type("a whole number");
+      }
+      if (value.is_number_unsigned() &&
+          value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max()) {
+        throw wrong_type("a whole number of at most 18 digits");
+      }
+      return value.get<std::int64_t>();
+    case OptionKind::text:
+      if (option.name == "friction-zones" && value.is_array()) {
+        return zones_text(value);
+      }
+      if (option.repeats_in(command) && value.is_array()) {
+        return joined_texts(option, value);
+      }
+      if (!value.is_string()) {
+        throw wrong_type("a text in quotes");
+      }
+      return value.get<std::string>();
+    case OptionKind::flag:
+      break;
+  }
+  if (!value.is_boolean()) {
+    throw wrong_type("true or false");
+  }
+  return value.get<bool>();
+}
+
+/// "LOW:HIGH" of [LOW, HIGH], as the command line has it.
+std::string range_text(const Option& option, const nlohmann::json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  const auto end = [&](const nlohmann::json& number) {
+    if (!number.is_number() && !number.is_string()) {
+      throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+    }
+    return number.is_string() ? number.get<std::string>() : fmt::format("{}", number.get<double>());
+  };
+  if (value.size() != 2) {
+    throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+  }
+  return fmt::format("{}:{}", end(value[0]), end(value[1]));
+}
+
+void add_key(Settings& settings, const std::string& key, const nlohmann::json& value,
+             const Option* option, Command command) {
+  if (option == nullptr) {
+    throw InputError(shown(key), value.dump(),
+                     fmt::format("is not a key of a scene{}", suggestion(hyphened(key))));
+  }
+  if (settings.has(option->name)) {
+    throw UsageError(
+        fmt::format("{} is set twice in the scene: a key can stand only once", shown(key)));
+  }
+  const bool is_range =
+      value.is_array() ||
+      (value.is_string() && value.get<std::string>().find(':') != std::string::npos);
+  if (option->takes_range_in(command) && is_range) {
+    return settings.set_number_or_range(*option, range_text(*option, value));
+  }
+  const bool may_have_unit =
+      option->traits.dimension != Dimension::none && option->kind_in(command) == OptionKind::number;
+  if (may_have_unit && value.is_string() && has_unit(value.get<std::string>())) {
+    settings.set_number(*option, value.get<std::string>());
+  } else {
+    settings.set(*option, typed(*option, value, command));
+  }
+}
+
+/// "excitation" may be an object of its own; its "type" is the option excitation.
+void add_keys(Settings& settings, const nlohmann::json& object, std::string_view within,
+              Command command) {
+  for (const auto& [key, value] : object.items()) {
+    const std::string wanted = hyphened(key);
+    const Option* option = find_option(wanted);
+    if (within.empty() && wanted == "excitation" && value.is_object()) {
+      if (value.empty()) {
+        throw InputError(key, "{}", "must have a type");
+      }
+      add_keys(settings, value, wanted, command);
+    } else if (within.empty()) {
+      add_key(settings, key, value, option, command);
+    } else {
+      const bool of_it = option != nullptr && option->group == find_option(within)->group &&
+                         option->name != within;
+      add_key(settings, fmt::format("{}.{}", within, key), value,
+              wanted == "type" ? find_option(within)
+              : of_it          ? option
+                               : nullptr,
+              command);
+    }
+  }
+}
+
+}  // namespace
+
+Settings parse_scene(std::string_view text, std::string_view source, Command command) {
+  sweep::require_json_object(text, {"scene", std::string(source)});
+  return scene_settings(nlohmann::json::parse(text, nullptr, true, true), command);
+}
+
+Settings scene_settings(const nlohmann::json& scene, Command command) {
+  Settings settings;
+  add_keys(settings, scene, "", command);
+  return settings;
+}
+
+Settings read_scene(const std::string& path, Command command) {
+  return path == "-"
+             ? parse_scene(records::read_text_stream("scene", standard_input, largest_scene, stdin),
+                           standard_input, command)
+             : parse_scene(records::read_text_file("scene", path, largest_scene), path, command);
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "input/excitation.hpp"
+#include "options/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace stillpoint::cli {
+
+namespace {
+
+bool has_rival_of(const Settings& settings, const Option& option) {
+  return std::ranges::any_of(options(), [&](const Option& other) {
+    return other.traits.rivals == option.traits.rivals && settings.has(other.name);
+  });
+}
+
+void drop_rivals(const Settings& flags, Settings& scene) {
+  for (const Option& option : options()) {
+    if (option.traits.rivals != Rivals::none && has_rival_of(flags, option)) {
+      scene.drop(option.name);
+    }
+  }
+}
+
+/// A flag that asks for a record removes the scene's wave, one that asks for a wave its record, and
+/// both its pulse. A wave may still use the k and lambda of the scene.
+void drop_excitation(const Settings& flags, Settings& scene) {
+  const auto type = excitation_type(flags);
+  if (!type) {
+    return;
+  }
+  const bool asks_for_record = *type == "record";
+  if (asks_for_record) {
+    scene.drop("excitation");
+  }
+  for (const Option& option : options()) {
+    if (option.traits.load != Load::none &&
+        (option.traits.load == Load::record) != asks_for_record) {
+      scene.drop(option.name);
+    }
+  }
+  scene.drop("pulse");
+}
+
+bool asks_for_hit(const Settings& given) {
+  return std::ranges::any_of(options(), [&](const Option& option) {
+    return option.traits.rivals == Rivals::hit && given.has(option.name);
+  });
+}
+
+bool asks_for_records(const Settings& given) {
+  return given.has("record") || given.has("records-list");
+}
+
+/// A design is for a hit or under records. A flag for one sets the other of the scene aside; of a
+/// scene that has both, for several commands, a design takes the hit.
+void keep_one_design(const Settings& flags, Settings& settings) {
+  const bool for_a_hit =
+      asks_for_hit(flags) || (asks_for_hit(settings) && !asks_for_records(flags));
+  if (!for_a_hit && !asks_for_records(settings)) {
+    return;
+  }
+  for (const Option& option : options()) {
+    const bool of_the_hit = option.traits.rivals == Rivals::hit || option.shapes(Load::pulse);
+    if ((for_a_hit ? option.design_for() == DesignFor::records : of_the_hit) &&
+        !flags.has(option.name)) {
+      settings.drop(option.name);
+    }
+  }
+}
+
+/// A scene's pulse excites a motion like any other excitation.
+void follow_pulse(Settings& scene) {
+  if (!scene.has("pulse") || scene.has("excitation") || scene.has("record")) {
+    return;
+  }
+  for (const std::string_view start : {"v0", "velocity"}) {
+    if (scene.has(start)) {
+      throw UsageError(fmt::format("{} and pulse exclude each other: give one of them", start));
+    }
+  }
+  scene.set(*find_option("excitation"), *scene.known("pulse"));
+  scene.drop("pulse");
+}
+
+}  // namespace
+
+Settings scene_and_flags(Command command, const Settings& flags, Settings& scene) {
+  const bool had_pulse = scene.has("pulse");
+  drop_rivals(flags, scene);
+  drop_excitation(flags, scene);
+  if (command == Command::simulate || command == Command::accuracy) {
+    follow_pulse(scene);
+  }
+  const bool pulse_serves = scene.has("pulse") && find_option("pulse")->serves(command);
+  if (had_pulse && !pulse_serves && !scene.has("excitation") && !flags.has("excitation")) {
+    for (const Option& option : options()) {
+      if (option.shapes(Load::pulse)) {
+        scene.drop(option.name);
+      }
+    }
+  }
+  Settings settings = flags;
+  settings.complete_with(scene);
+  if (command == Command::design) {
+    keep_one_design(flags, settings);
+  }
+  return settings;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "options/settings.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/doubtful_values.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace stillpoint::cli {
+
+namespace {
+
+/// "; with a unit give --period or --stiffness", for an option that has such rivals.
+std::string with_a_unit(const Option& option) {
+  std::string found;
+  for (const Option* other : physical_rivals(option)) {
+    found += fmt::format("{}--{}", found.empty() ? "; with a unit give " : " or ", other->name);
+  }
+  return found;
+}
+
+}  // namespace
+
+double parse_value(const Option& option, std::string_view text) {
+  const Dimension dimension = option.traits.dimension;
+  return records::parse_value(option.name, dimension, text,
+                              dimension == Dimension::none ? with_a_unit(option) : "");
+}
+
+Range range_value(const Option& option, std::string_view low, std::string_view high) {
+  if (high.find(':') != std::string_view::npos) {
+    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
+                     "must be a number, or a range LOW:HIGH");
+  }
+  const Range range{parse_value(option, low), parse_value(option, high)};
+  if (!(range.low <= range.high && range.low >= 0)) {
+    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
+                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH");
+  }
+  return range;
+}
+
+Axis axis_value(const Option& option, std::string_view text) {
+  return sweep::parse_axis(option.name, text, [&option](std::string_view number) {
+    return parse_value(option, number);
+  });
+}
+
+template <class T>
+std::optional<T> Settings::get(std::string_view name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? std::nullopt : std::optional<T>(std::get<T>(found->second));
+}
+
+std::optional<double> Settings::number(std::string_view name) const {
+  if (const auto both = range(name)) {
+    return find_option(name)->traits.range == RangeEnd::low ? both->low : both->high;
+  }
+  return get<double>(name);
+}
+
+std::optional<Range> Settings::range(std::string_view name) const {
+  const auto found = values_.find(name);
+  const Range* const both = found == values_.end() ? nullptr : std::get_if<Range>(&found->second);
+  return both == nullptr ? std::nullopt : std::optional(*both);
+}
+
+std::optional<std::int64_t> Settings::integer(std::string_view name) const {
+  return get<std::int64_t>(name);
+}
+
+std::optional<std::string> Settings::text(std::string_view name) const {
+  return get<std::string>(name);
+}
+
+std::vector<std::string> Settings::texts(std::string_view name) const {
+  std::vector<std::string> list;
+  if (const auto joined = text(name)) {
+    for (std::size_t begin = 0; begin <= joined->size();) {
+      const std::size_t end = std::min(joined->find('\n', begin), joined->size());
+      list.push_back(joined->substr(begin, end - begin));
+      begin = end + 1;
+    }
+  }
+  return list;
+}
+
+std::optional<std::string> Settings::known(std::string_view name) const {
+  auto wanted = text(name);
+  const auto& values = find_option(name)->traits.values;
+  if (wanted && std::ranges::find(values, *wanted) == values.end()) {
+    throw InputError(std::string(name), *wanted, fmt::format("must be {}", listed(values)));
+  }
+  return wanted;
+}
+
+bool Settings::flag(std::string_view name) const {
+  return get<bool>(name).value_or(false);
+}
+
+std::optional<Axis> Settings::axis(std::string_view name) const {
+  return get<Axis>(name);
+}
+
+void Settings::set_number(const Option& option, std::string_view text) {
+  values_[option.name] = parse_value(option, text);
+  if (has_unit(text)) {
+    with_units_[option.name] = text;
+  }
+}
+
+void Settings::set_number_or_range(const Option& option, std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) {
+    return set_number(option, text);
+  }
+  const std::string_view low = text.substr(0, colon);
+  const std::string_view high = text.substr(colon + 1);
+  values_[option.name] = range_value(option, low, high);
+  if (has_unit(low) || has_unit(high)) {
+    with_units_[option.name] = text;
+  }
+}
+
+std::optional<std::string> Settings::with_unit(std::string_view name) const {
+  const auto found = with_units_.find(name);
+  return found == with_units_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Settings::drop(std::string_view name) {
+  values_.erase(name);
+  with_units_.erase(name);
+}
+
+void Settings::complete_with(const Settings& other) {
+  for (const auto& [name, value] : other.values_) {
+    const auto given = other.with_units_.find(name);
+    if (values_.emplace(name, value).second && given != other.with_units_.end()) {
+      with_units_.insert(*given);
+    }
+  }
+}
+
+std::int64_t Settings::count(std::string_view name, std::int64_t fallback, std::int64_t least,
+                             std::int64_t most) const {
+  const auto wanted = integer(name);
+  if (wanted && (*wanted < least || *wanted > most)) {
+    throw InputError(std::string(name), fmt::format("{}", *wanted),
+                     fmt::format("must be a whole number from {} to {}", least, most));
+  }
+  return wanted.value_or(fallback);
+}
+
+double Settings::required(std::string_view name, std::string_view hint) const {
+  if (const auto value = number(name)) {
+    return *value;
+  }
+  throw InputError::missing(std::string(name), std::string(hint));
+}
+
+std::vector<std::string> doubts(const Settings& settings, Command command) {
+  design::GivenValues given;
+  for (const auto& [option, value] : settings.values()) {
+    const double* const number = std::get_if<double>(&value);
+    if (number != nullptr && find_option(option)->serves(command)) {
+      given[std::string(option)] = {*number, settings.with_unit(option).has_value()};
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [text, meant] : design::doubtful_values(given)) {
+    sentences.push_back(fmt::format(
+        "{}{}", text,
+        meant ? fmt::format("; did you mean --{} {}{}?", meant->name, meant->value, meant->unit)
+              : ""));
+  }
+  return sentences;
+}
+
+nlohmann::ordered_json as_json(const Settings::Value& value) {
+  return std::visit(
+      [](const auto& plain) -> nlohmann::ordered_json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Axis>) {
+          return plain.text();
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(plain)>, Range>) {
+          return {plain.low, plain.high};
+        } else {
+          return plain;
+        }
+      },
+      value);
+}
+
+}  // namespace stillpoint::cli

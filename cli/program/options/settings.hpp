@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/options.hpp"
+
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/sweep/axis.hpp>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace stillpoint::cli {
+
+/// Wrong use of the program that is no single field's value: something missing, two things that
+/// exclude each other, a file that cannot be read or written.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+using records::has_unit;
+using records::parse_integer;
+using records::parse_number;
+using sweep::Axis;
+
+/// The value of an option, in its SI unit, and each number of an axis, "100mm:200mm:5"; see
+/// records/units.hpp. Throws InputError.
+[[nodiscard]] double parse_value(const Option& option, std::string_view text);
+[[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
+
+/// LOW:HIGH, with LOW <= HIGH.
+struct Range {
+  double low{0};
+  double high{0};
+};
+/// Of the texts of its ends. Throws InputError.
+[[nodiscard]] Range range_value(const Option& option, std::string_view low, std::string_view high);
+
+/// What was set, by a flag or by a scene; keys are option names.
+class Settings {
+ public:
+  using Value = std::variant<double, std::int64_t, bool, std::string, Axis, Range>;
+
+  void set(const Option& option, Value value) { values_[option.name] = std::move(value); }
+  /// A number from its text, which may carry a unit. Throws InputError.
+  void set_number(const Option& option, std::string_view text);
+  /// The same for an option that takes a range as well.
+  void set_number_or_range(const Option& option, std::string_view text);
+  [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
+
+  /// A range; empty where not set or a number.
+  [[nodiscard]] std::optional<Range> range(std::string_view name) const;
+
+  /// The value of a number (of a range the end that stands for it), integer, text, flag or axis
+  /// option; empty (false) where not set.
+  [[nodiscard]] std::optional<double> number(std::string_view name) const;
+  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view name) const;
+  [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
+  /// What was given of an option that repeats, a text with one in each line.
+  [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
+  [[nodiscard]] bool flag(std::string_view name) const;
+  [[nodiscard]] std::optional<Axis> axis(std::string_view name) const;
+
+  /// A whole number within bounds. Throws InputError.
+  [[nodiscard]] std::int64_t count(std::string_view name, std::int64_t fallback, std::int64_t least,
+                                   std::int64_t most) const;
+
+  /// A number; InputError where not set, saying what else would do.
+  [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
+
+  /// A text that must be one of the option's values. Throws InputError.
+  [[nodiscard]] std::optional<std::string> known(std::string_view name) const;
+
+  /// A number as it was given, if that was with a unit: "150mm".
+  [[nodiscard]] std::optional<std::string> with_unit(std::string_view name) const;
+
+  void drop(std::string_view name);
+
+  /// Sets what `other` has and this does not have.
+  void complete_with(const Settings& other);
+
+  /// Everything that is set, by name.
+  [[nodiscard]] const std::map<std::string_view, Value>& values() const { return values_; }
+
+ private:
+  template <class T>
+  [[nodiscard]] std::optional<T> get(std::string_view name) const;
+
+  std::map<std::string_view, Value> values_;
+  std::map<std::string_view, std::string> with_units_;
+};
+
+/// What is absurd about its values together, a sentence each; it is computed all the same.
+[[nodiscard]] std::vector<std::string> doubts(const Settings& settings, Command command);
+
+/// As a scene has it; an axis as its text.
+[[nodiscard]] nlohmann::ordered_json as_json(const Settings::Value& value);
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/figures/html_page.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::report {
+
+/// What a page has beside the answer.
+struct PageFrame {
+  std::string title;         ///< the user's own, may be empty
+  std::string_view command;  ///< that made it
+  std::string scene;         ///< its input, which makes the page again
+};
+
+/// Adds the frame and the version of the program.
+void add_frame(figures::HtmlPage& page, const PageFrame& frame);
+
+/// The ids of the figures that the page of a design may have, for a hit or under records.
+[[nodiscard]] std::span<const std::string_view> all_design_figures();
+
+}  // namespace stillpoint::report

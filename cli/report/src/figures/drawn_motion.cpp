@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+
+#include <stillpoint/core/forced_half_cycles.hpp>
+#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/trajectory.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <variant>
+
+namespace stillpoint::report {
+
+namespace {
+
+/// The fastest that the motion can swing: p, or the excitation's lambda.
+double fastest_rate(double p, const Excitation& excitation) {
+  const auto lambda = [](const auto& wave) {
+    if constexpr (requires { wave.lambda; }) {
+      return wave.lambda;
+    } else {
+      return 0.0;
+    }
+  };
+  return std::max(p, std::visit(lambda, excitation));
+}
+
+/// The end of the last half-cycle that is drawn; empty: all of them are.
+std::optional<double> end_of_beginning(const std::vector<HalfCycle>& listed) {
+  return listed.size() < static_cast<std::size_t>(most_drawn_half_cycles)
+             ? std::nullopt
+             : std::optional(listed.back().end_time);
+}
+
+/// The same start without friction, where it has few half-cycles.
+std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
+                                const Excitation& excitation) {
+  if (motion.turns.size() > most_single_half_cycles || motion.oscillator.p == 0) {
+    return {};
+  }
+  ForcedTrajectoryOptions limits;
+  limits.horizon = motion.shown_to;
+  const double rate = fastest_rate(motion.oscillator.p, excitation);
+  return ForcedTrajectory({motion.oscillator.p, 0, 0}, start, excitation, limits)
+      .sampled(sample_count(rate, motion.shown_to));
+}
+
+}  // namespace
+
+std::int64_t sample_count(double rate, double horizon) {
+  constexpr double smoothness = 40;  // samples a period
+  constexpr double fewest_samples = 400;
+  constexpr double most_samples = smoothness * most_drawn_periods;
+  const double periods = rate * horizon / (2 * std::numbers::pi);
+  return static_cast<std::int64_t>(std::clamp(smoothness * periods, fewest_samples, most_samples));
+}
+
+DrawnMotion drawn_free_motion(const Oscillator& oscillator, const Start& start,
+                              const std::optional<double>& horizon) {
+  const Trajectory path(oscillator, start, {.horizon = horizon});
+  DrawnMotion motion;
+  motion.oscillator = oscillator;
+  motion.states = path.sampled(sample_count(oscillator.p, path.horizon()));
+  for (const Event& event : path.events()) {
+    if (event.kind == EventKind::turn) {
+      motion.turns.push_back(event.state);
+    } else if (event.kind == EventKind::passage) {
+      motion.passages.push_back(event.state);
+    } else if (event.kind == EventKind::rest) {
+      motion.rest = event.state;
+    }
+  }
+  constexpr double seen_at_rest = 1.05;
+  motion.shown_to = motion.states.back().tau * (motion.rest ? seen_at_rest : 1);
+  if (motion.shown_to > 0) {
+    motion.frictionless = frictionless(motion, start, {});
+  }
+  return motion;
+}
+
+DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start,
+                                const Excitation& excitation, double horizon,
+                                const Surface& surface) {
+  ForcedTrajectoryOptions limits;
+  limits.horizon = horizon;
+  const ForcedTrajectory path(oscillator, start, excitation, limits, surface);
+  DrawnMotion motion;
+  motion.oscillator = oscillator;
+  motion.states =
+      path.sampled(sample_count(fastest_rate(oscillator.p, excitation), path.horizon()));
+  bool held = false;
+  double held_since = 0;
+  for (const ForcedEvent& event : path.events()) {
+    using enum ForcedEventKind;
+    if (event.kind == turn) {
+      motion.turns.push_back(event.state);
+    } else if (event.kind == passage) {
+      motion.passages.push_back(event.state);
+    } else if (event.kind == rest) {
+      motion.rest = event.state;
+    } else if (event.kind == stick) {
+      held = true;
+      held_since = event.state.tau;
+    }
+    if (held && (event.kind == release || event.kind == end || event.kind == rest)) {
+      if (event.state.tau > held_since) {
+        motion.sticks.emplace_back(held_since, event.state.tau);
+      }
+      held = false;
+    }
+  }
+  motion.shown_to = horizon;
+  if (horizon > 0) {
+    motion.frictionless = frictionless(motion, start, excitation);
+  }
+  return motion;
+}
+
+namespace {
+
+/// The end of a figure of a motion that comes to rest: the load is seen whole.
+double seen_until(const Excitation& excitation, double stop_time) {
+  constexpr double seen_at_rest = 1.25;
+  return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
+}
+
+}  // namespace
+
+DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer) {
+  const Oscillator& oscillator = request.oscillator;
+  const Start& start = request.start;
+  const Excitation& excitation = request.excitation;
+  const Surface& surface = request.surface;
+  if (!is_forced(request) && surface.plain()) {
+    const auto cut = end_of_beginning(first_half_cycles(oscillator, start, most_drawn_half_cycles));
+    DrawnMotion motion = drawn_free_motion(oscillator, start, cut);
+    motion.whole = !cut;
+    return motion;
+  }
+  const double rate = fastest_rate(oscillator.p, excitation);
+  const double longest = most_drawn_periods * 2 * std::numbers::pi / rate;
+  const double horizon = answer.horizon.value_or(longest);
+  double last = std::min(horizon, longest);
+  const auto listed =
+      forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
+  last = std::min(last, end_of_beginning(listed).value_or(last));
+  const auto& stop_time = answer.response.stop_time;
+  const bool rests = stop_time && *stop_time > 0;
+  const bool rest_is_seen = rests && last >= *stop_time;
+  if (rest_is_seen) {
+    last = seen_until(excitation, *stop_time);
+  }
+  DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
+  if (rest_is_seen) {
+    motion.rest = State{*stop_time, *answer.response.stop_position, 0};
+    if (motion.states.back().tau < last) {
+      motion.states.push_back({last, motion.rest->x, 0});
+    }
+    motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
+    std::erase_if(motion.frictionless,  // it hides the load that goes on
+                  [last = 1.25 * *stop_time](const State& state) { return state.tau > last; });
+  }
+  motion.whole = last >= horizon || rest_is_seen;
+  return motion;
+}
+
+}  // namespace stillpoint::report

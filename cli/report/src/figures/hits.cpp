@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+
+#include <stillpoint/design/hits.hpp>
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace stillpoint::report {
+
+using design::HitEnd;
+using figures::AreaLook;
+using figures::Figure;
+using figures::FigureArea;
+using figures::FigurePoint;
+using figures::Ink;
+
+namespace {
+
+std::vector<FigurePoint> strip(double from, double to, double low, double high) {
+  return {{from, low}, {to, low}, {to, high}, {from, high}};
+}
+
+FigureArea area_of(HitEnd end) {
+  switch (end) {
+    case HitEnd::held:
+      return {"held", {}, Ink::grey};
+    case HitEnd::centred:
+      return {"centred", {}, Ink::sky};
+    case HitEnd::off_centre:
+      return {"off centre", {}, Ink::amber, AreaLook::hatched};
+    case HitEnd::alternating:
+      return {"centred and off centre by turns", {}, Ink::amber};
+    case HitEnd::too_far:
+      return {"too far", {}, Ink::orange, AreaLook::hatched};
+    case HitEnd::never_stops:
+      return {"never stops", {}, Ink::purple, AreaLook::hatched};
+  }
+  return {};
+}
+
+}  // namespace
+
+Figure hits_figure(const design::Problem& problem, double f, double delta,
+                   const std::optional<design::WorksFor>& works_for, const FigureUnits& units) {
+  const double unit = units.velocity;
+  const auto hits = design::shown_hits(problem, f, delta);
+  Figure figure;
+  figure.id = "hits";
+  figure.title = "Where the mass stops after a hit";
+  figure.height = 150;
+  figure.x = {units.velocity_unit.empty() ? "velocity of the hit, V₀"
+                                          : "velocity of the hit V₀, " + units.velocity_unit,
+              0, hits.back().to * unit};
+  if (works_for) {  // the first to be named
+    const auto& [low, high] = works_for->v0;
+    const std::string range =
+        fmt::format("{:.3g} to {:.3g}{}{}", low * unit, *high * unit,
+                    units.velocity_unit.empty() ? "" : " ", units.velocity_unit);
+    figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
+                            Ink::blue, AreaLook::box});
+    figure.caption = fmt::format("The damper works for hits of {}.", range);
+  } else {
+    figure.caption = "The damper does not work for the hit that was asked for.";
+  }
+  figure.description = "Ends of the motion by the velocity of the hit:";
+  for (const design::Hits& now : hits) {
+    figure.areas.push_back(area_of(now.end));
+    figure.areas.back().outline = strip(now.from * unit, now.to * unit, 0, 1);
+    figure.description +=
+        fmt::format("{} {} from {} to {}", &now == hits.data() ? "" : ",", figure.areas.back().name,
+                    units.velocity_words(now.from), units.velocity_words(now.to));
+  }
+  figure.description += ". " + figure.caption;
+  const double v0 = problem.v0 * unit;
+  figure.curves.push_back({.name = "V₀ = " + units.velocity_words(problem.v0),
+                           .strokes = {{{v0, 0}, {v0, 1}}},
+                           .ink = Ink::blue,
+                           .dash = figures::Dash::dashed,
+                           .hover = false,
+                           .labelled = true});
+  return figure;
+}
+
+}  // namespace stillpoint::report

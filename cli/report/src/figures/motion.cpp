@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::report {
+
+using figures::axis_around;
+using figures::Dash;
+using figures::Figure;
+using figures::FigurePoint;
+using figures::Ink;
+
+namespace {
+
+using fmt::format;
+
+/// The least and the largest in each of some columns of time, in the order of an outline.
+std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points) {
+  constexpr double columns = 180;
+  const double wide = points.back().x / columns;
+  std::vector<FigurePoint> upper;
+  std::vector<FigurePoint> lower;
+  double column = -1;
+  for (const FigurePoint& at : points) {
+    const double now = std::floor(at.x / wide);
+    if (now > column) {
+      column = now;
+      upper.push_back(at);
+      lower.push_back(at);
+    }
+    if (at.y > upper.back().y) {
+      upper.back() = at;
+    }
+    if (at.y < lower.back().y) {
+      lower.back() = at;
+    }
+  }
+  upper.insert(upper.end(), lower.rbegin(), lower.rend());
+  return upper;
+}
+
+const State& farthest(const DrawnMotion& motion) {
+  return *std::ranges::max_element(motion.states, {},
+                                   [](const State& state) { return std::abs(state.x); });
+}
+
+/// Up to the motion and the limit, and to the motion without friction where that is not much more.
+figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
+  double least = 0;
+  double most = 0;
+  for (const State& state : motion.states) {
+    least = std::min(least, state.x);
+    most = std::max(most, state.x);
+  }
+  if (motion.beta) {
+    least = least < 0 ? std::min(least, -*motion.beta) : 0;
+    most = most > 0 ? std::max(most, *motion.beta) : 0;
+  }
+  constexpr double much = 1.4;
+  constexpr double words = 0.08;  // room for the peak
+  const double largest = std::max(most, -least);
+  for (const State& state : motion.frictionless) {
+    least = least < 0 ? std::min(least, std::max(state.x, -much * largest)) : 0;
+    most = most > 0 ? std::max(most, std::min(state.x, much * largest)) : 0;
+  }
+  const double room = words * (most - least);
+  return axis_around(units.x_label, (least < 0 ? least - room : least) * units.length,
+                     (most > 0 ? most + room : most) * units.length);
+}
+
+void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
+  std::string name = format("limit {}", units.length_words(*motion.beta));
+  for (const double limit : {*motion.beta, -*motion.beta}) {
+    const double y = limit * units.length;
+    if (figure.y.least < y && y < figure.y.most) {
+      figure.curves.push_back({.name = std::exchange(name, ""),
+                               .strokes = {{{figure.x.least, y}, {figure.x.most, y}}},
+                               .ink = Ink::orange,
+                               .dash = Dash::dashed,
+                               .hover = false,
+                               .labelled = true});
+    }
+  }
+}
+
+}  // namespace
+
+std::string beginning(const DrawnMotion& motion) {
+  return motion.whole ? "" : " (beginning)";
+}
+
+void add_lock(Figure& figure, const DrawnMotion& motion, const FigureUnits& units) {
+  if (motion.locked_from) {
+    figure.bands.push_back({format("locked from {}", units.time_words(*motion.locked_from)),
+                            *motion.locked_from * units.time, figure.x.most, Ink::amber});
+  }
+}
+
+Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
+  const auto place = [&](const State& state) {
+    return FigurePoint{state.tau * units.time, state.x * units.length};
+  };
+  const bool long_one = motion.turns.size() > most_single_half_cycles;
+  const State& peak = farthest(motion);
+  const std::string peak_words = format("peak {}", units.length_words(std::abs(peak.x)));
+  const std::string rest_words =
+      motion.rest ? format("at rest at x = {} after {}", units.length_words(motion.rest->x),
+                           units.time_words(motion.rest->tau))
+                  : "still moving at the end";
+  Figure figure;
+  figure.id = "motion";
+  figure.title = "Motion" + beginning(motion);
+  figure.x = {units.time_label, 0, motion.shown_to * units.time};
+  figure.y = displacement_axis(motion, units);
+  figure.description = format("Displacement over time: {}, {} turns, {} passages of x = 0, {}.",
+                              peak_words, motion.turns.size(), motion.passages.size(), rest_words);
+  figure.caption = format("The mass reaches its {} after {} and is {}.", peak_words,
+                          units.time_words(peak.tau), rest_words);
+  add_lock(figure, motion, units);
+  for (const auto& [from, to] : motion.sticks) {
+    figure.bands.push_back({"held by friction", from * units.time, to * units.time, Ink::grey});
+  }
+  if (motion.beta) {
+    add_limits(figure, motion, units);
+  }
+  if (long_one) {
+    auto outline = envelope(places(motion.states, place));
+    figure.curves.push_back({"envelope", {outline}, Ink::blue});
+    figure.areas.push_back({"", std::move(outline), Ink::blue});
+    figure.caption.back() = ',';
+    figure.caption += " swinging within the shaded envelope.";
+    figure.marks.push_back(
+        {"peak", {place(peak)}, figures::Shape::disc, Ink::blue, figures::Fill::hollow});
+  } else {
+    if (!motion.frictionless.empty()) {
+      figure.curves.push_back({.name = "without friction",
+                               .strokes = {places(motion.frictionless, place)},
+                               .ink = Ink::grey,
+                               .dash = Dash::dotted,
+                               .hover = false});
+    }
+    figure.curves.push_back({"x", {places(motion.states, place)}, Ink::blue});
+  }
+  mark_events(figure, motion, place, long_one ? 0 : motion.shown_to);
+  if (long_one && motion.rest) {
+    figure.marks.push_back({"rest", {place(*motion.rest)}, figures::Shape::square, Ink::green});
+  }
+  figure.notes.push_back({peak_words, place(peak)});
+  if (motion.rest) {
+    figure.notes.push_back(
+        {format("rest {}", units.length_words(motion.rest->x)), place(*motion.rest)});
+  }
+  return figure;
+}
+
+}  // namespace stillpoint::report

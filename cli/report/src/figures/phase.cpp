@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace stillpoint::report {
+
+using figures::axis_around;
+using figures::Dash;
+using figures::Figure;
+using figures::FigureCurve;
+using figures::FigurePoint;
+using figures::Ink;
+
+namespace {
+
+template <class Value>
+std::pair<double, double> ends(const std::vector<State>& states, const Value& value) {
+  double least = 0;
+  double most = 0;
+  for (const State& state : states) {
+    least = std::min(least, value(state));
+    most = std::max(most, value(state));
+  }
+  return {least, most};
+}
+
+}  // namespace
+
+Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
+  const auto place = [&](const State& state) {
+    return FigurePoint{state.x * units.length, state.v * units.velocity};
+  };
+  const bool long_one = motion.turns.size() > most_single_half_cycles;
+  const double last =
+      long_one ? motion.turns[most_single_half_cycles - 1].tau : motion.states.back().tau;
+  std::vector<State> states = motion.states;
+  std::erase_if(states, [last](const State& state) { return state.tau > last; });
+  const auto [x_least, x_most] = ends(states, [](const State& state) { return state.x; });
+  const auto [v_least, v_most] = ends(states, [](const State& state) { return state.v; });
+  FigureCurve arcs{
+      .name = "motion", .strokes = {{}}, .ink = Ink::blue, .smooth = true, .directed = !long_one};
+  FigureCurve jumps{"jump at x = 0", {}, Ink::orange, Dash::dotted, false};
+  const State* before = nullptr;
+  for (const State& state : states) {
+    if (before != nullptr && before->tau == state.tau && before->v != state.v) {
+      jumps.strokes.push_back({place(*before), place(state)});
+      arcs.strokes.emplace_back();
+    }
+    arcs.strokes.back().push_back(place(state));
+    before = &state;
+  }
+  Figure figure;
+  figure.id = "phase";
+  figure.title =
+      "Phase portrait" + (long_one ? fmt::format(" (the first {} turns)", most_single_half_cycles)
+                                   : beginning(motion));
+  figure.x = axis_around(units.x_label, x_least * units.length, x_most * units.length);
+  figure.y = axis_around(units.velocity_label, v_least * units.velocity, v_most * units.velocity);
+  figure.description = fmt::format(
+      "Velocity over displacement, from x = {}, x' = {}, with {} jumps of the velocity at x = 0.",
+      units.length_words(states.front().x), units.velocity_words(states.front().v),
+      jumps.strokes.size());
+  figure.caption =
+      "Velocity against displacement: at x = 0 the notch takes its energy from the velocity at "
+      "once.";
+  figure.curves = {std::move(arcs)};
+  if (!jumps.strokes.empty()) {
+    figure.curves.push_back(std::move(jumps));
+  }
+  mark_events(figure, motion, place, long_one ? 0 : last);
+  return figure;
+}
+
+}  // namespace stillpoint::report

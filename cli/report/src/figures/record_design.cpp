@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+#include "figures/spectrum_parts.hpp"
+
+#include <stillpoint/report/record_design.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::report {
+
+using figures::Figure;
+
+namespace {
+
+using design::SuiteFigures;
+using design::SuiteLimits;
+using fmt::format;
+
+/// The objective from least to largest, then what is broken. More red than blue is hatched.
+constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
+constexpr std::array broken{"#ef8a2b", "#f7b267", "#fbd3a4", "#555555"};
+constexpr std::array broken_names{"stroke too large", "residual too large",
+                                  "acceleration too large", "never rests, or is near tipping"};
+
+/// The first of broken_names that is true; their number where the limits are met.
+std::size_t broken_index(const SuiteFigures& figures, const SuiteLimits& limits) {
+  const auto above = [](const std::optional<double>& limit, double value) {
+    return limit && value > *limit;
+  };
+  if (figures.settled && above(limits.peak, figures.peak)) {
+    return 0;
+  }
+  if (figures.settled && above(limits.residual, figures.residual)) {
+    return 1;
+  }
+  if (figures.settled && above(limits.acceleration, figures.acceleration)) {
+    return 2;
+  }
+  return admissible(figures, limits) ? broken.size() : 3;
+}
+
+/// About the damper, but not beyond the range.
+design::SearchRange shown_range(const design::SearchRange& range, double chosen) {
+  constexpr double around = 3;
+  constexpr double least_part = 0.1;
+  return {range.low,
+          std::min(range.high,
+                   std::max(around * chosen, range.low + least_part * (range.high - range.low)))};
+}
+
+std::string objective_words(const design::RecordDesignRequest& task, double value,
+                            const FigureUnits& units) {
+  return task.objective == design::SuiteObjective::acceleration ? format("{:.3g} g", value)
+                                                                : units.length_words(value);
+}
+
+Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& point,
+                  const FigureUnits& units) {
+  design::RecordDesignRequest task = result.request;
+  task.f = shown_range(*task.f, point.damper.f);
+  task.delta = shown_range(*task.delta, point.damper.delta);
+  const design::SuiteMap map = design::suite_map(task, point.damper.p);
+  double least = HUGE_VAL;
+  double most = 0;
+  for (const SuiteFigures& figures : map.figures) {
+    if (admissible(figures, task.limits)) {
+      least = std::min(least, value_of(figures, task.objective));
+      most = std::max(most, value_of(figures, task.objective));
+    }
+  }
+  Figure drawn;
+  drawn.id = "map";
+  drawn.title = format("The {} over f and Δ", name(task.objective));
+  drawn.x = {"constant friction f", task.f->low, task.f->high};
+  drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
+  const double width = most > least ? (most - least) / static_cast<double>(shades.size()) : 1;
+  drawn.map.columns = static_cast<std::int64_t>(map.f.size());
+  drawn.map.rows = static_cast<std::int64_t>(map.delta.size());
+  for (std::size_t row = 0; row < map.delta.size(); ++row) {
+    for (std::size_t column = 0; column < map.f.size(); ++column) {
+      const SuiteFigures& figures = map.figures[column * map.delta.size() + row];
+      const std::size_t fault = broken_index(figures, task.limits);
+      const double place = (value_of(figures, task.objective) - least) / width;
+      const std::size_t shade = fault < broken.size()
+                                    ? shades.size() + fault
+                                    : std::min(static_cast<std::size_t>(place), shades.size() - 1);
+      drawn.map.cells.push_back(static_cast<std::uint8_t>(shade));
+    }
+  }
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    drawn.map.palette.emplace_back(shades.at(i));
+    const double from = least + width * static_cast<double>(i);
+    drawn.map.names.push_back(least > most ? ""
+                                           : format("{} to {}", objective_words(task, from, units),
+                                                    objective_words(task, from + width, units)));
+  }
+  if (least <= most) {
+    drawn.map.key.push_back(
+        {format("{}: from {}", name(task.objective), objective_words(task, least, units)),
+         shades.front()});
+    drawn.map.key.push_back({format("to {}", objective_words(task, most, units)), shades.back()});
+  }
+  for (std::size_t i = 0; i < broken.size(); ++i) {
+    drawn.map.palette.emplace_back(broken.at(i));
+    drawn.map.names.emplace_back(broken_names.at(i));
+    if (std::ranges::count(drawn.map.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
+      drawn.map.key.push_back({broken_names.at(i), broken.at(i), i < 3});
+    }
+  }
+  drawn.marks.push_back({result.finding ? "chosen" : "nearest",
+                         {{point.damper.f, point.damper.delta * units.length}},
+                         figures::Shape::star,
+                         figures::Ink::orange});
+  drawn.description = format(
+      "The plane of f and Δ: the {} of the records combined, and where a "
+      "limit is broken.",
+      name(task.objective));
+  drawn.caption =
+      "Blue meets every limit, the darker the better; hatched breaks one. Edges are the limits.";
+  return drawn;
+}
+
+struct DrawnRecord {
+  Figure motion;
+  Figure load;
+};
+
+DrawnRecord drawn_record(const design::RecordDesign& result, std::size_t index,
+                         const FigureUnits& units) {
+  const design::RecordDesignRequest& task = result.request;
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  const design::SuiteRecord& record = task.records[index];
+  SimulationRequest request;
+  request.oscillator = {damper.p, damper.f, damper.delta, task.hold};
+  request.start = {0, 0};
+  request.surface.notch_width = task.notch_width;
+  request.excitation = design::scaled(record);
+  DrawnMotion motion = drawn_motion(request, simulate(request));
+  motion.beta = task.limits.peak;
+  DrawnRecord drawn{motion_figure(motion, units),
+                    excitation_figure(request.excitation, motion, units)};
+  drawn.motion.id = format("record-{}", index + 1);
+  drawn.motion.title = record.name.substr(record.name.rfind('/') + 1);
+  if (record.scale != 1) {
+    drawn.motion.title += format(", {:.4g} times", record.scale);
+  }
+  return drawn;
+}
+
+/// The record with the largest figure of the objective.
+std::size_t worst_record(const design::RecordDesign& result) {
+  const auto value = [&](const ForcedResponse& response) {
+    switch (result.request.objective) {
+      case design::SuiteObjective::amplitude:
+        return response.peak_amplitude;
+      case design::SuiteObjective::residual:
+        return std::abs(response.stop_position.value_or(0));
+      case design::SuiteObjective::acceleration:
+        break;
+    }
+    return response.peak_absolute_acceleration;
+  };
+  const std::vector<ForcedResponse>& all = result.finding->responses;
+  return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
+}
+
+/// The worst one large with its load, then all small; a single one only large.
+void add_records(std::vector<Figure>& figures, const design::RecordDesign& result,
+                 const FigureUnits& units) {
+  const std::size_t count = result.request.records.size();
+  DrawnRecord worst = drawn_record(result, worst_record(result), units);
+  if (count > 1) {
+    worst.motion.id = "worst";
+    worst.motion.title = "The worst record: " + worst.motion.title;
+  }
+  worst.load.id = "worst-load";
+  figures.push_back(std::move(worst.motion));
+  figures.push_back(std::move(worst.load));
+  constexpr double small = 130;
+  for (std::size_t i = 0; i < std::min(most_drawn_records, count) && count > 1; ++i) {
+    figures.push_back(drawn_record(result, i, units).motion);
+    figures.back().height = small;
+  }
+}
+
+/// Of the chosen damper, from a quarter of its period to twice that.
+std::vector<Figure> design_spectra(const design::RecordDesign& result, const FigureUnits& units) {
+  constexpr int points = 141;
+  constexpr double shortest = 0.25;
+  constexpr double longest = 2;
+  const design::RecordDesignRequest& task = result.request;
+  const design::SuiteDamper& damper = result.finding->point.damper;
+  design::SpectrumRequest request{task.records, {},        damper.f,         damper.delta,
+                                  task.combine, task.hold, task.notch_width, task.threads};
+  for (int i = 0; i < points; ++i) {
+    request.p.push_back(damper.p / (shortest + (longest - shortest) * i / (points - 1)));
+  }
+  return spectrum_figures(design::spectrum(request), units, damper.p);
+}
+
+}  // namespace
+
+figures::HtmlPage page(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  const FigureUnits units(report.physical);
+  const Document words = document(report);
+  figures::HtmlPage page{.title = words.title,
+                         .verdict = words.verdict,
+                         .answer = html(words.answer),
+                         .figures = {},
+                         .body = html(words),
+                         .report = text(words, {.verbosity = Verbosity::full}),
+                         .footer = {}};
+  const design::RecordDesignRequest& task = result.request;
+  if (task.f->low < task.f->high && task.delta->low < task.delta->high) {
+    page.figures.push_back(map_figure(result, result.nearest, units));
+  }
+  if (result.finding) {
+    add_records(page.figures, result, units);
+    std::ranges::move(design_spectra(result, units), std::back_inserter(page.figures));
+  }
+  return page;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::report {
+
+using figures::AreaLook;
+using figures::Dash;
+using figures::Figure;
+using figures::FigureArea;
+using figures::FigureAxis;
+using figures::FigureCurve;
+using figures::FigurePoint;
+using figures::Ink;
+using figures::Shape;
+
+namespace {
+
+using design::Problem;
+using design::Region;
+using fmt::format;
+
+constexpr int steps = 200;  // of a curve over f
+
+/// What the five constraints and the limits leave, tolerance aside. Empty where that is nothing.
+std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const RegionSpan& span,
+                                            double unit) {
+  std::vector<FigurePoint> lower;
+  std::vector<FigurePoint> upper;
+  const double last = span.last_within_limits(drawn);
+  for (int i = 0; span.first <= last && i <= steps; ++i) {
+    const double f = span.first + (last - span.first) * i / steps;
+    const double bound = std::max(0.0, design::delta1(span.at(f), f));
+    const double top = span.highest_delta(drawn, f);
+    if (bound <= top) {
+      lower.push_back({f, bound * unit});
+      upper.push_back({f, top * unit});
+    }
+  }
+  if (lower.size() < 2) {
+    return {};
+  }
+  lower.insert(lower.end(), upper.rbegin(), upper.rend());
+  return lower;
+}
+
+std::vector<FigureArea> area_of(std::string name, std::vector<FigurePoint> outline) {
+  if (outline.empty()) {
+    return {};
+  }
+  return {{std::move(name), std::move(outline), Ink::sky}};
+}
+
+std::vector<FigurePoint> box(const DrawnDamper& damper, const design::BoxShape& shape,
+                             double unit) {
+  const double r = damper.tolerance;
+  const double delta = damper.delta * unit;
+  const double left = damper.f * (1 - r * shape.f_low);
+  const double right = damper.f * (1 + r * shape.f_high);
+  const double bottom = delta * (1 - r * shape.delta_low);
+  const double top = delta * (1 + r * shape.delta_high);
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+/// Delta1 by either formula, up to the last f that returns.
+void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {
+  FigureCurve published{"Δ₁ published", {{}}, Ink::orange, Dash::dashed};
+  FigureCurve exact{"Δ₁ exact", {{}}, Ink::purple};
+  for (int i = 0; i <= steps; ++i) {
+    const double f = std::clamp(figure.x.value(static_cast<double>(i) / steps), 0.0, last);
+    const Problem problem = at(f);
+    published.strokes[0].push_back({f, design::delta1_published(problem, f) * unit});
+    if (const auto bound = design::delta1_exact(problem, f)) {
+      exact.strokes[0].push_back({f, *bound * unit});
+    }
+  }
+  figure.curves.push_back(std::move(published));
+  figure.curves.push_back(std::move(exact));
+}
+
+/// From 0, but nearer where what there is to see would be small.
+FigureAxis axis_of(std::string label, double least, double most, double all) {
+  constexpr double margin = 1.15;
+  constexpr double small = 0.25;
+  constexpr double room = 0.8;  // on either side, in widths
+  const double wide = most - least;
+  if (!(wide > 0) || wide > small * all) {
+    return {std::move(label), 0, margin * all};
+  }
+  return {std::move(label), std::max(0.0, least - room * wide), most + room * wide};
+}
+
+/// The least and the largest of what is to be seen.
+struct Extent {
+  FigurePoint least{HUGE_VAL, HUGE_VAL};
+  FigurePoint most{-HUGE_VAL, -HUGE_VAL};
+
+  void add(const std::vector<FigurePoint>& points) {
+    for (const FigurePoint& at : points) {
+      least = {std::min(least.x, at.x), std::min(least.y, at.y)};
+      most = {std::max(most.x, at.x), std::max(most.y, at.y)};
+    }
+  }
+};
+
+/// A box too small to see is enlarged in a corner.
+void add_inset(Figure& figure, const std::vector<FigurePoint>& box) {
+  constexpr double visible = 0.05;        // of the plot
+  constexpr double least_numbers = 1e-9;  // below which rounding would be seen
+  constexpr double room = 0.6;            // on either side, in widths of the box
+  const double wide = box[2].x - box[0].x;
+  const double high = box[2].y - box[0].y;
+  const bool small = wide < visible * (figure.x.most - figure.x.least) ||
+                     high < visible * (figure.y.most - figure.y.least);
+  if (small && wide > least_numbers * box[2].x && high > least_numbers * box[2].y) {
+    figure.inset = {{"", box[0].x - room * wide, box[2].x + room * wide},
+                    {"", box[0].y - room * high, box[2].y + room * high}};
+  }
+}
+
+void add_damper(Figure& figure, const DrawnDamper& damper,
+                const std::vector<FigurePoint>& tolerance_box, const FigureUnits& units) {
+  const FigurePoint at{damper.f, damper.delta * units.length};
+  figure.description +=
+      format("{} at f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
+  if (damper.tolerance > 0) {
+    figure.areas.push_back({format("tolerance ±{:.3g} %", 100 * damper.tolerance), tolerance_box,
+                            Ink::blue, AreaLook::box});
+    add_inset(figure, tolerance_box);
+    figure.description += format(", tolerance ±{:.3g} %", 100 * damper.tolerance);
+  }
+  figure.description += ".";
+  figure.marks.push_back({damper.name, {at}, Shape::diamond, Ink::blue});
+  if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
+    figure.marks.back().name =
+        format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
+    figure.caption = "The arrow points to the damper, which lies far outside of this figure.";
+  }
+}
+
+void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to) {
+  figure.curves.push_back({.name = std::move(name),
+                           .strokes = {{from, to}},
+                           .ink = Ink::grey,
+                           .hover = false,
+                           .labelled = true});
+}
+
+std::string strips_caption(const Problem& problem) {
+  const bool ranges = problem.v0_low || problem.p_high;
+  return format("A damper in a strip {} at that arrival{}; between the strips {} off centre.",
+                problem.residual ? "rests within the residual" : "stops at x = 0",
+                ranges ? ", for every hit and spring of the ranges" : "",
+                problem.residual ? "a rest is too far" : "the mass comes to rest");
+}
+
+}  // namespace
+
+RegionSpan::RegionSpan(const DrawnRegion& drawn)
+    : first(std::max(drawn.region.f2, 0.0)),
+      last(drawn.region.f3),
+      at([problem = drawn.problem](double /*f*/) { return problem; }) {}
+
+double RegionSpan::last_within_limits(const DrawnRegion& drawn) const {
+  return std::min({last, drawn.limits.f_max.value_or(last), drawn.region.f4.value_or(last)});
+}
+
+double RegionSpan::highest_delta(const DrawnRegion& drawn, double f) const {
+  const double v0 = at(f).v0;
+  return std::min(v0 * v0 / 2, drawn.limits.delta_max.value_or(HUGE_VAL));
+}
+
+void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& units) {
+  const Region region = design::admissible_region(problem);
+  add_delta1(
+      figure, [&](double /*f*/) { return problem; }, region.f3, units.length);
+  const double top = region.delta2 * units.length;
+  if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
+    add_edge(figure, "returns up to f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
+  }
+  if (top > figure.y.least && top < figure.y.most) {
+    add_edge(figure, "starts up to Δ₂", {figure.x.least, top}, {figure.x.most, top});
+  }
+}
+
+Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
+  const double unit = units.length;
+  const Region& region = drawn.region;
+  const auto& damper = drawn.damper;
+  const RegionSpan span(drawn);
+  const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
+  auto admissible = several ? strip_areas(drawn, units)
+                            : area_of("admissible", admissible_outline(drawn, span, unit));
+  const auto tolerance_box =
+      damper ? box(*damper, drawn.limits.shape, unit) : std::vector<FigurePoint>{};
+  Extent seen;
+  for (const FigureArea& area : admissible) {
+    seen.add(area.outline);
+  }
+  Extent all = seen;
+  all.add({{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2 * unit}});
+  constexpr double far = 1.6;  // farther out, a damper would flatten the region
+  if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
+    seen.add(tolerance_box);
+    all.add(tolerance_box);
+  }
+
+  Figure figure;
+  figure.id = "region";
+  figure.title = region.feasible ? "Admissible region" : drawn.mend;
+  figure.x = axis_of("constant friction f", seen.least.x, seen.most.x, all.most.x);
+  figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
+  figure.description =
+      several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
+              : format(
+                    "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) "
+                    "to {:.4g} "
+                    "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone "
+                    "requires "
+                    "f < {:.4g}. {}",
+                    span.first, span.last, units.length_words(region.delta2), region.f1,
+                    region.feasible ? "" : "Nothing is left: no design is admissible. ");
+  if (admissible.empty()) {
+    figure.caption = "No damper is admissible: the forbidden sides meet.";
+  } else {
+    figure.caption = several ? strips_caption(drawn.problem)
+                             : "A damper in the clear area is admissible; each hatched side says "
+                               "what goes wrong there.";
+  }
+  figure.areas = std::move(admissible);
+  if (several) {
+    add_limits(figure, drawn, units);
+  } else {
+    add_sides(figure, drawn, span, units);
+    add_delta1(figure, span.at, span.last, unit);
+  }
+  if (damper) {
+    add_damper(figure, *damper, tolerance_box, units);
+  }
+  return figure;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stillpoint::report {
+
+using figures::AreaLook;
+using figures::Figure;
+using figures::FigureArea;
+using figures::FigurePoint;
+using figures::Ink;
+using fmt::format;
+
+namespace {
+
+constexpr int strip_steps = 200;          // of an edge over f
+constexpr std::int64_t most_strips = 12;  // that can be told apart
+
+/// Of ranges or with a residual: between the ends that the region has for this arrival.
+std::vector<FigurePoint> way_outline(const DrawnRegion& drawn, std::int64_t arrival, double unit) {
+  design::Limits no_box = drawn.limits;
+  no_box.tolerance = 0;
+  std::vector<FigurePoint> outline;
+  std::vector<FigurePoint> upper;
+  for (const design::Strip& strip : design::strips(drawn.problem, no_box)) {
+    if (strip.arrival != arrival || !strip.f_lower) {
+      continue;
+    }
+    for (int i = 0; i <= strip_steps; ++i) {
+      const double f = *strip.f_lower + (*strip.f_upper - *strip.f_lower) * i / strip_steps;
+      const auto range = design::delta_range(drawn.problem, arrival, f);
+      const double most = drawn.limits.delta_max.value_or(HUGE_VAL);
+      if (range && range->low <= most) {
+        outline.push_back({f, range->low * unit});
+        upper.push_back({f, std::min(range->high, most) * unit});
+      }
+    }
+  }
+  outline.insert(outline.end(), upper.rbegin(), upper.rend());
+  return outline;
+}
+
+std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t arrival,
+                                       double unit) {
+  const auto n = static_cast<double>(arrival);
+  if (!is_plain(drawn.problem, {})) {
+    return way_outline(drawn, arrival, unit);
+  }
+  const double tip = drawn.problem.v0 * drawn.problem.p / (2 * std::sqrt(n * (n + 1)));
+  const double first = std::max(drawn.region.f2, 0.0);
+  const double last =
+      std::min({tip, drawn.limits.f_max.value_or(HUGE_VAL), drawn.region.f4.value_or(HUGE_VAL)});
+  std::vector<FigurePoint> lower;
+  std::vector<FigurePoint> upper;
+  for (int i = 0; first <= last && i <= strip_steps; ++i) {
+    const double f = first + (last - first) * i / strip_steps;
+    const auto range = design::delta_range(drawn.problem, arrival, f);
+    const double top = range ? std::min(range->high, drawn.limits.delta_max.value_or(HUGE_VAL)) : 0;
+    if (range && range->low <= top) {
+      lower.push_back({f, range->low * unit});
+      upper.push_back({f, top * unit});
+    }
+  }
+  if (lower.size() < 2) {
+    return {};
+  }
+  lower.insert(lower.end(), upper.rbegin(), upper.rend());
+  return lower;
+}
+
+}  // namespace
+
+std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits& units) {
+  const auto& damper = drawn.damper;
+  const std::int64_t own =
+      damper ? design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(0) : 0;
+  std::vector<FigureArea> areas;
+  const auto add = [&](std::int64_t n) {
+    if (auto outline = strip_outline(drawn, n, units.length); !outline.empty()) {
+      areas.push_back({n > 0 ? format("arrival {}", n) : "any rest within the residual",
+                       std::move(outline), n == own ? Ink::sky : Ink::green});
+    }
+  };
+  if (drawn.problem.residual) {
+    add(0);
+  }
+  for (std::int64_t n = 1; n <= std::min(drawn.problem.arrivals, most_strips); ++n) {
+    if (n != own) {
+      add(n);
+    }
+  }
+  if (own > 0) {
+    add(own);
+  }
+  return areas;
+}
+
+void add_limits(Figure& figure, const DrawnRegion& drawn, const FigureUnits& units) {
+  const auto forbid = [&](std::string name, FigurePoint from, FigurePoint to, Ink ink) {
+    from = {std::clamp(from.x, figure.x.least, figure.x.most),
+            std::clamp(from.y, figure.y.least, figure.y.most)};
+    to = {std::clamp(to.x, figure.x.least, figure.x.most),
+          std::clamp(to.y, figure.y.least, figure.y.most)};
+    if (from.x < to.x && from.y < to.y) {
+      figure.areas.push_back(
+          {std::move(name), {from, {to.x, from.y}, to, {from.x, to.y}}, ink, AreaLook::hatched});
+    }
+  };
+  const double far = HUGE_VAL;
+  forbid("too weak: exceeds " + units.length_words(drawn.problem.beta), {0, 0},
+         {drawn.region.f2, far}, Ink::grey);
+  if (drawn.region.f4) {
+    forbid("too strong: acceleration", {*drawn.region.f4, 0}, {far, far}, Ink::amber);
+  }
+  if (drawn.limits.f_max) {
+    forbid("above the largest f", {*drawn.limits.f_max, 0}, {far, far}, Ink::amber);
+  }
+  if (drawn.limits.delta_max) {
+    forbid("above the largest Δ", {0, *drawn.limits.delta_max * units.length}, {far, far},
+           Ink::amber);
+  }
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "figures/spectrum_parts.hpp"
+
+#include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/spectrum.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace stillpoint::report {
+
+using figures::Figure;
+using figures::FigureCurve;
+using figures::FigurePoint;
+using figures::Ink;
+using fmt::format;
+
+namespace {
+
+using design::SpectrumFigures;
+using design::SpectrumPoint;
+
+/// What is drawn of a motion; empty where it does not exist.
+using Drawn = std::optional<double> (*)(const SpectrumFigures&);
+
+struct SpectrumAxes {
+  Drawn drawn;
+  double unit;
+  std::vector<double> periods;  ///< in the unit of the axis
+
+  /// A stroke ends where a value does not exist.
+  [[nodiscard]] std::vector<std::vector<FigurePoint>> strokes(
+      const std::vector<SpectrumPoint>& points, SpectrumFigures SpectrumPoint::*which) const {
+    std::vector<std::vector<FigurePoint>> strokes{{}};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (const auto value = drawn(points[i].*which)) {
+        strokes.back().push_back({periods[i], *value * unit});
+      } else if (!strokes.back().empty()) {
+        strokes.emplace_back();
+      }
+    }
+    std::erase_if(strokes, [](const auto& stroke) { return stroke.empty(); });
+    return strokes;
+  }
+};
+
+double highest(const std::vector<std::vector<FigurePoint>>& strokes) {
+  double most = 0;
+  for (const auto& stroke : strokes) {
+    for (const FigurePoint& point : stroke) {
+      most = std::max(most, point.y);
+    }
+  }
+  return most;
+}
+
+/// Each record's line faint behind those of all together.
+void add_curves(Figure& figure, const design::Spectrum& spectrum, const SpectrumAxes& axes) {
+  const bool several = spectrum.records.size() > 1;
+  const std::string which = !several                                            ? ""
+                            : *spectrum.request.combine == design::Combine::max ? "largest, "
+                                                                                : "mean, ";
+  if (several) {
+    FigureCurve each{"each record", {}, Ink::grey};
+    each.hover = false;
+    for (const auto& record : spectrum.records) {
+      std::ranges::move(axes.strokes(record, &SpectrumPoint::with_notch),
+                        std::back_inserter(each.strokes));
+    }
+    figure.curves.push_back(std::move(each));
+  }
+  if (spectrum.request.delta == 0) {
+    figure.curves.push_back(
+        {which + "friction alone", axes.strokes(spectrum.combined, &SpectrumPoint::without)});
+    return;
+  }
+  figure.curves.push_back({which + "without point friction",
+                           axes.strokes(spectrum.combined, &SpectrumPoint::without), Ink::orange,
+                           figures::Dash::dashed});
+  figure.curves.push_back({which + "with the notch",
+                           axes.strokes(spectrum.combined, &SpectrumPoint::with_notch), Ink::blue});
+}
+
+}  // namespace
+
+std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const FigureUnits& units,
+                                     const std::optional<double>& chosen) {
+  const auto period = [&](double p) { return 2 * std::numbers::pi / p * units.time; };
+  std::vector<double> periods;
+  periods.reserve(spectrum.request.p.size());
+  for (const double p : spectrum.request.p) {
+    periods.push_back(period(p));
+  }
+  const auto [shortest, longest] = std::ranges::minmax(periods);
+  const std::string length =
+      units.length_unit.empty() ? std::string() : format(", {}", units.length_unit);
+  struct Kind {
+    std::string_view id;
+    std::string name;
+    std::string label;
+    double unit;
+    Drawn drawn;
+  };
+  const std::vector<Kind> kinds{
+      {spectrum_figure_names[0], "transmitted acceleration", "acceleration, g", 1,
+       [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
+      {spectrum_figure_names[1], "peak displacement", "peak" + length, units.length,
+       [](const SpectrumFigures& one) { return std::optional(one.peak); }},
+      {spectrum_figure_names[2], "residual displacement", "residual" + length, units.length,
+       [](const SpectrumFigures& one) { return one.residual; }}};
+  std::vector<Figure> all;
+  for (const Kind& kind : kinds) {
+    Figure figure;
+    figure.id = kind.id;
+    figure.title = format("Spectrum of the {}", kind.name);
+    figure.height = 170;
+    figure.x = figures::axis_around(units.time_unit.empty() ? "period 2π/p" : "period, s", shortest,
+                                    longest);
+    figure.x.least = std::max(figure.x.least, 0.0);
+    add_curves(figure, spectrum, {kind.drawn, kind.unit, periods});
+    double most = 0;
+    for (const FigureCurve& curve : figure.curves) {
+      most = std::max(most, highest(curve.strokes));
+    }
+    constexpr double headroom = 1.08;
+    figure.y = {kind.label, 0, most > 0 ? headroom * most : 1};
+    if (chosen) {
+      const double at = period(*chosen);
+      FigureCurve line{"period of the design", {{{at, 0}, {at, figure.y.most}}}, Ink::green};
+      line.dash = figures::Dash::dotted;
+      line.hover = false;
+      figure.curves.push_back(std::move(line));
+    }
+    figure.description = format(
+        "The {} over the period from {:.4g} to {:.4g}, with the notch and without, f and Δ fixed.",
+        kind.name, shortest, longest);
+    all.push_back(std::move(figure));
+  }
+  all.back().caption =
+      "f and Δ are the same at every period. A line has a gap where the mass does not come to "
+      "rest.";
+  return all;
+}
+
+figures::HtmlPage page(const SpectrumReport& report) {
+  const Document words = document(report);
+  return {.title = words.title,
+          .verdict = words.verdict,
+          .answer = html(words.answer),
+          .figures = spectrum_figures(report.result, FigureUnits(report.physical)),
+          .body = html(words),
+          .report = text(words, {.verbosity = Verbosity::full}),
+          .footer = {}};
+}
+
+}  // namespace stillpoint::report

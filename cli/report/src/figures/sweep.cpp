@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "figures/report_figures.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace stillpoint::report {
+
+using figures::Figure;
+using figures::FigureAxis;
+using figures::Scale;
+
+namespace {
+
+using fmt::format;
+using sweep::Axis;
+using sweep::MapAxis;
+using sweep::Quantity;
+using sweep::SweepAxis;
+using sweep::SweepClass;
+using sweep::SweepKind;
+
+/// More red than blue, which is hatched, only off x = 0. Both scales have the same lightness.
+constexpr std::array<const char*, SweepClass::count> palette{
+    "#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa",  // at x = 0
+    "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
+    "#555555", "#000000", "#a779cc", "#009e73"};
+
+/// "3", "7–15", "16 or more"; empty for motions without a count.
+std::string count_label(std::size_t index) {
+  constexpr std::size_t ranges = SweepClass::ranges;
+  if (index >= 2 * ranges) {
+    return "";
+  }
+  const std::size_t range = index % ranges;
+  const int first = SweepClass::first_half_cycles.at(range);
+  if (range + 1 == ranges) {
+    return format("{} or more", first);
+  }
+  const int last = SweepClass::first_half_cycles.at(range + 1) - 1;
+  return first < last ? format("{}–{}", first, last) : format("{}", first);
+}
+
+std::string class_name(std::size_t index) {
+  constexpr std::size_t ranges = SweepClass::ranges;
+  if (index >= 2 * ranges) {
+    constexpr std::array<const char*, 4> others{
+        "does not move", "never stops", "not known to have stopped", "too many half-cycles"};
+    return others.at(index - 2 * ranges);
+  }
+  return format("{} after {}", index < ranges ? "centred" : "off centre", count_label(index));
+}
+
+/// Two colours, and those of motions that are neither.
+std::vector<figures::MapKey> key_of(const std::array<std::int64_t, SweepClass::count>& counts) {
+  constexpr std::size_t ranges = SweepClass::ranges;
+  std::vector<figures::MapKey> key;
+  const auto any = [&counts](std::size_t from, std::size_t to) {
+    return std::any_of(counts.begin() + static_cast<std::ptrdiff_t>(from),
+                       counts.begin() + static_cast<std::ptrdiff_t>(to),
+                       [](std::int64_t count) { return count > 0; });
+  };
+  if (any(0, ranges)) {
+    key.push_back({"stops centred", palette[2]});
+  }
+  if (any(ranges, 2 * ranges)) {
+    key.push_back({"stops off centre", palette[ranges + 2], true});
+  }
+  for (std::size_t i = 2 * ranges; i < SweepClass::count; ++i) {
+    if (counts.at(i) > 0) {
+      key.push_back({class_name(i), palette.at(i)});
+    }
+  }
+  return key;
+}
+
+/// From the edge of the first cell to that of the last.
+FigureAxis figure_axis(std::string label, const MapAxis& swept) {
+  const bool linear = swept.spacing() == Axis::Spacing::linear;
+  const FigureAxis middles{label, swept.value(0), swept.value(swept.cells() - 1),
+                           linear ? Scale::linear : Scale::logarithmic};
+  const double half = 0.5 / static_cast<double>(swept.cells() - 1);
+  return {std::move(label), middles.value(-half), middles.value(1 + half), middles.scale};
+}
+
+/// The classes that the map has, in the order of the palette.
+std::array<std::int64_t, SweepClass::count> class_counts(const sweep::SweepMap& map) {
+  std::array<std::int64_t, SweepClass::count> counts{};
+  for (const std::uint8_t cell : map.cells()) {
+    ++counts.at(cell);
+  }
+  return counts;
+}
+
+/// Without its unit.
+double only_value(const sweep::SweepSpec& spec, Quantity quantity) {
+  const double value = std::ranges::find(spec.axes, quantity, &SweepAxis::quantity)->axis[0];
+  return spec.units ? spec.units->plain(quantity, value) : value;
+}
+
+}  // namespace
+
+Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
+  const FigureUnits units({});
+  const auto counts = class_counts(map);
+  Figure figure;
+  figure.id = "map";
+  figure.title = "How the motions end, after how many half-cycles";
+  figure.x = figure_axis("constant friction f", map.f());
+  figure.y = figure_axis(spec.units ? "point friction Δ in m" : units.delta_label, map.delta());
+  figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, key_of(counts)};
+  figure.description =
+      format("The plane of f and Δ. Centred is a rest {}, off centre one in the dead zone.",
+             given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0");
+  for (std::size_t i = 0; i < SweepClass::count; ++i) {
+    figure.map.palette.emplace_back(palette.at(i));
+    figure.map.names.push_back(counts.at(i) > 0 ? class_name(i) : "");
+    figure.map.labels.push_back(counts.at(i) > 0 ? count_label(i) : "");
+    if (counts.at(i) > 0) {
+      figure.description += format(
+          " {}: {:.3g} %.", class_name(i),
+          100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
+    }
+  }
+  figure.caption =
+      "Blue stops centred, orange (hatched) off centre; the number counts half-cycles.";
+  const double v0 = std::abs(only_value(spec, Quantity::v0));
+  const double p = only_value(spec, Quantity::p);
+  if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
+    add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);
+  }
+  return figure;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "json/parts.hpp"
+
+#include <stillpoint/report/version.hpp>
+
+#include <cassert>
+#include <cmath>
+
+namespace stillpoint::report {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json mends_json(const std::vector<design::Mend>& mends) {
+  ordered_json list = ordered_json::array();
+  for (const design::Mend& mend : mends) {
+    list.push_back({{"input", mend.field}, {"value", number(mend.value)}});
+  }
+  return list;
+}
+
+ordered_json joint_json(const std::optional<design::JointMend>& joint) {
+  if (!joint) {
+    return nullptr;
+  }
+  return {{"largest_tolerance", number(joint->largest_tolerance)},
+          {"mends", mends_json(joint->mends)}};
+}
+
+ordered_json point_json(const std::optional<design::DesignPoint>& point) {
+  if (!point) {
+    return nullptr;
+  }
+  return {{"tolerance", number(point->tolerance)},
+          {"f", number(point->f)},
+          {"delta", number(point->delta)}};
+}
+
+/// The constraints and limits that exclude each other, by name; null where none do.
+ordered_json conflict_json(design::Conflict conflict) {
+  switch (conflict) {
+    case design::Conflict::none:
+      break;
+    case design::Conflict::amplitude_against_return:
+      return {"amplitude", "return"};
+    case design::Conflict::amplitude_against_f_max:
+      return {"amplitude", "f_max"};
+    case design::Conflict::amplitude_against_acceleration:
+      return {"amplitude", "acceleration"};
+    case design::Conflict::acceleration_alone:
+      return {"acceleration"};
+    case design::Conflict::stop_against_start:
+      return {"stop", "start"};
+    case design::Conflict::stop_against_delta_max:
+      return {"stop", "delta_max"};
+    case design::Conflict::no_arrival:
+      return {"stop", "arrivals"};
+    case design::Conflict::narrower_than_rounding:
+      return {"rounding"};
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+ordered_json number(double value) {
+  assert(std::isfinite(value));
+  return value;
+}
+
+ordered_json number(const std::optional<double>& value) {
+  return value ? number(*value) : ordered_json(nullptr);
+}
+
+ordered_json count(const std::optional<double>& value) {
+  constexpr double exact = 9007199254740992;  // 2^53
+  if (value && *value <= exact) {
+    return static_cast<std::int64_t>(*value);
+  }
+  return number(value);
+}
+
+ordered_json text_or_null(const std::string& value) {
+  return value.empty() ? ordered_json(nullptr) : ordered_json(value);
+}
+
+ordered_json region_fields(const design::RegionVerdict& verdict) {
+  const design::Region& region = verdict.region;
+  return {
+      {"feasible", region.feasible},
+      {"reason", text_or_null(verdict.reason)},
+      {"conflict", conflict_json(region.conflict)},
+      {"f1", number(region.f1)},
+      {"f2", number(region.f2)},
+      {"f3", number(region.f3)},
+      {"f4", number(region.f4)},
+      {"f_lower", number(region.f_lower)},
+      {"f_upper", number(region.f_upper)},
+      {"delta2", number(std::isinf(region.delta2) ? std::nullopt : std::optional(region.delta2))},
+      {"beta_min", number(region.beta_min)},
+      {"by", nullptr},  // these two of a pulse
+      {"intervals", nullptr},
+      {"most_tolerant", point_json(verdict.most_tolerant)},
+      {"mends", mends_json(verdict.mends)},
+      {"joint_mend", joint_json(verdict.joint_mend)}};
+}
+
+ordered_json constraints_json(std::span<const design::Constraint> constraints) {
+  ordered_json list = ordered_json::array();
+  for (const design::Constraint& constraint : constraints) {
+    list.push_back({{"name", constraint.name},
+                    {"variable", constraint.variable},
+                    {"relation", constraint.relation},
+                    {"value", number(constraint.value)},
+                    {"limit", number(constraint.limit)},
+                    {"slack", number(constraint.slack)},
+                    {"satisfied", constraint.satisfied}});
+  }
+  return list;
+}
+
+ordered_json response_json(const Response& response) {
+  return {{"peak_amplitude", number(response.peak_amplitude)},
+          {"peak_acceleration", number(response.peak_acceleration)},
+          {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},
+          {"half_cycles", count(response.half_cycles)},
+          {"turning_points", count(response.turning_points)},
+          {"zero_passages", count(response.zero_passages)},
+          {"stop_time", number(response.stop_time)},
+          {"stop_position", number(response.stop_position)},
+          {"stops_at_zero", response.stops_at_zero},
+          {"outcome", name(response.outcome)},
+          {"arrival_speed", number(response.arrival_speed)},
+          {"decision_margin", number(response.decision_margin)}};
+}
+
+ordered_json forced_json(const ForcedResponse& forced) {
+  ordered_json json = response_json(forced);
+  json["end_time"] = number(forced.end_time);
+  json["final_position"] = number(forced.final_position);
+  json["final_velocity"] = number(forced.final_velocity);
+  json["sticks"] = count(forced.sticks);
+  json["stick_time"] = number(forced.stick_time);
+  json["left_notch_from_rest"] = forced.left_notch_from_rest;
+  json["locked_from"] = number(forced.locked_from);
+  json["largest_load_while_locked"] = number(forced.largest_load_while_locked);
+  return json;
+}
+
+ordered_json task_json(const design::Problem& problem, const design::Limits& limits) {
+  const auto range = [](double low, double high, bool given) {
+    return given ? ordered_json{number(low), number(high)} : ordered_json(nullptr);
+  };
+  const double t = limits.tolerance;
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  const bool shaped = limits.shape != design::BoxShape{};
+  return {{"v0", number(problem.v0)},
+          {"v0_range",
+           range(problem.v0_low.value_or(problem.v0), problem.v0, problem.v0_low.has_value())},
+          {"p", number(problem.p)},
+          {"p_range", range(problem.p, problem.stiffest_p(), problem.p_high.has_value())},
+          {"beta", number(problem.beta)},
+          {"criterion", name(problem.criterion)},
+          {"arrivals", problem.arrivals},
+          {"residual", number(problem.residual)},
+          {"tolerance", number(limits.tolerance)},
+          {"tolerance_f", range(1 - t * f_low, 1 + t * f_high, shaped)},
+          {"tolerance_delta", range(1 - t * delta_low, 1 + t * delta_high, shaped)},
+          {"f_max", number(limits.f_max)},
+          {"delta_max", number(limits.delta_max)},
+          {"acceleration_max", number(limits.acceleration_max)}};
+}
+
+ordered_json program_json() {
+  return {{"name", "stillpoint"}, {"version", program_version()}};
+}
+
+}  // namespace stillpoint::report

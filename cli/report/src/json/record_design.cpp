@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "json/parts.hpp"
+
+#include <stillpoint/records/record_scaling.hpp>
+#include <stillpoint/report/record_design.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace stillpoint::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Lengths and times of a report, in metres and seconds where the input was.
+class SuiteUnits {
+ public:
+  explicit SuiteUnits(const std::optional<design::PhysicalInput>& physical) {
+    if (physical) {
+      length_ = physical->scales.length_m;
+      time_ = physical->scales.time_s;
+    }
+  }
+  [[nodiscard]] ordered_json metres(const std::optional<double>& length) const {
+    return length && length_ ? number(*length * *length_) : ordered_json(nullptr);
+  }
+  [[nodiscard]] ordered_json period(double p) const {
+    return time_ ? number(2 * std::numbers::pi / p * *time_) : ordered_json(nullptr);
+  }
+  [[nodiscard]] ordered_json seconds(const std::optional<double>& tau) const {
+    return tau && time_ ? number(*tau * *time_) : ordered_json(nullptr);
+  }
+
+ private:
+  std::optional<double> length_;
+  std::optional<double> time_;
+};
+
+ordered_json range_json(const design::SearchRange& range) {
+  return ordered_json::array({number(range.low), number(range.high)});
+}
+
+ordered_json task_json(const design::RecordDesignRequest& task, const SuiteUnits& units) {
+  const std::optional<double> hold =
+      std::isfinite(task.hold) ? std::optional(task.hold) : std::nullopt;
+  return {{"records", task.records.size()},
+          {"p_range", range_json(task.p)},
+          {"f_range", range_json(task.f.value())},
+          {"delta_range", range_json(task.delta.value())},
+          {"objective", name(task.objective)},
+          {"combine", name(task.combine.value())},
+          {"beta", number(task.limits.peak)},
+          {"max_displacement_m", units.metres(task.limits.peak)},
+          {"residual", number(task.limits.residual)},
+          {"residual_m", units.metres(task.limits.residual)},
+          {"acceleration_max", number(task.limits.acceleration)},
+          {"hold", number(hold)},
+          {"notch_width", number(task.notch_width)},
+          {"notch_width_m", units.metres(task.notch_width)},
+          {"tolerance", number(task.tolerance)}};
+}
+
+ordered_json damper_json(const design::SuiteDamper& damper, const SuiteUnits& units) {
+  return {{"f", number(damper.f)},
+          {"delta", number(damper.delta)},
+          {"delta_m", units.metres(damper.delta)},
+          {"p", number(damper.p)},
+          {"period_s", units.period(damper.p)}};
+}
+
+/// Null where a motion never rests.
+ordered_json figures_json(const design::SuiteFigures& figures, const SuiteUnits& units) {
+  if (!figures.settled) {
+    return nullptr;
+  }
+  return {{"peak_amplitude", number(figures.peak)},
+          {"peak_m", units.metres(figures.peak)},
+          {"peak_absolute_acceleration", number(figures.acceleration)},
+          {"residual", number(figures.residual)},
+          {"residual_m", units.metres(figures.residual)}};
+}
+
+ordered_json records_json(const design::RecordDesign& result, const SuiteUnits& units) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
+    const design::SuiteRecord& record = result.request.records[i];
+    const ForcedResponse& response = result.finding->responses[i];
+    const double residual = std::abs(response.stop_position.value());
+    const double pga = std::abs(record.scale) * records::peak_acceleration(record.record);
+    list.push_back({{"file", record.name},
+                    {"scale", number(record.scale)},
+                    {"pga", number(pga)},
+                    {"peak_amplitude", number(response.peak_amplitude)},
+                    {"peak_m", units.metres(response.peak_amplitude)},
+                    {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},
+                    {"residual", number(residual)},
+                    {"residual_m", units.metres(residual)},
+                    {"outcome", name(response.outcome)},
+                    {"locked_from", number(response.locked_from)},
+                    {"locked_from_s", units.seconds(response.locked_from)},
+                    {"largest_load_while_locked", number(response.largest_load_while_locked)},
+                    {"decision_margin", number(response.decision_margin)}});
+  }
+  return list;
+}
+
+ordered_json search_json(const design::SuiteSearch& search) {
+  return {{"library", "NLopt"},
+          {"library_version", design::nlopt_version()},
+          {"algorithm", search.algorithm},
+          {"status", search.status},
+          {"evaluations", search.evaluations},
+          {"wall_time_s", number(search.wall_time_s)},
+          {"scan", {{"points", search.scan_points}, {"feasible", search.scan_feasible}}},
+          {"interrupted", search.interrupted}};
+}
+
+ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const SuiteUnits& units) {
+  return {{"tolerance", number(sensitivity.tolerance)},
+          {"samples", sensitivity.samples},
+          {"admissible", sensitivity.admissible},
+          {"worst_within", figures_json(sensitivity.worst, units)}};
+}
+
+ordered_json check_json(const design::SuiteCheck& check) {
+  ordered_json records = ordered_json::array();
+  for (const design::SuiteCheckRow& row : check.records) {
+    records.push_back({{"peak_amplitude", number(row.peak)},
+                       {"peak_absolute_acceleration", number(row.acceleration)},
+                       {"residual", number(row.residual)},
+                       {"relative_error", number(row.relative_error)}});
+  }
+  return {{"passed", check.passed},
+          {"methods",
+           {{{"name", "runge_kutta"},
+             {"tolerance", number(check.tolerance)},
+             {"relative_error", number(check.relative_error)},
+             {"wall_time_s", number(check.wall_time_s)},
+             {"records", records}}}}};
+}
+
+std::string_view limit_name(design::SuiteObjective which) {
+  switch (which) {
+    case design::SuiteObjective::amplitude:
+      return "max_displacement";
+    case design::SuiteObjective::residual:
+      return "residual";
+    case design::SuiteObjective::acceleration:
+      break;
+  }
+  return "acceleration_max";
+}
+
+ordered_json shortfalls_json(const design::RecordDesign& result, const SuiteUnits& units) {
+  ordered_json list = ordered_json::array();
+  for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
+    const bool is_length = which != design::SuiteObjective::acceleration;
+    const auto metres = [&](const std::optional<double>& value) {
+      return is_length ? units.metres(value) : ordered_json(nullptr);
+    };
+    list.push_back({{"limit", limit_name(which)},
+                    {"value", number(limit)},
+                    {"value_m", metres(limit)},
+                    {"nearest", number(nearest)},
+                    {"nearest_m", metres(nearest)},
+                    {"relaxed", number(relaxed)},
+                    {"relaxed_m", metres(relaxed)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+ordered_json json(const RecordDesignReport& report) {
+  const design::RecordDesign& result = report.result;
+  const SuiteUnits units(report.physical);
+  ordered_json json{{"schema", "stillpoint/record-design-report/1"},
+                    {"program", program_json()},
+                    {"input", task_json(result.request, units)},
+                    {"design", nullptr},
+                    {"reason", nullptr},
+                    {"worst", nullptr},
+                    {"records", ordered_json::array()},
+                    {"search", search_json(result.search)},
+                    {"sensitivity", nullptr},
+                    {"cross_check", nullptr},
+                    {"nearest", nullptr},
+                    {"limits", shortfalls_json(result, units)}};
+  if (result.finding) {
+    json["design"] = damper_json(result.finding->point.damper, units);
+    json["worst"] = figures_json(result.finding->point.figures, units);
+    json["records"] = records_json(result, units);
+    json["sensitivity"] = sensitivity_json(result.finding->sensitivity, units);
+    json["cross_check"] = check_json(result.finding->check);
+  } else {
+    json["reason"] = shortfall_sentence(report);
+    json["nearest"] = {{"design", damper_json(result.nearest.damper, units)},
+                       {"worst", figures_json(result.nearest.figures, units)}};
+  }
+  return json;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/page_frame.hpp>
+
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/report.hpp>
+#include <stillpoint/report/spectrum.hpp>
+#include <stillpoint/report/version.hpp>
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace stillpoint::report {
+
+void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
+  constexpr std::size_t longest_title = 400;
+  if (!frame.title.empty()) {
+    page.title += ": " + records::printable(frame.title, longest_title);
+  }
+  page.body += fmt::format(
+      "<section><h2>Input</h2>\n<p>As <code>scene.json</code>; <code>stillpoint {} scene.json "
+      "--html page.html</code> gives this page again.</p>\n<pre>{}</pre></section>\n",
+      frame.command, figures::escaped(frame.scene));
+  page.footer = version_line();
+}
+
+std::span<const std::string_view> all_design_figures() {
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> list(design_figures.begin(), design_figures.end());
+    list.insert(list.end(), record_design_figures.begin(), record_design_figures.end());
+    list.insert(list.end(), spectrum_figure_names.begin(), spectrum_figure_names.end());
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/records/record_suite.hpp>
+
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/record_list.hpp>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace stillpoint::records {
+
+namespace {
+
+/// Files and folders, with what each is scaled by.
+std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTarget& of_all) {
+  std::vector<ListedRecord> asked;
+  asked.reserve(files.paths.size());
+  for (const std::string& path : files.paths) {
+    asked.push_back({path, 1, of_all});
+  }
+  if (!files.list) {
+    return asked;
+  }
+  for (ListedRecord& listed : read_record_list(*files.list)) {
+    if (of_all.is_given() && listed.target.is_given()) {
+      throw FileError({"records-list", *files.list},
+                      fmt::format("its targets and {} exclude each other",
+                                  of_all.peak ? "record-peak" : "record-spectrum"));
+    }
+    if (of_all.is_given()) {
+      listed.target = of_all;
+    }
+    asked.push_back(std::move(listed));
+  }
+  return asked;
+}
+
+}  // namespace
+
+std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& scale,
+                                    const RecordOptions& options) {
+  require_scale(scale.factor);
+  std::vector<SuiteRecord> suite;
+  for (const ListedRecord& asked : asked_records(files, scale.target)) {
+    const RecordScale to{scale.factor * asked.scale, asked.target, scale.spectrum_p};
+    for (std::string& file : record_files(asked.path)) {
+      Record record = read_record(file, options).record;
+      const double factor = to.factor * factor_to_target(to, record, file, options.clock);
+      suite.push_back({std::move(file), std::move(record), factor});
+    }
+  }
+  return suite;
+}
+
+}  // namespace stillpoint::records

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "check/runge_kutta.hpp"
+
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/problem.hpp>
+
+#include <chrono>
+#include <string_view>
+
+namespace stillpoint::design {
+
+/// How exact a method is. Below the decision margin `resolution` its own errors may change a
+/// decision.
+struct Quality {
+  std::string_view name;
+  double tolerance;
+  double resolution;
+  bool acceleration{true};  ///< compared as well
+};
+
+/// Completes a method whose figures are already there; `margin` is the decision margin of the
+/// predicted motion.
+void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
+           const Problem& problem, double f, double delta, double margin);
+
+/// Takes over the figures of a motion.
+void take(CheckMethod& method, const IntegratedMotion& motion);
+
+/// Runs it and returns how long that took, in seconds.
+template <class Run>
+double timed(const Run& run) {
+  const auto started = std::chrono::steady_clock::now();
+  run();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "pulse/region.hpp"
+
+#include "nearest_fit.hpp"
+#include "region/mend_list.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// No mend makes a pulse longer than p / lambda = 10, unless it is already: where the mass swings
+/// many times before it returns, a region costs too much to ask for a hundred of them.
+constexpr double slowest_mended = 10;
+/// Six decades of any input are more than any design can use, and keep it valid.
+constexpr double far = 1e6;
+
+struct PulseCase {
+  PulseProblem problem;
+  Limits limits;
+  std::shared_ptr<const PulseProfile> profile;  ///< of lambda and p alone, in units of k
+};
+
+void set_k(PulseCase& now, double k) {
+  std::visit([k](auto& kind) { kind.k = k; }, now.problem.pulse);
+}
+
+void set_lambda(PulseCase& now, double lambda) {
+  std::visit([lambda](auto& kind) { kind.lambda = lambda; }, now.problem.pulse);
+  now.profile = std::make_shared<PulseProfile>(now.problem.pulse, now.problem.p);
+}
+
+void set_p(PulseCase& now, double p) {
+  now.problem.p = p;
+  now.profile = std::make_shared<PulseProfile>(now.problem.pulse, p);
+}
+
+bool fits(const PulseCase& now) {
+  return PulseRegion(now.profile, now.problem, now.limits).feasible();
+}
+
+/// Where an input does not always help or always harm: the nearest value on either side that fits,
+/// of those that steps of growing size find.
+std::optional<double> nearest_either_way(const PulseCase& base, double from, double least,
+                                         double most, void (*set)(PulseCase&, double)) {
+  constexpr double first_step = 1.02;
+  constexpr double growth = 1.12;
+  const auto fits_at = [&](double value) {
+    PulseCase changed = base;
+    set(changed, value);
+    return fits(changed);
+  };
+  double step = first_step;
+  double inner = 1;  // the factors up to here are looked at
+  while (from * inner < most || from / inner > least) {
+    const double outer = inner * step;
+    step = 1 + (step - 1) * growth;
+    const double above = std::min(from * outer, most);
+    const double below = std::max(from / outer, least);
+    const auto nearest = [&](double inside, double to) {
+      return fits_at(to) ? nearest_fit(inside, to, fits_at) : std::nullopt;
+    };
+    const auto up = from * inner < most ? nearest(from * inner, above) : std::nullopt;
+    const auto down = from / inner > least ? nearest(from / inner, below) : std::nullopt;
+    if (up || down) {
+      return up && (!down || *up / from <= from / *down) ? up : down;
+    }
+    inner = outer;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
+  const PulseCase base{problem, limits, std::make_shared<PulseProfile>(problem.pulse, problem.p)};
+  std::vector<Mend> list;
+  if (fits(base)) {
+    return list;
+  }
+  // In units of k a weaker pulse is a larger beta and larger limits: it can only help.
+  const double k = peak_load(problem.pulse);
+  add_mend(list, base, fits, Input<PulseCase>{"k", k, k / far, set_k});
+  const double p = problem.p;
+  const double lambda = angular_frequency(problem.pulse);
+  if (const auto value = nearest_either_way(
+          base, lambda, std::min(lambda, std::max(lambda / far, p / slowest_mended)),
+          std::min(lambda * far, p * fastest_pulse), set_lambda)) {
+    list.push_back({"lambda", *value, *value > lambda});
+  }
+  if (const auto value =
+          nearest_either_way(base, p, std::max(p / far, lambda / fastest_pulse),
+                             std::max(p, std::min(p * far, lambda * slowest_mended)), set_p)) {
+    list.push_back({"p", *value, *value > p});
+  }
+  add_mend(list, base, fits,
+           Input<PulseCase>{"beta", problem.beta, problem.beta * far,
+                            [](PulseCase& now, double value) { now.problem.beta = value; }});
+  for (const Input<PulseCase>& limit : limit_inputs<PulseCase>(limits)) {
+    add_mend(list, base, fits, limit);
+  }
+  return list;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The admissible (f, Delta) of a pulse: the f whose motion returns, stays within beta and keeps the
+// limits, and for each of them every Delta from its need up to delta_max. docs/theory.md section 8.
+
+#include "pulse/profile.hpp"
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// An interval of admissible f, in units of k; no tolerance is looked at.
+struct Island {
+  double low{0};
+  double high{0};
+};
+
+/// In the units of PulseProfile.
+class PulseRegion {
+ public:
+  PulseRegion(const PulseProblem& problem, const Limits& limits)
+      : PulseRegion(std::make_shared<PulseProfile>(problem.pulse, problem.p), problem, limits) {}
+  PulseRegion(std::shared_ptr<const PulseProfile> profile, const PulseProblem& problem,
+              const Limits& limits);
+
+  [[nodiscard]] const std::shared_ptr<const PulseProfile>& profile() const { return profile_; }
+  [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
+  [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
+  /// The largest need of a box, over what delta_max leaves for it: at most 1 where it fits.
+  [[nodiscard]] double use_of_delta(double low, double high, double tolerance) const;
+  /// The low end of the box of that tolerance that needs the least Delta, where that is within
+  /// delta_max.
+  [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance) const;
+  [[nodiscard]] bool feasible() const;
+
+  /// The point of an island with the Delta that leaves the most tolerance, and with half of its
+  /// capacity in reserve where delta_max allows.
+  [[nodiscard]] DesignPoint with_best_delta(const Island& island, double f) const;
+  /// The largest tolerance of an admissible point; empty for any other.
+  [[nodiscard]] std::optional<double> tolerance_of(double f, double delta) const;
+
+  /// f, and Delta, in units of the request.
+  [[nodiscard]] double f_unit() const { return k_; }
+  [[nodiscard]] double delta_unit() const { return length_ * k_; }
+  [[nodiscard]] double length_unit() const { return length_; }
+  [[nodiscard]] double asked() const { return asked_; }
+
+ private:
+  [[nodiscard]] bool holds(const FirstReturn& motion) const;
+  void find_islands();
+  [[nodiscard]] double widest(const Island& island, double f, double delta_free) const;
+
+  std::shared_ptr<const PulseProfile> profile_;
+  std::vector<Island> islands_;
+  Criterion criterion_;
+  double k_;
+  double length_;
+  double beta_;
+  double f_max_;
+  double delta_max_;
+  double acceleration_max_;
+  double asked_;  ///< tolerance
+};
+
+/// Nothing bounds Delta from above but delta_max, so that an interval of f that begins at 0 would
+/// have any tolerance below 1, with a Delta that grows beyond all bounds. No more than this is
+/// looked for, unless it is asked for.
+inline constexpr double widest_tolerance = 0.995;
+
+/// Like mends() of region.hpp, with k and lambda instead of v0.
+[[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "finding.hpp"
+
+#include "check/judge.hpp"
+#include "pulse/integration.hpp"
+
+#include <stillpoint/design/cross_check.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// Where both are below, the reduction is good to about 2 % in the peak.
+constexpr double short_pulse = 0.2;
+constexpr double small_friction = 0.2;
+
+/// The rounding of a run in other units, over some ten pieces.
+constexpr double map_tolerance = 1e-12;
+constexpr double kutta_tolerance = 1e-12;
+constexpr double runge_kutta_tolerance = 1e-9;
+/// The energy error that a thousand steps at that tolerance may add up to.
+constexpr double runge_kutta_resolution = 1000 * kutta_tolerance;
+
+std::vector<PulseWarning> warnings(const PulseCheck& check) {
+  std::vector<PulseWarning> list;
+  if (check.shortness > short_pulse) {
+    list.push_back(PulseWarning::pulse_not_short);
+  }
+  if (check.friction_ratio > small_friction) {
+    list.push_back(PulseWarning::friction_not_small);
+  }
+  return list;
+}
+
+/// How far the motion that starts with the equivalent velocity is off.
+void add_reduction(PulseCheck& check, const PulseProblem& problem, double f) {
+  check.start = equivalent_start(problem.pulse, f);
+  if (!check.start) {
+    return;
+  }
+  const double p = problem.p;
+  const double v0 = check.start->speed;
+  const double radius = std::hypot(f, v0 * p);
+  const double peak = v0 / (radius + f) * v0;
+  check.peak_error = peak / check.response.peak_amplitude - 1;
+  if (f <= v0 * p / std::sqrt(8.0)) {  // f3
+    const double time = (std::atan2(v0 * p, f) + std::numbers::pi / 2 +
+                         std::atan2(f, std::sqrt(std::max(0.0, (radius - f) * (radius - 3 * f))))) /
+                        p;
+    check.stop_time_error = (check.start->tau + time) / *check.response.stop_time - 1;
+  }
+}
+
+/// Completes a method. An error e of the arrival's energy moves the stop by sqrt(e) where the
+/// arrival grazes, (31) of docs/theory.md; f hardly below k magnifies errors by 1/(1 - f/k).
+void compare(CheckMethod& method, double tolerance, double resolution, const FirstReturn& expected,
+             const PulseProblem& problem, double margin) {
+  const double length = peak_load(problem.pulse) / problem.p / problem.p;
+  const double peak = expected.peak * length;
+  const double speed = expected.speed * length * problem.p;
+  const double graze = std::max(expected.speed, std::sqrt(tolerance) * expected.f);
+  method.tolerance =
+      tolerance * std::max(1.0, expected.f / graze) / std::max(1 - expected.f, tolerance);
+  const bool same_end = method.half_cycles == 1 && method.stop_position == 0;
+  method.decided = same_end || margin > resolution;
+  method.relative_error = std::abs(method.peak_amplitude / peak - 1);
+  if (method.decided) {
+    for (const double error : {std::abs(method.stop_time * problem.p / expected.time - 1),
+                               std::abs(method.arrival_speed - speed) / (problem.p * peak),
+                               std::abs(method.stop_position) / peak}) {
+      if (std::isnan(error) || error > method.relative_error) {
+        method.relative_error = error;
+      }
+    }
+  }
+  method.passed = method.relative_error <= method.tolerance && (same_end || !method.decided);
+}
+
+}  // namespace
+
+Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
+                            const SearchResult& found, const FirstReturn& expected) {
+  Finding finding;
+  finding.point = found.point;
+  finding.search = found.record;
+  const auto& [f, delta, tolerance] = found.point;
+  const Oscillator oscillator{problem.p, f, delta};
+  PulseCheck check;
+  check.shortness = problem.p / angular_frequency(problem.pulse);
+  check.friction_ratio = f / peak_load(problem.pulse);
+
+  CheckMethod forced;
+  forced.name = "forced_pulse";
+  forced.wall_time_s =
+      timed([&] { check.response = forced_response(oscillator, {}, excitation(problem.pulse)); });
+  const ForcedResponse& response = check.response;
+  const double margin = response.decision_margin.value_or(0);
+  forced.peak_amplitude = response.peak_amplitude;
+  forced.peak_acceleration = response.peak_acceleration;
+  forced.stop_time = response.stop_time.value_or(0);
+  forced.arrival_speed = response.arrival_speed.value_or(0);
+  forced.half_cycles = response.half_cycles.value_or(0);
+  forced.stop_position = response.stop_position.value_or(0);
+  compare(forced, map_tolerance, 0, expected, problem, margin);
+  // What was asked for, whatever the margin.
+  forced.passed = forced.passed && response.stops_at_zero && response.half_cycles == 1.0 &&
+                  response.peak_amplitude <= problem.beta;
+
+  CheckMethod integrated;
+  integrated.name = "runge_kutta";
+  integrated.wall_time_s = timed([&] {
+    take(integrated, integrate_under_pulse(oscillator, problem.pulse, response.peak_amplitude,
+                                           kutta_tolerance));
+  });
+  compare(integrated, runge_kutta_tolerance, runge_kutta_resolution, expected, problem, margin);
+
+  add_reduction(check, problem, f);
+  check.warnings = warnings(check);
+  finding.response = response;
+  finding.practice = practice(oscillator, response, limits.acceleration_max);
+  finding.cross_check = {forced.passed && integrated.passed, {forced, integrated}};
+  finding.pulse = std::move(check);
+  return finding;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite.hpp"
+#include "record/suite_check.hpp"
+#include "record/suite_search.hpp"
+#include "record/suite_watch.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/design/record_design.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <variant>
+
+namespace stillpoint::design {
+
+namespace {
+
+constexpr Names objectives(
+    std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
+                                          {SuiteObjective::amplitude, "amplitude"},
+                                          {SuiteObjective::residual, "residual"}}));
+
+constexpr Names combines(std::to_array<Named<Combine>>({{Combine::max, "max"},
+                                                        {Combine::mean, "mean"}}));
+
+/// A limit alone that was relaxed is this much above the least that was found, so that a search
+/// with it, which is no more exact than that, finds a damper as well.
+constexpr double relaxed_by = 1e-3;
+
+/// Beside the corners of the box of tolerance.
+constexpr int random_samples = 60;
+constexpr std::uint64_t sampling_seed = 20'081;
+
+double largest_load(const std::vector<SuiteRecord>& records) {
+  double most = 0;
+  for (const SuiteRecord& record : records) {
+    for (const double value : record.record.values) {
+      most = std::max(most, std::abs(record.scale * value));
+    }
+  }
+  return most;
+}
+
+void require_range(const char* field, const SearchRange& range, double low, double high) {
+  require_within(field, range.low, low, high);
+  require_within(field, range.high, low, high);
+  if (range.high < range.low) {
+    throw InputError(field, fmt::format("{}:{}", range.low, range.high),
+                     "must have the low end first");
+  }
+}
+
+void require_limit(const char* field, const std::optional<double>& limit, double least) {
+  if (limit) {
+    require_within(field, *limit, least, largest_speed);
+  }
+}
+
+void require_valid(const RecordDesignRequest& request) {
+  design::require_valid(request.records);
+  require_range("p", request.p, smallest_speed, largest_speed);
+  require_limit("beta", request.limits.peak, smallest_speed);
+  require_limit("acceleration-max", request.limits.acceleration, smallest_speed);
+  require_limit("residual", request.limits.residual, 0);
+  require_within("tolerance", request.tolerance, 0, 1 - 1e-9);
+  require_within("scan_points", static_cast<double>(request.scan_points), 1, 1e8);
+}
+
+/// No further than what can be manufactured.
+void keep_below(std::optional<SearchRange>& range, const std::optional<double>& most,
+                const char* field) {
+  if (!most) {
+    return;
+  }
+  require_within(field, *most, 0, largest_speed);
+  range = range.value_or(SearchRange{0, *most});
+  if (range->low > *most) {
+    throw InputError(field, *most,
+                     fmt::format("must be at least {}, where its search begins", range->low));
+  }
+  range->high = std::min(range->high, *most);
+}
+
+/// With the ranges and the combination that the request leaves open.
+RecordDesignRequest completed(RecordDesignRequest request) {
+  request.combine = request.combine.value_or(default_combine(request.records.size()));
+  keep_below(request.f, request.f_max, "f-max");
+  keep_below(request.delta, request.delta_max, "delta-max");
+  request.f = request.f.value_or(SearchRange{0, largest_load(request.records)});
+  require_range("f", *request.f, 0, largest_speed);
+  if (!request.delta) {
+    double peak = request.limits.peak.value_or(0);
+    for (const SuiteRecord& record : request.records) {
+      if (!request.limits.peak) {
+        const Oscillator none{request.p.low, 0, 0};
+        const Excitation load = record.record;
+        ForcedOptions options;
+        options.t_end = duration(load);
+        peak = std::max(
+            peak, std::abs(record.scale) * forced_response(none, {}, load, options).peak_amplitude);
+      }
+    }
+    const double speed = request.p.high * peak;
+    request.delta = SearchRange{0, speed * speed / 2 + largest_load(request.records) * peak};
+  }
+  require_range("delta", *request.delta, 0, largest_square);
+  for (const double p : {request.p.low, request.p.high}) {
+    for (const double f : {request.f->low, request.f->high}) {
+      for (const double delta : {request.delta->low, request.delta->high}) {
+        require_valid(Oscillator{p, f, delta, request.hold});
+        require_valid(Oscillator{p, f, delta, request.hold}, Surface{request.notch_width, {}});
+      }
+    }
+  }
+  return request;
+}
+
+/// In [-1, 1). The library's distributions differ between implementations.
+double between_minus_one_and_one(std::mt19937_64& random) {
+  return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1;
+}
+
+Sensitivity sensitivity(const Suite& suite, const RecordDesignRequest& request,
+                        const SuiteDamper& damper) {
+  std::mt19937_64 random(sampling_seed);
+  std::vector<std::pair<double, double>> places{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
+  for (int i = 0; i < random_samples; ++i) {
+    const double f = between_minus_one_and_one(random);
+    places.emplace_back(f, between_minus_one_and_one(random));
+  }
+  Sensitivity result;
+  result.tolerance = request.tolerance;
+  for (const auto& [f, delta] : places) {
+    const SuiteFigures there = suite.figures({damper.p, damper.f * (1 + request.tolerance * f),
+                                              damper.delta * (1 + request.tolerance * delta)});
+    ++result.samples;
+    result.admissible += admissible(there, request.limits) ? 1 : 0;
+    SuiteFigures& worst = result.worst;
+    worst.settled = worst.settled && there.settled;
+    if (there.settled) {
+      worst.peak = std::max(worst.peak, there.peak);
+      worst.acceleration = std::max(worst.acceleration, there.acceleration);
+      worst.residual = std::max(worst.residual, there.residual);
+      worst.margin = std::min(worst.margin, there.margin);
+    }
+  }
+  return result;
+}
+
+double relative(double error, double size) {
+  return size > 0 ? std::abs(error) / size : std::abs(error);
+}
+
+SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
+                 const std::vector<ForcedResponse>& responses) {
+  const auto begin = std::chrono::steady_clock::now();
+  SuiteCheck check;
+  check.passed = true;
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const ForcedResponse& kernel = responses[i];
+    const IntegratedSuiteMotion other = integrate_record_motion(
+        suite.oscillator(damper), suite.surface(), std::get<Record>(suite.loads()[i]));
+    const double error =
+        std::max({relative(other.peak - kernel.peak_amplitude, kernel.peak_amplitude),
+                  relative(other.acceleration - kernel.peak_absolute_acceleration,
+                           kernel.peak_absolute_acceleration),
+                  relative(other.residual - std::abs(kernel.stop_position.value_or(0)),
+                           kernel.peak_amplitude)});
+    check.records.push_back({other.peak, other.acceleration, other.residual, error});
+    check.relative_error = std::max(check.relative_error, error);
+    check.passed = check.passed && other.settled && error <= check.tolerance;
+  }
+  check.wall_time_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return check;
+}
+
+/// What each limit would have to be, the others as they are.
+std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
+                                       const SuiteScan& scan, const RecordDesignRequest& request,
+                                       const SuiteFigures& nearest, std::int64_t& evaluations,
+                                       SuiteWatch& watch) {
+  std::vector<SuiteShortfall> list;
+  for (const auto& [which, member] :
+       {std::pair(SuiteObjective::amplitude, &SuiteLimits::peak),
+        std::pair(SuiteObjective::acceleration, &SuiteLimits::acceleration),
+        std::pair(SuiteObjective::residual, &SuiteLimits::residual)}) {
+    SuiteLimits limits = request.limits;
+    const std::optional<double> limit = std::exchange(limits.*member, std::nullopt);
+    if (!limit) {
+      continue;
+    }
+    const SuiteOptimum least = optimum(suite, box, scan, which, limits, request.threads, watch);
+    evaluations += least.evaluations;
+    SuiteShortfall shortfall{which, *limit, value_of(nearest, which), {}};
+    if (!watch.stopped() && admissible(least.point.figures, limits)) {
+      shortfall.relaxed = value_of(least.point.figures, which) * (1 + relaxed_by);
+    }
+    list.push_back(shortfall);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string_view name(SuiteObjective objective) noexcept {
+  return objectives.name(objective);
+}
+std::optional<SuiteObjective> parse_suite_objective(std::string_view name) noexcept {
+  return objectives.parse(name);
+}
+std::span<const std::string_view> suite_objective_names() {
+  return objectives.all();
+}
+
+std::string_view name(Combine combine) noexcept {
+  return combines.name(combine);
+}
+std::optional<Combine> parse_combine(std::string_view name) noexcept {
+  return combines.parse(name);
+}
+std::span<const std::string_view> combine_names() {
+  return combines.all();
+}
+
+RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) {
+  require_valid(request);
+  const auto begin = std::chrono::steady_clock::now();
+  RecordDesign result{completed(request), {}, {}, {}, {}};
+  const RecordDesignRequest& task = result.request;
+  const Suite suite(task);
+  const SuiteBox box(task);
+  SuiteWatch watch(task, ask);
+  const SuiteScan scanned = scan(suite, box, task.scan_points, task.threads, watch);
+  SuiteOptimum found =
+      optimum(suite, box, scanned, task.objective, task.limits, task.threads, watch);
+  result.search = {found.algorithm,
+                   found.status,
+                   found.evaluations,
+                   0,
+                   scanned.evaluated,
+                   std::ranges::count_if(scanned.figures,
+                                         [&](const SuiteFigures& figures) {
+                                           return admissible(figures, task.limits);
+                                         }),
+                   false};
+  result.nearest = found.point;
+  const bool feasible = admissible(found.point.figures, task.limits);
+  if (!feasible) {
+    result.shortfalls = shortfalls(suite, box, scanned, task, found.point.figures,
+                                   result.search.evaluations, watch);
+  }
+  result.search.interrupted = watch.stopped();
+  result.search.wall_time_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (feasible) {
+    RecordFinding finding{found.point, suite.responses(found.point.damper), {}, {}};
+    finding.sensitivity = sensitivity(suite, task, found.point.damper);
+    finding.check = check(suite, found.point.damper, finding.responses);
+    result.finding = std::move(finding);
+  }
+  return result;
+}
+
+SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {
+  require_valid(request);
+  require_within("side", side, 1, 10'000);
+  const RecordDesignRequest task = completed(request);
+  const Suite suite(task);
+  SuiteMap map;
+  const auto middle = [side](const SearchRange& range, int i) {
+    return range.low + (range.high - range.low) * (i + 0.5) / side;
+  };
+  for (int i = 0; i < side; ++i) {
+    map.f.push_back(middle(*task.f, i));
+    map.delta.push_back(middle(*task.delta, i));
+  }
+  const auto cells = static_cast<std::size_t>(side);
+  std::vector<SuiteDamper> dampers;
+  dampers.reserve(cells * cells);
+  for (const double f : map.f) {
+    for (const double delta : map.delta) {
+      dampers.push_back({p, f, delta});
+    }
+  }
+  map.figures = suite.figures(dampers, task.threads);
+  return map;
+}
+
+std::string summary(const RecordDesign& result) {
+  const auto& [damper, figures] = result.finding ? result.finding->point : result.nearest;
+  const std::string point =
+      fmt::format("p = {:.6g}, f = {:.6g}, delta = {:.6g}", damper.p, damper.f, damper.delta);
+  const std::string does =
+      figures.settled
+          ? fmt::format("transmits {:.4g} g, moves up to |x| = {:.4g} and rests within {:.4g}",
+                        figures.acceleration, figures.peak, figures.residual)
+          : "does not come to rest";
+  return result.finding ? fmt::format("{} {}{}", point, does,
+                                      result.finding->check.passed ? "" : "; the check failed")
+                        : fmt::format("no damper: the nearest, {}, {}", point, does);
+}
+
+}  // namespace stillpoint::design

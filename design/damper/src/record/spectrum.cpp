@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/design/spectrum.hpp>
+
+#include "record/suite.hpp"
+
+#include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// Of a motion that is followed no further than to its peak, which comes at the latest half a
+/// period after the load: friction only takes energy from then on.
+SpectrumFigures figures_to_the_peak(const Oscillator& oscillator, const Excitation& load,
+                                    const Surface& surface) {
+  ForcedOptions options;
+  options.t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
+  const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
+  return {motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt};
+}
+
+SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
+                        const Surface& surface) {
+  ForcedOptions options;
+  options.half_cycle_limit = most_suite_half_cycles;
+  try {
+    const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
+    SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt};
+    if (motion.stop_position && rests_in_time(motion.half_cycles.value())) {
+      all.residual = std::abs(*motion.stop_position);
+    }
+    return all;
+  } catch (const TooManyHalfCycles&) {
+    return figures_to_the_peak(oscillator, load, surface);
+  }
+}
+
+void require_valid(const SpectrumRequest& request) {
+  design::require_valid(request.records);
+  if (request.p.empty()) {
+    throw InputError::missing("p", "give at least one");
+  }
+  for (const double p : request.p) {
+    const Oscillator oscillator{p, request.f, request.delta, request.hold};
+    require_valid(oscillator);
+    require_valid(oscillator, Surface{request.notch_width, {}});
+  }
+}
+
+SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records, std::size_t place,
+                         SpectrumFigures SpectrumPoint::*which, Combine combine) {
+  SpectrumFigures all{0, 0, 0};
+  const auto count = static_cast<double>(records.size());
+  const auto add = [&](double& figure, double value) {
+    figure = combine == Combine::max ? std::max(figure, value) : figure + value / count;
+  };
+  for (const std::vector<SpectrumPoint>& record : records) {
+    const SpectrumFigures& one = record[place].*which;
+    add(all.peak, one.peak);
+    add(all.acceleration, one.acceleration);
+    if (one.residual && all.residual) {
+      add(*all.residual, *one.residual);
+    } else {
+      all.residual.reset();
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(double)>& go_on) {
+  require_valid(request);
+  Spectrum result{request, {}, {}};
+  const Combine combine = request.combine.value_or(default_combine(request.records.size()));
+  result.request.combine = combine;
+  const std::vector<Excitation> loads = scaled_loads(request.records);
+  const std::size_t points = request.p.size();
+  result.records.assign(loads.size(), std::vector<SpectrumPoint>(points));
+  const std::size_t entries = loads.size() * points;
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
+  const auto goes_on = [&] {
+    if (!go_on) {
+      return true;
+    }
+    const std::lock_guard lock(one_at_a_time);
+    return go_on(static_cast<double>(done++) / static_cast<double>(entries));
+  };
+  for_each_entry(static_cast<std::ptrdiff_t>(entries), request.threads, goes_on,
+                 [&](std::ptrdiff_t entry) {
+                   const auto index = static_cast<std::size_t>(entry);
+                   const Excitation& load = loads[index / points];
+                   const double p = request.p[index % points];
+                   SpectrumPoint& point = result.records[index / points][index % points];
+                   point.with_notch = figures({p, request.f, request.delta, request.hold}, load,
+                                              Surface{request.notch_width, {}});
+                   point.without = figures({p, request.f, 0}, load, {});
+                 });
+  result.combined.resize(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    SpectrumPoint& point = result.combined[i];
+    for (const auto member : {&SpectrumPoint::with_notch, &SpectrumPoint::without}) {
+      point.*member = combined(result.records, i, member, combine);
+    }
+  }
+  return result;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "record/suite.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/record_batch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// Of a damper that never rests: worse than any that does. Finite, because NLopt sees it.
+constexpr double never_rests = 1e9;
+
+const std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>, 3> limit_of{{
+    {SuiteObjective::amplitude, &SuiteLimits::peak},
+    {SuiteObjective::acceleration, &SuiteLimits::acceleration},
+    {SuiteObjective::residual, &SuiteLimits::residual},
+}};
+
+}  // namespace
+
+void require_valid(const std::vector<SuiteRecord>& records) {
+  if (records.empty()) {
+    throw InputError::missing("records", "give at least one");
+  }
+  for (const SuiteRecord& record : records) {
+    require_within("scale", std::abs(record.scale), smallest_speed, largest_speed);
+    require_valid(Excitation(record.record));
+  }
+}
+
+Record scaled(const SuiteRecord& record) {
+  Record load = record.record;
+  for (double& value : load.values) {
+    value *= record.scale;
+  }
+  return load;
+}
+
+std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
+  std::vector<Excitation> loads;
+  loads.reserve(records.size());
+  for (const SuiteRecord& record : records) {
+    loads.emplace_back(scaled(record));
+  }
+  return loads;
+}
+
+double value_of(const SuiteFigures& figures, SuiteObjective which) {
+  switch (which) {
+    case SuiteObjective::amplitude:
+      return figures.peak;
+    case SuiteObjective::residual:
+      return figures.residual;
+    case SuiteObjective::acceleration:
+      break;
+  }
+  return figures.acceleration;
+}
+
+Suite::Suite(const RecordDesignRequest& request)
+    : loads_(scaled_loads(request.records)),
+      combine_(request.combine.value()),
+      hold_(request.hold),
+      surface_{request.notch_width, {}} {}
+
+ForcedResponse Suite::response(const SuiteDamper& damper, const Excitation& load) const {
+  ForcedOptions options;
+  options.half_cycle_limit = most_suite_half_cycles;
+  return forced_response(oscillator(damper), {}, load, options, surface_);
+}
+
+std::vector<ForcedResponse> Suite::responses(const SuiteDamper& damper) const {
+  std::vector<ForcedResponse> list;
+  list.reserve(loads_.size());
+  for (const Excitation& load : loads_) {
+    list.push_back(response(damper, load));
+  }
+  return list;
+}
+
+void Suite::add(SuiteFigures& all, const Motion& one) const {
+  const auto add = [this](double& figure, double value) {
+    figure = combine_ == Combine::max ? std::max(figure, value) : figure + value;
+  };
+  add(all.peak, one.peak);
+  add(all.acceleration, one.acceleration);
+  add(all.residual, std::abs(one.residual));
+  all.margin = std::min(all.margin, one.margin);
+}
+
+void Suite::combine(SuiteFigures& all) const {
+  if (all.settled && combine_ == Combine::mean) {
+    const auto count = static_cast<double>(loads_.size());
+    all.peak /= count;
+    all.acceleration /= count;
+    all.residual /= count;
+  }
+}
+
+SuiteFigures Suite::figures(const SuiteDamper& damper) const {
+  SuiteFigures all;
+  for (const Excitation& load : loads_) {
+    try {
+      const ForcedResponse one = response(damper, load);
+      all.settled = one.stop_position && rests_in_time(one.half_cycles.value());
+      if (all.settled) {
+        add(all, {one.peak_amplitude, one.peak_absolute_acceleration, *one.stop_position,
+                  one.decision_margin.value_or(1)});
+      }
+    } catch (const TooManyHalfCycles&) {
+      all.settled = false;
+    }
+    if (!all.settled) {
+      return all;
+    }
+  }
+  combine(all);
+  return all;
+}
+
+std::vector<SuiteFigures> Suite::figures(std::span<const SuiteDamper> dampers, int threads) const {
+  const auto size = static_cast<Eigen::Index>(dampers.size());
+  const auto column = [&](double SuiteDamper::*member) -> Eigen::ArrayXd {
+    return Eigen::ArrayXd::NullaryExpr(
+        size, [&](Eigen::Index i) { return dampers[static_cast<std::size_t>(i)].*member; });
+  };
+  const Eigen::ArrayXd p = column(&SuiteDamper::p);
+  const Eigen::ArrayXd f = column(&SuiteDamper::f);
+  const Eigen::ArrayXd delta = column(&SuiteDamper::delta);
+  const RecordBatchOptions options{hold_, surface_, most_suite_half_cycles, threads};
+  std::vector<SuiteFigures> list(dampers.size());
+  RecordBatchResult found;
+  for (const Excitation& load : loads_) {
+    record_batch(0, p, f, delta, std::get<Record>(load), options, found);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      SuiteFigures& all = list[static_cast<std::size_t>(i)];
+      all.settled = all.settled && found.outcome[i] != Outcome::running &&
+                    found.outcome[i] != Outcome::never_stops && rests_in_time(found.half_cycles[i]);
+      if (all.settled) {
+        add(all, {found.peak_amplitude[i], found.peak_absolute_acceleration[i],
+                  found.stop_position[i], found.decision_margin[i]});
+      }
+    }
+  }
+  for (SuiteFigures& all : list) {
+    combine(all);
+  }
+  return list;
+}
+
+SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const SuiteLimits& limits) {
+  if (!figures.settled) {
+    return {never_rests, 0, 0};
+  }
+  double off = figures.margin < least_suite_margin ? least_suite_margin - figures.margin : 0;
+  for (const auto& [which, member] : limit_of) {
+    const std::optional<double>& limit = limits.*member;
+    const double value = value_of(figures, which);
+    if (limit && value > *limit) {
+      // Of the limit, or where no residual is allowed of the peak.
+      off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);
+    }
+  }
+  return {std::min(off, never_rests), value_of(figures, objective), figures.peak};
+}
+
+bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
+  return rank(figures, SuiteObjective::acceleration, limits).off == 0;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "record/suite.hpp"
+#include "record/suite_watch.hpp"
+
+#include <string>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// The box of a search in coordinates from 0 to 1. f and delta go with their square, because what
+/// matters of delta is the speed sqrt(2 delta), and because small frictions need a fine scan; p
+/// goes with the period 1/p. A range of one value is no variable.
+class SuiteBox {
+ public:
+  explicit SuiteBox(const RecordDesignRequest& request);
+
+  [[nodiscard]] std::size_t variables() const { return variables_.size(); }
+  /// Whether the coordinate 0 is a friction of 0.
+  [[nodiscard]] bool may_vanish(std::size_t variable) const {
+    return (variables_[variable] == Variable::f && f_.low == 0) ||
+           (variables_[variable] == Variable::delta && delta_.low == 0);
+  }
+  [[nodiscard]] SuiteDamper at(const std::vector<double>& unit) const;
+
+ private:
+  enum class Variable { f, delta, p };
+  SearchRange f_;
+  SearchRange delta_;
+  SearchRange p_;
+  std::vector<Variable> variables_;
+};
+
+/// A grid over the box, and the figures of each of its points.
+struct SuiteScan {
+  std::int64_t side{1};       ///< points along each variable
+  std::int64_t evaluated{0};  ///< all, if the search was not stopped; of the others none settles
+  std::vector<SuiteFigures> figures;
+
+  /// In [0, 1]; the last variable runs fastest.
+  [[nodiscard]] std::vector<double> unit(std::size_t index, std::size_t variables) const;
+};
+
+[[nodiscard]] SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points,
+                             int threads, SuiteWatch& watch);
+
+/// The best point found, by the scan or by NLopt from its best.
+struct SuiteOptimum {
+  SuitePoint point;
+  std::string algorithm;
+  std::string status;
+  std::int64_t evaluations{0};  ///< NLopt's
+};
+
+[[nodiscard]] SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
+                                   SuiteObjective objective, const SuiteLimits& limits, int threads,
+                                   SuiteWatch& watch);
+
+}  // namespace stillpoint::design

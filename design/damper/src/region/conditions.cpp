@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "region/edges.hpp"
+#include "way/arrival.hpp"
+#include "way/way.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace stillpoint::design {
+
+namespace {
+
+struct Asked {
+  const Problem& problem;
+  const Region& region;
+  double f;
+};
+
+/// One of the conditions of region.hpp.
+struct Condition {
+  std::string_view name;
+  std::string_view variable;
+  std::string_view relation;
+  double (*limit)(const Asked& asked);
+};
+
+constexpr std::array<Condition, 5> conditions{{
+    {"dead_zone", "f", "<", [](const Asked& asked) { return asked.region.f1; }},
+    {"start", "delta", "<=", [](const Asked& asked) { return asked.region.delta2; }},
+    {"amplitude", "f", ">=", [](const Asked& asked) { return asked.region.f2; }},
+    {"return", "f", "<=", [](const Asked& asked) { return asked.region.f3; }},
+    {"stop", "delta", ">", [](const Asked& asked) { return delta1(asked.problem, asked.f); }},
+}};
+
+Constraint compared(std::string_view name, std::string_view variable, std::string_view relation,
+                    double value, double limit) {
+  const bool below = relation.front() == '<';
+  const double slack = below ? limit - value : value - limit;
+  const bool strict = relation.size() == 1;
+  return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
+}
+
+/// `return` and `stop` of a later arrival, as region.hpp has them.
+void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
+  const int n = deciding_arrival(problem, f, delta).n;
+  if (n > 1) {
+    const auto [reach, pass] = way_speeds(Way(problem, {}, n), f, delta);
+    list[3] = compared("return", "v0", ">=", problem.v0, reach);
+    list[4] = compared("stop", "v0", "<", problem.v0, pass);
+  }
+}
+
+/// The rows of the way that the damper takes, or of the one that its strongest hit would need.
+void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
+  const int n =
+      way_of(problem, {}, f, delta).value_or(deciding_arrival(strongest_hit(problem), f, delta).n);
+  const Way way(problem, {}, n);
+  if (n == 1 && !problem.residual && way.v_low > 0) {
+    return;  // the paper's own, each at its corner
+  }
+  const auto [reach, pass] = way_speeds(way, f, delta);
+  list[3] = n == 0          ? compared("residual", "f", "<=", f, way.f_cap)
+            : way.v_low > 0 ? compared("return", "v0", ">=", way.v_low * problem.v0, reach)
+                            : compared("return", "delta", ">=", delta, reach);
+  list[4] = compared("stop", "v0", "<", problem.v0, pass);
+}
+
+}  // namespace
+
+std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
+  require_valid(problem);
+  const Region region = region_edges(problem, {});
+  require_within("f", f, 0, largest_square);
+  require_within("delta", delta, 0, largest_square);
+  const Asked asked{problem, region, f};
+  std::array<Constraint, 5> list;
+  std::ranges::transform(conditions, list.begin(), [&](const Condition& condition) {
+    return compared(condition.name, condition.variable, condition.relation,
+                    condition.variable == "f" ? f : delta, condition.limit(asked));
+  });
+  if (!is_plain(problem, {})) {
+    compare_way(list, problem, f, delta);
+  } else if (problem.arrivals > 1) {
+    compare_hits(list, problem, f, delta);
+  }
+  return list;
+}
+
+std::vector<Constraint> constraints(const Problem& problem, const Limits& limits, double f,
+                                    double delta) {
+  const auto of_the_motion = constraints(problem, f, delta);
+  std::vector<Constraint> list(of_the_motion.begin(), of_the_motion.end());
+  if (limits.f_max) {
+    list.push_back(compared("f_max", "f", "<=", f, *limits.f_max));
+  }
+  if (limits.delta_max) {
+    list.push_back(compared("delta_max", "delta", "<=", delta, *limits.delta_max));
+  }
+  if (limits.acceleration_max) {
+    list.push_back(compared("acceleration", "f", "<=", f, edges(problem, limits).f4));
+  }
+  return list;
+}
+
+}  // namespace stillpoint::design

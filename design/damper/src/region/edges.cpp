@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "region/edges.hpp"
+
+#include "unit_problem.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stillpoint::design {
+
+namespace {
+
+double rounded_up(long double value) {
+  const auto nearest = static_cast<double>(value);
+  return nearest < value ? std::nextafter(nearest, HUGE_VAL) : nearest;
+}
+
+double rounded_down(long double value) {
+  const auto nearest = static_cast<double>(value);
+  return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
+}
+
+/// f2 is v0^2 / beta at most, and must stay below 1e305.
+constexpr double sqrt_of_far_f2 = 1e152;
+
+/// V0 = beta p, so that f2 = 0 (or A = V0 p and f4 = 0): each of the three is a decimal rounded by
+/// 2^-53 of itself at most, |V0 - beta p| <= 3 2^-53 V0, and their difference would be that
+/// rounding alone.
+bool is_same(long double v0, long double speed) {
+  return std::abs(v0 - speed) <= 0x3p-53L * v0;
+}
+
+/// (33). Where p V0 alone is above the limit, minus the root of the opposite: no f >= 0 meets that.
+double acceleration_edge(long double most, long double p_v0) {
+  if (is_same(p_v0, most)) {
+    return 0;
+  }
+  const long double square = (most - p_v0) * (most + p_v0);
+  return square < 0 ? rounded_down(-std::sqrt(-square)) : rounded_down(std::sqrt(square));
+}
+
+bool fits(double floor, double cap, double tolerance) {
+  return lowest_centre(floor, tolerance) <= highest_centre(cap, tolerance);
+}
+
+}  // namespace
+
+Edges edges(const Problem& problem, const Limits& limits) {
+  const long double v0 = problem.v0;
+  const long double p = problem.p;
+  const long double beta = problem.beta;
+  const long double speed = beta * p;
+  Edges result{};
+  result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
+  result.f3 = rounded_down(problem.starting_v0() * p / (2 * std::numbers::sqrt2_v<long double>));
+  result.f4 = limits.acceleration_max
+                  ? acceleration_edge(*limits.acceleration_max, v0 * problem.stiffest_p())
+                  : HUGE_VAL;
+  result.f_cap = std::min(result.f3, result.f4);
+  if (limits.f_max) {
+    result.f_cap = std::min(result.f_cap, *limits.f_max);
+  }
+  result.delta_cap = problem.starting_v0() * problem.starting_v0() / 2;
+  if (limits.delta_max) {
+    result.delta_cap = std::min(result.delta_cap, *limits.delta_max);
+  }
+  return result;
+}
+
+bool amplitude_fits_return(const Edges& edges, const Limits& limits) {
+  return fits(edges.f2, edges.f3, limits.tolerance);
+}
+
+bool amplitude_fits_f_max(const Edges& edges, const Limits& limits) {
+  return !limits.f_max || fits(edges.f2, *limits.f_max, limits.tolerance);
+}
+
+bool amplitude_fits_acceleration(const Edges& edges, const Limits& limits) {
+  return std::isinf(edges.f4) || (edges.f4 >= 0 && fits(edges.f2, edges.f4, limits.tolerance));
+}
+
+double unchecked_delta1(const Problem& problem, double f) {
+  const long double v0 = problem.v0;
+  const long double phi = f / static_cast<long double>(problem.stiffest_p());
+  const long double radius = std::sqrt(v0 * v0 + phi * phi);
+  if (phi == 0) {  // Delta2 itself, which is rounded as a product of doubles
+    return problem.v0 * problem.v0 / 2;
+  }
+  if (problem.criterion == Criterion::published) {
+    const long double speed = radius - 2 * phi;
+    return static_cast<double>(speed * speed / 2);
+  }
+  const long double returns = (v0 * v0 - 8 * phi * phi) / (radius + 3 * phi);
+  return static_cast<double>((radius - phi) * std::max(0.0L, returns) / 2);
+}
+
+double lower_end_from_stop(const Problem& problem, const Limits& limits) {
+  // Delta2 is v0^2/2: dividing the rounded square by v0 twice may miss 1/2, and f = 0 with it.
+  const double delta_cap = edges(problem, limits).delta_cap;
+  const bool by_start = delta_cap == problem.v0 * problem.v0 / 2;
+  const double highest = by_start ? 0.5 : delta_cap / problem.v0 / problem.v0;
+  const double t = limits.tolerance;
+  const double a = unit::delta1_inverse(problem.criterion, highest * (1 - t) / (1 + t));
+  return a * problem.v0 * problem.p / (1 - t);
+}
+
+bool stop_fits(const Problem& problem, const Edges& edges, const Limits& limits) {
+  const double f = highest_centre(edges.f_cap, limits.tolerance);
+  const double delta = highest_centre(edges.delta_cap, limits.tolerance);
+  return unchecked_delta1(problem, f * (1 - limits.tolerance)) < delta * (1 - limits.tolerance);
+}
+
+ValidInterval valid_v0(const Problem& problem) {
+  const double speed = problem.p * problem.beta;
+  return {std::max(smallest_speed, speed / far_ratio),
+          std::min({largest_speed, speed * far_ratio, std::sqrt(problem.beta) * sqrt_of_far_f2})};
+}
+
+ValidInterval valid_p(const Problem& problem) {
+  const double least = problem.v0 / problem.beta / far_ratio;
+  const double most = problem.v0 / problem.beta * far_ratio;
+  return {std::max({smallest_speed, smallest_speed / problem.beta, least}),
+          std::min({largest_speed, largest_speed / problem.beta, most})};
+}
+
+double highest_centre(double cap, double tolerance) {
+  double f = cap / (1 + tolerance);
+  while (f * (1 + tolerance) > cap) {
+    f = std::nextafter(f, -HUGE_VAL);  // the cap f4 may be negative
+  }
+  return f;
+}
+
+double lowest_centre(double floor, double tolerance) {
+  if (floor <= 0) {
+    return 0;
+  }
+  double f = floor / (1 - tolerance);
+  while (f * (1 - tolerance) < floor) {
+    f = std::nextafter(f, HUGE_VAL);
+  }
+  return f;
+}
+
+}  // namespace stillpoint::design

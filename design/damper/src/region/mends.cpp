@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "nearest_fit.hpp"
+#include "region/edges.hpp"
+#include "region/mend_list.hpp"
+#include "way/extent.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+struct Case {
+  Problem problem;
+  Limits limits;
+};
+
+bool amplitude_fits(const Case& now) {
+  const Edges edge = edges(now.problem, now.limits);
+  return amplitude_fits_return(edge, now.limits) && amplitude_fits_f_max(edge, now.limits);
+}
+
+bool acceleration_fits(const Case& now) {
+  return amplitude_fits_acceleration(edges(now.problem, now.limits), now.limits);
+}
+
+bool strip_fits(const Case& now) {
+  const Edges edge = edges(now.problem, now.limits);
+  return edge.f4 >= 0 && stop_fits(now.problem, edge, now.limits);
+}
+
+/// At the first arrival.
+bool first_fits(const Case& now) {
+  return amplitude_fits(now) && acceleration_fits(now) && strip_fits(now);
+}
+
+bool feasible(const Case& now) {
+  const bool plain = is_plain(now.problem, now.limits);
+  bool fits = plain && first_fits(now);
+  if (!fits && !(plain && now.problem.arrivals == 1)) {
+    for_each_way(now.problem, now.limits, [&](const Way& way) {
+      fits = any_point(way).has_value();
+      return !fits;
+    });
+  }
+  return fits;
+}
+
+Input<Case> v0_of(const Problem& problem) {
+  return {"v0", problem.v0, valid_v0(problem).least,
+          [](Case& now, double value) { now.problem.v0 = value; }};
+}
+
+Input<Case> beta_of(const Problem& problem) {
+  return {"beta", problem.beta,
+          std::min({largest_square, largest_speed / problem.p, problem.v0 / problem.p * far_ratio}),
+          [](Case& now, double value) { now.problem.beta = value; }};
+}
+
+/// The p at which a box has the most room between f2 and f4, the root of (34).
+double roomiest_p(const Case& now) {
+  const double v0 = now.problem.v0;
+  const double wider = (1 + now.limits.tolerance) / (1 - now.limits.tolerance);
+  const double f4 = v0 / now.problem.beta / wider * v0;
+  const double most = now.limits.acceleration_max.value();
+  return f4 < most ? std::sqrt((most - f4) / v0) * std::sqrt((most + f4) / v0) : 0;
+}
+
+/// What asks for more p and what asks for less, and both.
+template <class Amplitude, class Strip, class All>
+std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, const Strip& strip,
+                               const All& all) {
+  const auto [least, most] = valid_p(base.problem);
+  const auto with = [&](double p) {
+    Case changed = base;
+    changed.problem.p = p;
+    return changed;
+  };
+  // More p helps the amplitude and can only harm the stop, so both are tested one after the other.
+  // With a limit of the acceleration the p that fit are one interval; if it is not empty, the p
+  // with the most room is in it, as far as the other conditions let it.
+  if (base.limits.acceleration_max) {
+    const auto low = nearest_fit(least, most, [&](double p) { return amplitude(with(p)); });
+    const auto high = nearest_fit(most, least, [&](double p) { return strip(with(p)); });
+    if (!low || !high || *low > *high) {
+      return std::nullopt;
+    }
+    return nearest_fit(base.problem.p, std::clamp(roomiest_p(base), *low, *high),
+                       [&](double p) { return all(with(p)); });
+  }
+  const auto raised =
+      nearest_fit(base.problem.p, most, [&](double p) { return amplitude(with(p)); });
+  if (!raised) {
+    return std::nullopt;
+  }
+  const auto value = nearest_fit(*raised, least, [&](double p) { return strip(with(p)); });
+  return value && all(with(*value)) ? value : std::nullopt;
+}
+
+/// The same for a later arrival, whose strip in a = f/(V0 p) does not depend on p. That is a root,
+/// so the last bits are left to the points themselves.
+std::optional<double> mended_p(const Case& base, int n) {
+  const double tolerance = base.limits.tolerance;
+  const auto in_strip = [&](const Case& now) { return Way(now.problem, now.limits, n); };
+  // Of the centres, over V0 p, whatever beta and the other limits are.
+  Case free = base;
+  free.problem.beta = 2 * base.problem.v0 / base.problem.p;
+  free.limits.f_max = free.limits.acceleration_max = std::nullopt;
+  const auto centres = feasible_f(in_strip(free));
+  if (!centres) {
+    return std::nullopt;
+  }
+  const double part = (1 + tolerance) / (base.problem.v0 * base.problem.p);
+  const unit::Ends corners{centres->low * part, centres->high * part};
+  const auto amplitude = [&](const Case& now) {
+    const Way strip = in_strip(now);
+    const double cap = std::min(strip.f_of(corners.high), now.limits.f_max.value_or(HUGE_VAL));
+    return lowest_centre(strip.f2, tolerance) <= highest_centre(cap, tolerance);
+  };
+  const auto low_end = [&](const Case& now) {
+    const Way strip = in_strip(now);
+    return strip.f_cap >= 0 && strip.f_cap >= strip.f_of(corners.low);
+  };
+  const auto all = [&](const Case& now) { return any_point(in_strip(now)).has_value(); };
+  const auto nearly = [&](const Case& /*now*/) { return true; };
+  if (base.limits.acceleration_max) {
+    return mended_p(base, amplitude, low_end, all);
+  }
+  const auto p = mended_p(base, amplitude, low_end, nearly);
+  if (!p) {
+    return std::nullopt;
+  }
+  constexpr double inside = 1e-9;
+  return nearest_fit(base.problem.p, *p * (*p > base.problem.p ? 1 + inside : 1 - inside),
+                     [&](double value) {
+                       Case changed = base;
+                       changed.problem.p = value;
+                       return all(changed);
+                     });
+}
+
+/// The p that is nearest in either direction. More p helps the peak and the return and harms the
+/// stop, so it is looked for in steps.
+std::optional<double> stepped_p(const Case& base) {
+  constexpr double step = 1.02;
+  constexpr int most_steps = 700;  // a factor of a million
+  const auto fits = [&](double p) {
+    Case changed = base;
+    changed.problem.p = p;
+    return feasible(changed);
+  };
+  for (double factor = step; factor < std::pow(step, most_steps); factor *= step) {
+    for (const double p : {base.problem.p * factor, base.problem.p / factor}) {
+      const auto [least, most] = valid_p(base.problem);
+      if (p >= least && p <= most && fits(p)) {
+        return nearest_fit(p > base.problem.p ? p / step : p * step, p, fits);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// Of ranges each end by itself, as far as the other end.
+std::vector<Mend> mends_of_ranges(const Case& base) {
+  const Problem& problem = base.problem;
+  std::vector<Mend> list;
+  const auto add = [&](const Input<Case>& input) { add_mend(list, base, feasible, input); };
+  if (problem.v0_low) {
+    if (*problem.v0_low > 0) {
+      add({"v0_low", *problem.v0_low, problem.v0,
+           [](Case& now, double value) { now.problem.v0_low = value; }});
+    }
+    add({"v0_high", problem.v0, std::max(*problem.v0_low, valid_v0(problem).least),
+         [](Case& now, double value) { now.problem.v0 = value; }});
+  } else {
+    add(v0_of(problem));
+  }
+  if (problem.p_high) {
+    add({"p_low", problem.p, *problem.p_high,
+         [](Case& now, double value) { now.problem.p = value; }});
+    add({"p_high", *problem.p_high, problem.p,
+         [](Case& now, double value) { now.problem.p_high = value; }});
+  } else if (const auto p = stepped_p(base)) {
+    list.push_back({"p", *p, *p > problem.p});
+  }
+  add(beta_of(problem));
+  if (problem.residual) {
+    add({"residual", *problem.residual, problem.beta,
+         [](Case& now, double value) { now.problem.residual = value; }});
+  }
+  return list;
+}
+
+/// The nearest p for any arrival.
+std::optional<double> mended_p(const Case& base) {
+  std::optional<double> nearest = mended_p(base, amplitude_fits, strip_fits, first_fits);
+  const auto change = [&](double p) { return std::max(p / base.problem.p, base.problem.p / p); };
+  for (int n = 2; n <= base.problem.arrivals; ++n) {
+    const auto p = mended_p(base, n);
+    if (p && (!nearest || change(*p) < change(*nearest))) {
+      nearest = p;
+    }
+    if (base.limits.tolerance * (2 * n + 1) > 1) {
+      break;  // no later strip is that wide
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  const Case base{problem, limits};
+  std::vector<Mend> list;
+  if (feasible(base)) {
+    return list;
+  }
+  if (!is_plain(problem, limits)) {
+    list = mends_of_ranges(base);
+  } else {
+    add_mend(list, base, feasible, v0_of(problem));
+    if (const auto p = mended_p(base)) {
+      list.push_back({"p", *p, *p > problem.p});
+    }
+    add_mend(list, base, feasible, beta_of(problem));
+  }
+  for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
+    add_mend(list, base, feasible, limit);
+  }
+  return list;
+}
+
+std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits) {
+  const Case base{problem, limits};
+  if (feasible(base) || !mends(problem, limits).empty()) {
+    return std::nullopt;
+  }
+  // More p does no better than more beta: p beta / v0 is the same, and f_max comes nearer.
+  return joint_mend_of(base, feasible, {beta_of(problem), v0_of(problem)});
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "region/edges.hpp"
+#include "way/extent.hpp"
+#include "way/room.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <cmath>
+
+namespace stillpoint::design {
+
+std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arrival, double f) {
+  require_valid(problem);
+  require_within("f", f, 0, largest_square);
+  const double square = problem.v0 * problem.v0;
+  const bool plain = is_plain(problem, {});
+  if (plain && arrival == 1) {
+    return f <= edges(problem, {}).f3
+               ? std::optional(DeltaRange{unchecked_delta1(problem, f), square / 2})
+               : std::nullopt;
+  }
+  Problem any = problem;
+  if (plain) {
+    any.beta = 2 * problem.v0 / problem.p;  // f2 < 0
+  }
+  const auto range = centre_range(Way(any, {}, static_cast<int>(arrival)), f, 0);
+  return range ? std::optional(DeltaRange{range->low * square, range->high * square})
+               : std::nullopt;
+}
+
+std::vector<Strip> strips(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  Limits any = limits;
+  any.tolerance = 0;
+  std::vector<Strip> list;
+  for_each_way(problem, any, [&](const Way& way) {
+    if (const double largest = most_tolerant(way).tolerance; largest > 0) {
+      const auto ends = feasible_f(Way(problem, limits, way.n));
+      list.push_back({way.n, least_beta(way), ends ? std::optional(ends->low) : std::nullopt,
+                      ends ? std::optional(ends->high) : std::nullopt, largest});
+    }
+    return true;
+  });
+  return list;
+}
+
+std::optional<DesignPoint> most_tolerant(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  if (!(limits.tolerance > 0)) {
+    return std::nullopt;
+  }
+  Limits any = limits;
+  any.tolerance = 0;
+  DesignPoint best;
+  for_each_way(problem, any, [&](const Way& way) {
+    // (51): no later strip has more.
+    if (way.plain && best.tolerance * (2 * way.n - 1) >= 1) {
+      return false;
+    }
+    if (const DesignPoint its = most_tolerant(way); its.tolerance > best.tolerance) {
+      best = its;
+    }
+    return true;
+  });
+  return best.tolerance > 0 && best.tolerance < limits.tolerance ? std::optional(best)
+                                                                 : std::nullopt;
+}
+
+}  // namespace stillpoint::design

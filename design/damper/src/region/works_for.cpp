@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The hits and the springs that a damper serves, docs/theory.md (35) to (38). In speeds:
+// phi = f/p, d = 2 Delta.
+
+#include "nearest_fit.hpp"
+#include "region/edges.hpp"
+#include "way/way.hpp"
+
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/works_for.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+using Wide = long double;
+
+struct HitDamper {
+  Wide f{0};
+  Wide d{0};
+  Wide beta{0};
+  Criterion criterion{};
+  std::optional<double> acceleration_max;
+};
+
+Wide root_of_difference(Wide a, Wide b) {
+  return std::sqrt((a - b) * (a + b));
+}
+
+Wide lowest_v0(const HitDamper& damper, Wide p) {
+  return std::max(std::sqrt(damper.d), std::sqrt(Wide(8)) * damper.f / p);
+}
+
+Wide highest_v0(const HitDamper& damper, Wide p) {
+  const auto& [f, d, beta, criterion, acceleration] = damper;
+  const Wide phi = f / p;
+  const Wide amplitude = std::sqrt(p * beta) * std::sqrt(p * beta + 2 * phi);
+  const bool exact = criterion == Criterion::exact;
+  const Wide notch = std::sqrt(exact ? d + phi * phi : d);
+  const Wide stop = std::sqrt((exact ? 4 : 3) * phi * phi + 4 * phi * notch + d);
+  const Wide least = std::min(amplitude, stop);
+  return acceleration ? std::min(least, root_of_difference(*acceleration, f) / p) : least;
+}
+
+Wide lowest_p(const HitDamper& damper, Wide v0) {
+  const auto& [f, d, beta, criterion, acceleration] = damper;
+  const Wide square = (v0 / beta) * (v0 / beta) - 2 * f / beta;
+  return std::max(
+      {std::sqrt(f / beta), std::sqrt(std::max(Wide(0), square)), std::sqrt(Wide(8)) * f / v0});
+}
+
+/// Infinite where nothing bounds it.
+Wide highest_p(const HitDamper& damper, Wide v0) {
+  const auto& [f, d, beta, criterion, acceleration] = damper;
+  const Wide lost = v0 * v0 - d;
+  const Wide root_d = std::sqrt(d);
+  const Wide per_phi = criterion == Criterion::exact ? std::sqrt(8 * (v0 * v0 + d))
+                                                     : 2 * root_d + std::sqrt(d + 3 * v0 * v0);
+  const Wide stop = lost > 0 ? f * per_phi / lost : Wide(HUGE_VAL);
+  return acceleration ? std::min(stop, root_of_difference(*acceleration, f) / v0) : stop;
+}
+
+/// The edge as the last double that fits, seen from `nominal`, which does. The edge is good to an
+/// ulp of its own; what fits is decided by edges in f and Delta that are rounded inwards, a few
+/// ulps of it.
+template <class Fits>
+double last_fit(double edge, double nominal, const Fits& fits) {
+  constexpr double few_ulps = 4e-15;
+  const bool upwards = edge > nominal;
+  const double inner = edge * (upwards ? 1 - few_ulps : 1 + few_ulps);
+  const double outer =
+      std::clamp(edge * (upwards ? 1 + few_ulps : 1 - few_ulps), smallest_speed, largest_speed);
+  const bool passed = upwards ? inner <= nominal : inner >= nominal;
+  return *nearest_fit(fits(outer) ? edge : outer, passed || !fits(inner) ? nominal : inner, fits);
+}
+
+/// Of a damper that stops at a later arrival: the intervals of its way alone. Between the strips
+/// the mass rests off centre, so no interval goes on into another one.
+WorksFor works_for(const Way& way, double f, double delta) {
+  const auto holds = [&](double v0, double p) {
+    Problem changed = way.problem;
+    changed.v0 = v0;
+    changed.p = p;
+    return admissible(Way(changed, way.limits, way.n), f, delta);
+  };
+  const double v0 = way.problem.v0;
+  const double p = way.problem.p;
+  const auto with_v0 = [&](double value) { return holds(value, p); };
+  const auto with_p = [&](double value) { return holds(v0, value); };
+  const auto end = [](double from, double nominal, const auto& fits) {
+    return *nearest_fit(from, nominal, fits);
+  };
+  const ValidInterval of_v0 = valid_v0(way.problem);
+  const ValidInterval of_p = valid_p(way.problem);
+  WorksFor served;
+  served.v0 = {end(std::min(v0, of_v0.least), v0, with_v0),
+               end(std::max(v0, of_v0.most), v0, with_v0)};
+  served.p.low = end(std::min(p, of_p.least), p, with_p);
+  if (const double most = std::max(p, of_p.most); !with_p(most)) {
+    served.p.high = end(most, p, with_p);
+  }
+  return served;
+}
+
+/// The ranges grown as far as the damper serves them, one end after the other.
+WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, double delta) {
+  const auto grown = [&](double from, double to, const auto& set) {
+    return *nearest_fit(from, to, [&](double value) {
+      Problem changed = problem;
+      set(changed, value);
+      return admissible(changed, limits, f, delta);
+    });
+  };
+  const double low = problem.v0_low.value_or(problem.v0);
+  const double stiffest = problem.stiffest_p();
+  const ValidInterval of_v0 = valid_v0(problem);
+  const ValidInterval of_p = valid_p(problem);
+  WorksFor served;
+  served.v0 = {low == 0 ? 0
+                        : grown(std::min(low, of_v0.least), low,
+                                [](Problem& now, double value) { now.v0_low = value; }),
+               grown(std::max(problem.v0, of_v0.most), problem.v0, [&](Problem& now, double value) {
+                 now.v0 = value;
+                 now.v0_low = low;
+               })};
+  served.p.low = grown(std::min(problem.p, of_p.least), problem.p, [&](Problem& now, double value) {
+    now.p = value;
+    now.p_high = stiffest;
+  });
+  const auto raise = [](Problem& now, double value) { now.p_high = value; };
+  const double most = std::max(stiffest, of_p.most);
+  if (const double high = grown(most, stiffest, raise); high < most) {
+    served.p.high = high;
+  }
+  return served;
+}
+
+}  // namespace
+
+std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, double f,
+                                  double delta) {
+  Limits of_the_point = limits;
+  of_the_point.tolerance = 0;
+  if (!admissible(problem, of_the_point, f, delta)) {
+    return std::nullopt;
+  }
+  if (!is_plain(problem, limits)) {
+    return served_ranges(problem, of_the_point, f, delta);
+  }
+  const double v0 = problem.v0;
+  const double p = problem.p;
+  const auto holds = [&](double speed, double stiffness) {
+    return admissible({speed, stiffness, problem.beta, problem.criterion}, of_the_point, f, delta);
+  };
+  const auto with_v0 = [&](double value) { return holds(value, p); };
+  const auto with_p = [&](double value) { return holds(v0, value); };
+  if (const auto arrival = arrival_of(problem, f, delta).value(); arrival > 1) {
+    // Without constant friction the strips touch, and way 0 covers all.
+    return works_for(Way(problem, of_the_point, f == 0 ? 0 : static_cast<int>(arrival)), f, delta);
+  }
+  const HitDamper damper{f, 2 * Wide(delta), problem.beta, problem.criterion,
+                         limits.acceleration_max};
+  const ValidInterval of_v0 = valid_v0(problem);
+  const ValidInterval of_p = valid_p(problem);
+  const auto ends = [](Wide low, Wide high, double nominal, const ValidInterval& valid,
+                       const auto& fits) {
+    ServedInterval interval;
+    interval.low =
+        last_fit(std::max(static_cast<double>(low), std::min(nominal, valid.least)), nominal, fits);
+    if (!std::isinf(high)) {
+      interval.high = last_fit(std::min(static_cast<double>(high), std::max(nominal, valid.most)),
+                               nominal, fits);
+    }
+    return interval;
+  };
+  return WorksFor{ends(lowest_v0(damper, p), highest_v0(damper, p), v0, of_v0, with_v0),
+                  ends(lowest_p(damper, v0), highest_p(damper, v0), p, of_p, with_p)};
+}
+
+}  // namespace stillpoint::design

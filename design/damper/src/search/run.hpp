@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "search/nlopt_fence.hpp"
+
+#include <stillpoint/design/search.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::design {
+
+/// The default one for an empty name. Throws InputError.
+[[nodiscard]] NloptAlgorithm find_algorithm(const std::string& wanted);
+
+/// Minimises; after a global algorithm a local one goes on from `best`, the best point so far.
+[[nodiscard]] NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
+                               const SearchOptions& options,
+                               const std::function<Eigen::VectorXd()>& best);
+
+}  // namespace stillpoint::design

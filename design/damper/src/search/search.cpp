@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// The best damper of several ways to come to rest. Between two of them some rest is too far off
+// centre, so a box lies in one of them, and the best of all is the best of one: docs/theory.md
+// sections 8, 12 and 13.
+
+#include "search/objectives.hpp"
+#include "search/run.hpp"
+#include "way/extent.hpp"
+#include "way/room.hpp"
+#include "way/space.hpp"
+
+#include <stillpoint/design/search.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// As far as a design stays inside of its edges, a later way is no better than an earlier one.
+constexpr double clearly_better = 1e-8;
+
+/// No damper of the way costs less, as way_cost.
+double bound_of(const Way& way, Objective objective) {
+  const double t = way.limits.tolerance;
+  const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
+  switch (objective) {
+    case Objective::robust:
+      // (51), which a range only makes smaller.
+      return way.q == 0 && way.limits.shape == BoxShape{} ? -1.0 / (2 * way.n - 1) : -1;
+    case Objective::amplitude:
+      return objective_value(objective, way.a_cap / (1 + t * f_high));
+    case Objective::acceleration:
+      return objective_value(objective, std::max(0.0, way.a2) / (1 - t * f_low));
+    case Objective::time:
+      return way.n;  // the n-th half-cycle turns or stops at x = 0, which takes pi at least, (52)
+  }
+  return 0;
+}
+
+/// The Delta to try with an f. The peak and the acceleration do not depend on it, nor does the time
+/// of the first arrival; that of a later one grows with it; with a residual it may jump.
+std::span<const BestDelta> choices(const Way& way, Objective objective) {
+  static constexpr std::array any{BestDelta::most_tolerant, BestDelta::least, BestDelta::largest};
+  const std::span all(any);
+  return objective != Objective::time || (way.plain && way.n == 1) ? all.first(1)
+         : way.plain                                               ? all.subspan(1, 1)
+                                                                   : all;
+}
+
+/// The best point seen, judged by the way itself: NLopt's last point may be neither feasible nor
+/// its best.
+class Best {
+ public:
+  Best(const Way& way, Objective objective) : way_(way), objective_(objective) {}
+
+  void consider(double f) {
+    if (!(f > 0)) {  // not a number is SLSQP's answer where its subproblem is degenerate
+      return;
+    }
+    f = std::min(f, way_.f_top);
+    constexpr double same = 1e-10;  // as far as NLopt resolves x
+    if (cost_ < HUGE_VAL && (std::abs(f - point_.f) <= same * f || !may_be_better(f))) {
+      return;
+    }
+    for (const BestDelta choice : choices(way_, objective_)) {
+      consider(f, best_delta(way_, f, choice));
+    }
+  }
+
+  void consider(double f, double delta) {
+    DesignPoint candidate{f, delta, 0};
+    if (objective_ == Objective::robust) {
+      candidate.tolerance = largest_tolerance(way_, f, delta).value_or(0);
+    }
+    const double its = way_cost(way_, objective_, candidate);
+    // The force is flat towards f = 0: of those that are equal, the least f.
+    const bool less =
+        its < cost_ || (objective_ == Objective::acceleration && its == cost_ && f < point_.f);
+    if (less && admissible(way_, f, delta)) {
+      point_ = candidate;
+      cost_ = its;
+    }
+  }
+
+  [[nodiscard]] double cost() const { return cost_; }
+  [[nodiscard]] DesignPoint point() const {
+    return {point_.f, point_.delta,
+            largest_tolerance(way_, point_.f, point_.delta).value_or(point_.tolerance)};
+  }
+
+ private:
+  /// Of the largest tolerances, decided without them: the room for Delta falls with the tolerance.
+  [[nodiscard]] bool may_be_better(double f) const {
+    return objective_ != Objective::robust ||
+           (tolerance_of_f(way_, f) > -cost_ && room(way_, way_.scaled(f), -cost_) > 0);
+  }
+
+  const Way& way_;
+  Objective objective_;
+  DesignPoint point_;
+  double cost_{HUGE_VAL};
+};
+
+/// Where to begin. Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP
+/// ends there in roundoff instead of convergence. A stop time that jumps where the number of
+/// half-cycles does begins with the best of a grid.
+DesignPoint start_of(const Way& way, Objective objective, const DesignRange& range) {
+  const auto& [ends, inside] = range;
+  Best best(way, objective);
+  if (objective == Objective::time && way.q > 0) {
+    constexpr int steps = 16;
+    for (int i = 0; i <= steps; ++i) {
+      const double f = ends.low + (ends.high - ends.low) * i / steps;
+      const auto d = centre_range(way, f, way.limits.tolerance);
+      for (const double part : {way_inset, 0.5, 1 - way_inset}) {
+        if (d) {
+          best.consider(f, (d->low + part * (d->high - d->low)) * way.square());
+        }
+      }
+    }
+  } else {
+    constexpr double start_fraction = 0.4;
+    const double f = ends.low + start_fraction * (ends.high - ends.low);
+    best.consider(f, best_delta(way, f, BestDelta::most_tolerant));
+  }
+  best.consider(inside.f, inside.delta);
+  return best.point();
+}
+
+/// Some box of that tolerance fits.
+bool has_box(Way way, double tolerance) {
+  way.limits.tolerance = tolerance;
+  return tolerance < 1 && any_point(way);
+}
+
+struct WayResult {
+  DesignPoint point;
+  double cost;
+  NloptOutcome outcome;
+};
+
+std::optional<WayResult> search_way(const Way& way, const SearchOptions& options) {
+  const auto range = design_range(way);
+  if (!range) {
+    return std::nullopt;
+  }
+  const Objective objective = options.objective;
+  const NloptAlgorithm algorithm = find_algorithm(options.algorithm);
+  const DesignPoint start = start_of(way, objective, *range);
+  Tried tried{{}, HUGE_VAL, Eigen::Vector2d(way.scaled(start.f) / way.a_cap, 0.5)};
+  const NloptProblem posed = way_posed(algorithm.constraints, way, objective, start, tried);
+  SearchOptions budget = options;
+  if (objective == Objective::time && way.q > 0 && algorithm.name.starts_with("LD_")) {
+    // With slopes alone it may follow a jump of the time for thousands of steps.
+    constexpr int enough = 200;
+    budget.max_evaluations = std::min(enough, budget.max_evaluations);
+  }
+  NloptOutcome outcome = run(posed, algorithm.name, budget, [&] { return tried.best; });
+
+  Best best(way, objective);
+  const double low = range->f.low;
+  const double high = range->f.high;
+  const auto consider = [&](double x) {
+    const double f = way.f_of(x * way.a_cap);
+    best.consider(f > 0 ? std::clamp(f, low, high) : f);
+  };
+  consider(outcome.x[0]);
+  if (algorithm.constraints == ConstraintSupport::no) {
+    consider(tried.best[0]);
+  }
+  // NLopt returns the best point that met all constraints to the last bit, which may be its start;
+  // the last ones that it tried are those that it came to.
+  constexpr std::size_t last = 3;
+  for (const double x : std::span(tried.x).last(std::min(last, tried.x.size()))) {
+    consider(x);
+  }
+  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
+  // a monotone one is best, and all there is of a degenerate one.
+  best.consider(low);
+  best.consider(high);
+  if (objective == Objective::robust) {
+    // Where the strip of Delta is so thin that NLopt's steps do not resolve it, this is best where
+    // the room below the cap of f is as wide as the strip.
+    best.consider(high / (1 + std::max(0.0, room(way, way.scaled(high), 0))));
+  }
+  best.consider(start.f, start.delta);
+  best.consider(range->inside.f, range->inside.delta);
+  return WayResult{best.point(), best.cost(), std::move(outcome)};
+}
+
+}  // namespace
+
+std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
+                                   const SearchOptions& options) {
+  const auto started = std::chrono::steady_clock::now();
+  require_valid(problem, limits);
+  require_valid(options);
+  std::optional<WayResult> best;
+  int evaluations = 0;
+  const bool robust = options.objective == Objective::robust;
+  const auto visit = [&](const Way& way) {
+    if (best && bound_of(way, options.objective) >= best->cost - clearly_better) {
+      return way.q > 0;  // else nor is any later one better
+    }
+    if (best && robust && !has_box(way, clearly_better - best->cost)) {
+      return true;
+    }
+    if (auto found = search_way(way, options)) {
+      evaluations += found->outcome.evaluations;
+      if (!best || found->cost < best->cost - clearly_better) {
+        best = std::move(found);
+      }
+    }
+    return true;
+  };
+  if (robust && problem.residual) {
+    // The most tolerant way is mostly the last one, which then spares the search of the others.
+    std::vector<Way> ways;
+    for_each_way(problem, limits, [&](const Way& way) {
+      ways.push_back(way);
+      return true;
+    });
+    std::for_each(ways.rbegin(), ways.rend(), visit);
+  } else {
+    for_each_way(problem, limits, visit);
+  }
+  if (!best) {
+    return std::nullopt;
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
+  return SearchResult{best->point,
+                      {std::string(find_algorithm(options.algorithm).name), best->outcome.status,
+                       evaluations, elapsed.count()}};
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What a way admits, in long double and rounded once, so that its strict edges are right to the
+// last bit.
+
+#include "region/edges.hpp"
+#include "way/way.hpp"
+#include "way/wide_notch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+using Wide = long double;
+
+Wide widened_reach(const Way& way, Wide f) {
+  const Wide phi = f / way.problem.p;
+  return std::max(2 * phi, 3 * phi - Wide(way.problem.p) * residual_of(way.problem));
+}
+
+/// The square of V0 that reaches, or twice the Delta that sends every hit back.
+Wide reach_square(const Way& way, double f, double delta) {
+  const WideNotch corner{f / Wide(way.problem.p), 2 * Wide(delta)};
+  return corner.square_before(widened_reach(way, f), way.v_low > 0 ? way.n - 1 : 0);
+}
+
+double pass_speed(const Way& way, double f, double delta) {
+  const Problem& problem = way.problem;
+  const Wide p = problem.stiffest_p();
+  const Wide r = residual_of(problem);
+  const Wide c = stop_radius(problem);
+  const auto speed = [&](Wide phi, Wide radius, int steps) {
+    return least_double_from(
+        std::sqrt(WideNotch{phi, 2 * Wide(delta)}.square_before(radius, steps)));
+  };
+  double least = HUGE_VAL;
+  if (way.stops_last()) {
+    least = speed(f / p, c * f / p, way.passages());
+  }
+  if (way.stops_early()) {
+    const Wide at = r > 0 ? std::max<Wide>(f, r * way.problem.p * way.problem.p) : f;
+    const Wide spring = r > 0 ? std::min(p, std::sqrt(at / r)) : p;
+    least = std::min(least, speed(at / spring, c * at / spring + r * spring, way.n));
+  }
+  return least;
+}
+
+}  // namespace
+
+bool admissible(const Way& way, double f, double delta, double tolerance) {
+  const Problem& problem = way.problem;
+  const auto [f_low, f_high, delta_low, delta_high] = sides(way.limits.shape, tolerance);
+  if (!(f * f_low >= way.f2 && f * f_high <= way.f_cap && delta * delta_high <= way.delta_cap)) {
+    return false;
+  }
+  if (way.plain && way.n == 1) {  // by the edges that the region reports, themselves
+    return f * f_high <= way.tip && delta * delta_low > unchecked_delta1(problem, f * f_low);
+  }
+  if (way.n > 0) {
+    const Wide reach =
+        reach_square(way, f * f_high, delta * (way.v_low > 0 ? delta_high : delta_low));
+    if (!(way.v_low > 0 ? problem.v0_low.value_or(problem.v0) >= least_double_from(std::sqrt(reach))
+                        : 2 * Wide(delta * delta_low) >= reach)) {
+      return false;
+    }
+  }
+  return problem.v0 < pass_speed(way, f * f_low, delta * delta_low);
+}
+
+bool admissible(const Way& way, double f, double delta) {
+  return admissible(way, f, delta, way.limits.tolerance);
+}
+
+WaySpeeds way_speeds(const Way& way, double f, double delta) {
+  const Wide reach = way.n > 0 ? reach_square(way, f, delta) : 0;
+  return {way.v_low > 0 ? least_double_from(std::sqrt(reach)) : least_double_from(reach / 2),
+          pass_speed(way, f, delta)};
+}
+
+}  // namespace stillpoint::design

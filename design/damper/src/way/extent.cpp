@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "way/extent.hpp"
+
+#include "region/edges.hpp"
+#include "way/highest.hpp"
+#include "way/room.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+using unit::Ends;
+
+/// The f of the centres whose box is within the edges of f alone.
+std::optional<Ends> within_f(const Way& way, double tolerance) {
+  if (!(way.f_top > 0)) {
+    return std::nullopt;
+  }
+  const Ends all{lowest_centre(way.f2, tolerance * way.limits.shape.f_low),
+                 highest_centre(way.f_top, tolerance * way.limits.shape.f_high)};
+  return all.low <= all.high ? std::optional(all) : std::nullopt;
+}
+
+/// The least f that a design takes.
+double least_f(const Way& way, double high) {
+  return std::min(high / 2, way_inset * way.problem.v0 * way.problem.p);
+}
+
+/// The largest f of boxes whose high side is not on the tip, where the weakest hit only grazes x =
+/// 0. That of the paper's task is known to the last bit, so that the centre alone stays off it.
+double off_the_tip(const Way& way, double high) {
+  return way.plain && way.n == 1 ? std::min(high, way.tip * (1 - way_inset))
+         : way.tip < way.f_cap   ? high * (1 - way_inset)
+                                 : high;
+}
+
+/// What of it is looked at: not the open end at 0, and not the tip.
+Ends scanned_f(const Way& way, const Ends& all) {
+  const double low = std::max(all.low, least_f(way, all.high));
+  const double high = off_the_tip(way, all.high);
+  return low <= high ? Ends{low, high} : all;
+}
+
+/// The f with the most room for Delta, or with enough.
+double roomiest_f(const Way& way, const Ends& f) {
+  const double t = way.limits.tolerance;
+  if (way.n == 0 || (way.n == 1 && way.v_low > 0)) {
+    return f.high;  // nothing but the stop depends on f, and friction helps it
+  }
+  constexpr double enough = 1e-6;  // more than rounding, if there is more
+  const auto nowhere = [&](double from, double to) {
+    return no_room_between(way, way.scaled(from), way.scaled(to), t);
+  };
+  return highest([&](double at) { return room(way, way.scaled(at), t); }, f, enough, nowhere).at;
+}
+
+}  // namespace
+
+std::optional<WayPoint> any_point(const Way& way) {
+  const double t = way.limits.tolerance;
+  const auto all = within_f(way, t);
+  if (!all) {
+    return std::nullopt;
+  }
+  const double f = roomiest_f(way, scanned_f(way, *all));
+  const WayPoint roomiest{f, best_delta(way, f, BestDelta::middle)};
+  // Where the tolerance is only just allowed, the corner of the caps is all there is.
+  const WayPoint corner{all->high, highest_centre(way.delta_cap, t * way.limits.shape.delta_high)};
+  for (const WayPoint& point : {roomiest, corner}) {
+    if (admissible(way, point.f, point.delta)) {
+      return point;
+    }
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+Ends feasible_around(const Way& way, const WayPoint& inside) {
+  const double t = way.limits.tolerance;
+  const Ends all = within_f(way, t).value();
+  const Ends scanned = scanned_f(way, all);
+  const auto left = [&](double log_f) { return room(way, way.scaled(std::exp(log_f)), t); };
+  const double at_inside = left(std::log(inside.f));
+  const auto end = [&](double from, double open) {
+    const double at_from = left(std::log(from));
+    if (at_from >= 0 || at_inside <= 0) {
+      return at_from >= 0 ? open : inside.f;
+    }
+    const double at =
+        std::exp(from < inside.f
+                     ? falling_root([&](double u) { return -left(u); }, std::log(from),
+                                    std::log(inside.f), -at_from, -at_inside)
+                     : falling_root(left, std::log(inside.f), std::log(from), at_inside, at_from));
+    return std::clamp(at, all.low, all.high);
+  };
+  if (way.plain && way.n == 1) {  // in closed form, (28), (29)
+    return {std::min(std::max(all.low, lower_end_from_stop(way.problem, way.limits)), all.high),
+            all.high};
+  }
+  return {end(scanned.low, all.low), end(scanned.high, all.high)};
+}
+
+}  // namespace
+
+std::optional<Ends> feasible_f(const Way& way) {
+  const auto inside = any_point(way);
+  return inside ? std::optional(feasible_around(way, *inside)) : std::nullopt;
+}
+
+std::optional<DesignRange> design_range(const Way& way) {
+  const auto inside = any_point(way);
+  if (!inside) {
+    return std::nullopt;
+  }
+  const Ends all = feasible_around(way, *inside);
+  const bool closes = all.high < within_f(way, way.limits.tolerance)->high;
+  const double high = closes ? all.high * (1 - way_inset) : off_the_tip(way, all.high);
+  const Ends off_edges{std::max(all.low * (1 + way_inset), least_f(way, high)), high};
+  return DesignRange{off_edges.low <= off_edges.high ? off_edges : all, *inside};
+}
+
+DesignPoint most_tolerant(const Way& way) {
+  const auto all = within_f(way, 0);
+  if (!all) {
+    return {};
+  }
+  const Ends f = scanned_f(way, *all);
+  const auto never = [](double, double) { return false; };
+  const auto by_tolerance = [](const DesignPoint& a, const DesignPoint& b) {
+    return a.tolerance < b.tolerance;
+  };
+  const Highest best =
+      highest([&](double at) { return tolerance_at(way, way.scaled(at)); }, f, HUGE_VAL, never);
+  if (!(best.value > 0)) {
+    return {};
+  }
+  // It is often largest where a box as wide as Delta allows, or f itself, just fits below the cap
+  // of f or above its floor. These are known to the last digits.
+  const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
+  DesignPoint largest = with_best_delta(way, best.at);
+  const auto consider = [&](double at) {
+    if (at >= f.low && at <= f.high) {
+      largest = std::max(largest, with_best_delta(way, at), by_tolerance);
+    }
+  };
+  const auto where_delta_just_fits = [&](const auto& f_of_box) {
+    const auto spare = [&](double t) { return room(way, way.scaled(f_of_box(t)), t); };
+    const double most = 1 - way_inset;
+    const double at_zero = spare(0);
+    const double at_most = spare(most);
+    if (at_zero > 0 && at_most < 0) {
+      consider(f_of_box(falling_root(spare, 0, most, at_zero, at_most)));
+    }
+  };
+  where_delta_just_fits([&, part = f_high](double t) { return way.f_top / (1 + t * part); });
+  if (way.f2 > 0) {
+    where_delta_just_fits([&, part = f_low](double t) { return way.f2 / (1 - t * part); });
+    const double both = (way.f_top - way.f2) / (way.f_top * f_low + way.f2 * f_high);
+    consider(way.f_top / (1 + both * f_high));
+  }
+  return largest;
+}
+
+}  // namespace stillpoint::design

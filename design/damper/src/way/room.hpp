@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The room that a way leaves for Delta at one f, and the tolerance of its points.
+
+#include "way/way.hpp"
+
+#include <stillpoint/design/search.hpp>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace stillpoint::design {
+
+/// The Delta of the centres of the boxes that fit for one f, over V0^2.
+[[nodiscard]] std::optional<unit::Ends> centre_range(const Way& way, double f, double tolerance);
+
+/// The tolerance of Delta alone that the room for Delta leaves beside a box of f with that
+/// tolerance, negative where there is none. In [-1, 1].
+[[nodiscard]] double room(const Way& way, double a, double tolerance);
+/// No f between these two has any room: no edge of Delta grows with f but that of (57), so their
+/// values at the two ends bound those between.
+[[nodiscard]] bool no_room_between(const Way& way, double a_low, double a_high, double tolerance);
+
+/// The largest tolerance that f alone leaves.
+[[nodiscard]] double tolerance_of_f(const Way& way, double f);
+/// The largest tolerance of any Delta for a; negative where there is none, by how much.
+[[nodiscard]] double tolerance_at(const Way& way, double a);
+/// The largest tolerance of the point; empty if it is not admissible itself.
+[[nodiscard]] std::optional<double> largest_tolerance(const Way& way, double f, double delta);
+
+/// The Delta that goes best with an f: with the most tolerance, or of those that fit the box asked
+/// for the least, the middle or the largest one.
+enum class BestDelta { most_tolerant, least, middle, largest };
+[[nodiscard]] double best_delta(const Way& way, double f, BestDelta choice);
+/// The most tolerant one.
+[[nodiscard]] DesignPoint with_best_delta(const Way& way, double f);
+
+/// Where a falling function is 0.
+template <class F>
+double falling_root(const F& function, double low, double high, double at_low, double at_high) {
+  std::uintmax_t most_evaluations = 100;
+  return boost::math::tools::toms748_solve(function, low, high, at_low, at_high,
+                                           boost::math::tools::eps_tolerance<double>(),
+                                           most_evaluations)
+      .first;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "way/space.hpp"
+
+#include "check/rest.hpp"
+#include "search/objectives.hpp"
+#include "unit_problem.hpp"
+#include "way/room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// t stays below 1, where the box would reach 0 and with it the end of every formula's range.
+constexpr double almost_all = 1 - 1e-6;
+/// x stays above it: at a = 0 the slopes of a half-cycle without any speed have no limit.
+constexpr double least_x = 1e-12;
+
+/// In (a, d, t) at (x, y, t), with the slopes as NLopt wants them.
+struct Scaled {
+  double a_cap;
+  double d_cap;
+  double tolerance;
+
+  [[nodiscard]] double box(const Eigen::VectorXd& point) const {
+    return point.size() == 3 ? point[2] : tolerance;
+  }
+  void slopes(Eigen::VectorXd& gradient, double by_a, double by_d, double by_t) const {
+    const Eigen::Vector3d all(by_a * a_cap, by_d * d_cap, by_t);
+    gradient = all.head(gradient.size());
+  }
+};
+
+std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
+  const BoxShape shape = way.limits.shape;
+  std::vector<Function> list;
+  if (way.a2 > 0) {
+    list.emplace_back([=, a2 = way.a2](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+      const double low = 1 - shape.f_low * scale.box(at);
+      scale.slopes(gradient, -low / scale.a_cap, 0, at[0] * shape.f_low);
+      return a2 / scale.a_cap - at[0] * low;
+    });
+  }
+  list.emplace_back([=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+    const double high = 1 + shape.f_high * scale.box(at);
+    scale.slopes(gradient, high / scale.a_cap, 0, at[0] * shape.f_high);
+    return at[0] * high - 1;
+  });
+  list.emplace_back([=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+    const double high = 1 + shape.delta_high * scale.box(at);
+    scale.slopes(gradient, 0, high / scale.d_cap, at[1] * shape.delta_high);
+    return at[1] * high - 1;
+  });
+  // A corner of the box: each side goes outwards, +1, or inwards, -1.
+  const auto edge = [&](double outwards_f, double outwards_d, double sign, const auto& value) {
+    const double f_part = outwards_f * (outwards_f > 0 ? shape.f_high : shape.f_low);
+    const double d_part = outwards_d * (outwards_d > 0 ? shape.delta_high : shape.delta_low);
+    list.emplace_back([=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+      const double t = scale.box(at);
+      const double a = at[0] * scale.a_cap;
+      const double d = at[1] * scale.d_cap;
+      const double f_corner = 1 + f_part * t;
+      const double d_corner = 1 + d_part * t;
+      const unit::EdgeSpeed now = value(a * f_corner, d * d_corner);
+      scale.slopes(gradient, sign * f_corner * now.by_a, sign * d_corner * now.by_d,
+                   sign * (f_part * a * now.by_a + d_part * d * now.by_d));
+      return sign * now.square;
+    });
+  };
+  const auto less = [](unit::EdgeSpeed speed, double square) {
+    speed.square -= square;
+    return speed;
+  };
+  if (way.delta_hinders_return()) {
+    edge(1, 1, 1, [less, &way](double a, double d) {
+      return less(reach_edge(way, a, d), way.v_low * way.v_low);
+    });
+  } else if (way.n > 0 && way.v_low == 0) {
+    edge(1, -1, 1, [&way](double a, double d) {
+      const unit::EdgeSpeed notch = returning_notch(way, a);
+      return unit::EdgeSpeed{notch.square - 2 * d, notch.by_a, -2};
+    });
+  }
+  if (way.plain && way.n == 1) {  // (26), (27), which are linear in y
+    edge(-1, -1, 1, [&way](double a, double d) {
+      const Criterion criterion = way.problem.criterion;
+      return unit::EdgeSpeed{(unit::delta1(criterion, a) - d) / way.d_cap,
+                             unit::delta1_slope(criterion, a) / way.d_cap, -1 / way.d_cap};
+    });
+    return list;
+  }
+  if (way.stops_last()) {
+    edge(-1, -1, -1, [less, &way](double a, double d) { return less(last_edge(way, a, d), 1); });
+  }
+  if (way.stops_early()) {
+    edge(-1, -1, -1, [less, &way](double a, double d) { return less(stop_edge(way, a, d), 1); });
+  }
+  return list;
+}
+
+/// p T / pi, and its slopes if they are wanted. Without a residual the hit stops at the n-th
+/// arrival. With one it may end in any way, so they are taken as differences.
+double half_turns(const Way& way, double a, double d, double* by_a, double* by_d) {
+  const auto over_pi = [](double phase) { return phase / std::numbers::pi; };
+  if (way.q == 0) {
+    const unit::Course course = unit::course(way.n, a, d);
+    if (by_a != nullptr) {
+      *by_a = over_pi(course.by_a);
+      *by_d = over_pi(course.by_d);
+    }
+    return over_pi(course.phase);
+  }
+  const auto turns = [&](double at_a, double at_d) {
+    return over_pi(unit::rest(at_a, at_d, way.passages()).phase);
+  };
+  if (by_a != nullptr) {
+    constexpr double step = 1e-6;
+    *by_a = (turns(a * (1 + step), d) - turns(a * (1 - step), d)) / (2 * step * a);
+    *by_d = d > 0 ? (turns(a, d * (1 + step)) - turns(a, d * (1 - step))) / (2 * step * d) : 0;
+  }
+  return turns(a, d);
+}
+
+double cost_at(const Way& way, Objective objective, double a, double d) {
+  return objective == Objective::time ? half_turns(way, a, d, nullptr, nullptr)
+                                      : objective_value(objective, a);
+}
+
+}  // namespace
+
+double way_cost(const Way& way, Objective objective, const DesignPoint& point) {
+  return objective == Objective::robust
+             ? -point.tolerance
+             : cost_at(way, objective, way.scaled(point.f), point.delta / way.square());
+}
+
+NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective objective,
+                       const DesignPoint& start, Tried& tried) {
+  const Scaled scale{way.a_cap, way.d_cap, way.limits.tolerance};
+  const bool robust = objective == Objective::robust;
+  const bool by_box = robust && support == ConstraintSupport::yes;
+  const Eigen::Vector3d from(way.scaled(start.f) / scale.a_cap,
+                             start.delta / way.square() / scale.d_cap, scale.tolerance);
+  const Eigen::Index size = by_box ? 3 : 2;
+  NloptProblem posed;
+  posed.lower = Eigen::Vector3d(least_x, 0, scale.tolerance).head(size);
+  posed.upper = Eigen::Vector3d(1, 1, std::max(almost_all, scale.tolerance)).head(size);
+  posed.start = from.head(size);
+  // S grows with f, so f stands for it: it keeps its slope towards 0, where SLSQP would lose its
+  // way.
+  const auto cost = [&way, &tried, scale, objective](const Eigen::VectorXd& at,
+                                                     Eigen::VectorXd& gradient) {
+    const double a = at[0] * scale.a_cap;
+    const double d = at[1] * scale.d_cap;
+    tried.x.push_back(at[0]);
+    if (objective == Objective::time) {
+      double by_a = 0;
+      double by_d = 0;
+      const bool sloped = gradient.size() > 0;
+      const double turns = half_turns(way, a, d, sloped ? &by_a : nullptr, &by_d);
+      scale.slopes(gradient, by_a, by_d, 0);
+      return turns;
+    }
+    const bool force = objective == Objective::acceleration;
+    scale.slopes(gradient, force ? 1 : objective_slope(objective, a), 0, 0);
+    return force ? a : objective_value(objective, a);
+  };
+  const auto conditions = conditions_of(way, scale);
+  if (support == ConstraintSupport::yes) {
+    posed.constraints = conditions;
+    posed.objective = cost;
+    if (by_box) {
+      posed.objective = [&tried, scale](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+        tried.x.push_back(at[0]);
+        scale.slopes(gradient, 0, 0, -1);
+        return -at[2];
+      };
+    }
+    return posed;
+  }
+  posed.objective = [&way, &tried, scale, robust, cost, conditions](const Eigen::VectorXd& at,
+                                                                    Eigen::VectorXd& /*gradient*/) {
+    // Above every value inside: a half-cycle takes pi.
+    const double above_all = 10.0 + way.passages();
+    Eigen::VectorXd none;
+    double violation = 0;
+    for (const Function& condition : conditions) {
+      violation = std::max(violation, condition(at, none));
+    }
+    double value = above_all + violation;
+    if (!(violation > 0)) {
+      value = robust ? -largest_tolerance(way, way.f_of(at[0] * scale.a_cap),
+                                          at[1] * scale.d_cap * way.square())
+                            .value_or(0)
+                     : cost(at, none);
+    }
+    if (value < tried.value) {
+      tried.value = value;
+      tried.best = at.head<2>();
+    }
+    return value;
+  };
+  return posed;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "way/way.hpp"
+
+#include "region/edges.hpp"
+#include "unit_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// phi of the strip's tip, where Delta = 0: ((2n + 1) phi - q)^2 - phi^2 = v^2, or, where the rest
+/// is at the peak, 2n phi in place of the first term.
+double strip_tip(int n, double q, double v) {
+  const double m = 2.0 * n + 1;
+  const double tip = (m * q + std::sqrt(q * q + (m * m - 1) * v * v)) / (m * m - 1);
+  return tip >= q ? tip : v / std::sqrt(4.0 * n * n - 1);
+}
+
+double tip_of(const Way& way, double f3) {
+  if (way.n == 0) {
+    return HUGE_VAL;
+  }
+  return way.n == 1 && way.q == 0
+             ? f3
+             : way.f_of(strip_tip(way.n, way.q, way.problem.starting_v0() / way.problem.v0));
+}
+
+}  // namespace
+
+double residual_of(const Problem& problem) {
+  return std::min(problem.residual.value_or(0), problem.beta);
+}
+
+double largest_f_at_rest(const Problem& problem) {
+  const double r = residual_of(problem);
+  const long double edge = static_cast<long double>(r) * problem.p * problem.p;
+  const auto nearest = static_cast<double>(edge);
+  const double below = nearest > edge ? std::nextafter(nearest, -HUGE_VAL) : nearest;
+  const double f1 = problem.beta * problem.p * problem.p;
+  return r > 0 && below >= f1 ? std::nextafter(f1, 0.0) : below;
+}
+
+double stop_radius(const Problem& problem) {
+  return problem.criterion == Criterion::published ? 0 : 1;
+}
+
+Way::Way(const Problem& what, const Limits& allowed, int arrival)
+    : problem(what),
+      limits(allowed),
+      n(arrival),
+      plain(is_plain(what, allowed)),
+      v_low(what.v0_low.value_or(what.v0) / what.v0),
+      p_ratio(what.stiffest_p() / what.p),
+      q(residual_of(what) * what.p / what.v0) {
+  const Edges edge = edges(what, allowed);
+  f2 = edge.f2;
+  delta_cap = edge.delta_cap;
+  f_cap = std::min(edge.f4, allowed.f_max.value_or(HUGE_VAL));
+  if (n == 0) {
+    f_cap = std::min(f_cap, largest_f_at_rest(what));
+  }
+  tip = tip_of(*this, edge.f3);
+  f_top = std::min(f_cap, tip);
+  a2 = scaled(f2);
+  a_cap = scaled(f_top);
+  d_cap = delta_cap / what.v0 / what.v0;
+}
+
+Sides sides(const BoxShape& shape, double tolerance) {
+  return {1 - tolerance * shape.f_low, 1 + tolerance * shape.f_high,
+          1 - tolerance * shape.delta_low, 1 + tolerance * shape.delta_high};
+}
+
+unit::EdgeStart reach_start(const Way& way, double a) {
+  return a >= way.q ? unit::EdgeStart{3 * a - way.q, 3, a} : unit::EdgeStart{2 * a, 2, a};
+}
+
+unit::EdgeStart last_start(const Way& way, double a) {
+  const double c = stop_radius(way.problem) / way.p_ratio;
+  return {c * a, c, a / way.p_ratio, 1 / way.p_ratio};
+}
+
+/// Rests within r on the next half-cycle, (55), at the tightest point with phi >= q, (56).
+unit::EdgeStart stop_start(const Way& way, double a) {
+  const double c = stop_radius(way.problem);
+  const double q = way.q;
+  const double at = std::max(a, q);
+  const double moves = a >= q ? 1 : 0;
+  if (const double k = way.p_ratio; at >= q * k * k) {
+    return {c * at / k + q * k, moves * c / k, at / k, moves / k};
+  }
+  const double phi = std::sqrt(at * q);
+  return {(c + 1) * phi, moves * (c + 1) * phi / (2 * at), phi, moves * phi / (2 * at)};
+}
+
+unit::EdgeSpeed reach_edge(const Way& way, double a, double d) {
+  return followed_back(reach_start(way, a), way.n - 1, d);
+}
+
+unit::EdgeSpeed last_edge(const Way& way, double a, double d) {
+  return followed_back(last_start(way, a), way.passages(), d);
+}
+
+unit::EdgeSpeed stop_edge(const Way& way, double a, double d) {
+  return followed_back(stop_start(way, a), way.n, d);
+}
+
+unit::EdgeSpeed returning_notch(const Way& way, double a) {
+  return followed_back(reach_start(way, a), 0, 0);
+}
+
+double least_beta(const Way& way) {
+  const Way free(way.problem, {}, way.n);
+  return unit::peak(free.a_cap) * way.problem.v0 / way.problem.p;
+}
+
+double largest_f(const Problem& problem) {
+  return std::max(Way(problem, {}, 1).f_top, largest_f_at_rest(problem));
+}
+
+std::optional<int> way_of(const Problem& problem, const Limits& limits, double f, double delta) {
+  std::optional<int> found;
+  const auto visit = [&](const Way& way) {
+    if (admissible(way, f, delta)) {
+      found = way.n;
+    }
+    return !found;
+  };
+  for_each_way(problem, limits, visit);
+  if (f == 0 && !found) {
+    visit(Way(problem, limits, 0));  // without constant friction every rest is at x = 0
+  }
+  return found;
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "forced_arguments.hpp"
+#include "refusal.hpp"
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(forced_input_test)
+
+// The ways to say what shakes the base: flags, a scene, records, metres and seconds.
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+using std::numbers::pi;
+namespace data = boost::unit_test::data;
+
+json response_of(const Sandbox& sandbox, const Arguments& arguments) {
+  return report_of(sandbox, arguments)["response"];
+}
+
+/// The numbers and texts of two responses agree but for rounding.
+void check_same_motion(const json& response, const json& expected, double tolerance = 1e-11) {
+  for (const auto& [name, value] : expected.items()) {
+    BOOST_TEST_CONTEXT("field " << name) {
+      if (value.is_number_float() && name != "decision_margin") {
+        BOOST_TEST(std::abs(response[name].get<double>() - value.get<double>()) <=
+                   tolerance * std::max(1.0, std::abs(value.get<double>())));
+      } else if (!value.is_number_float()) {
+        BOOST_TEST(response[name] == value);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+namespace {
+
+/// An excitation by flags and as a part of a scene.
+struct Kind {
+  const char* name;
+  Arguments flags;
+  const char* scene;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Kind& kind) {
+  return stream << kind.name;
+}
+
+const std::vector<Kind> kinds{
+    {"harmonic",
+     {"--excitation", "harmonic", "--k", "0.5", "--lambda", "2", "--t-end", "20"},
+     R"("excitation": {"type": "harmonic", "k": 0.5, "lambda": 2}, "t_end": 20)"},
+    {"harmonic_of_a_phase_and_a_duration",
+     {"--excitation", "harmonic", "--k", "0.5", "--lambda", "2", "--phase", "1", "--duration", "9"},
+     R"("excitation": {"type": "harmonic", "k": 0.5, "lambda": 2, "phase": 1, "duration": 9})"},
+    {"half_sine",
+     {"--excitation", "half-sine", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": {"type": "half-sine", "k": 0.5, "lambda": 2})"},
+    {"full_sine",
+     {"--excitation", "full-sine", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": {"type": "full-sine", "k": 0.5, "lambda": 2})"},
+    {"rectangle",
+     {"--excitation", "rectangle", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": {"type": "rectangle", "k": 0.5, "lambda": 2})"},
+    {"record",
+     {"--record", "w.txt", "--record-step", "0.5", "--record-units", "m/s2", "--record-scale", "2"},
+     R"("excitation": {"type": "record", "record": "w.txt", "record_step": 0.5,
+                       "record-units": "m/s2", "record_scale": 2})"},
+    {"record_by_its_type",
+     {"--excitation", "record", "--record", "w.txt", "--record-step", "0.5"},
+     R"("excitation": "record", "record": "w.txt", "record-step": 0.5)"},
+    {"keys_outside_of_the_object",
+     {"--excitation", "full-sine", "--k", "0.5", "--lambda", "2"},
+     R"("excitation": "full-sine", "k": 0.5, "lambda": 2)"},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, scene_is_as_good_as_flags, data::make(kinds), kind) {
+  write("w.txt", "3\n-2\n4\n0\n");
+  const json by_flags = report_of(*this, at_rest(kind.flags));
+  Surroundings piped;
+  piped.input = std::string(R"({"p": 1, "f": 0.1, "delta": 0.01, )") + kind.scene + "}";
+  const json by_scene = report_of(*this, {"simulate", "-"}, piped);
+  BOOST_TEST(by_scene == by_flags);
+  BOOST_TEST(by_flags["response"]["peak_amplitude"].get<double>() > 0.01);
+  BOOST_TEST(by_flags["input"]["v0"] == 0);
+}
+
+BOOST_FIXTURE_TEST_SUITE(forced_input, Sandbox)
+
+BOOST_AUTO_TEST_CASE(flag_overrides_the_scene) {
+  write("scene.json", R"({"p": 1, "f": 0.1, "delta": 0.01, "t_end": 20,
+                          "excitation": {"type": "harmonic", "k": 9, "lambda": 2}})");
+  const json expected = report_of(*this, harmonic);
+  BOOST_TEST(report_of(*this, {"simulate", "scene.json", "--k", "0.5"}) == expected);
+  const json longer = report_of(*this, {"simulate", "scene.json", "--t-end", "30", "--v0", "0.1"});
+  BOOST_TEST(longer["input"]["t_end"] == 30);
+  BOOST_TEST(longer["input"]["v0"] == 0.1);
+  const json other =
+      report_of(*this, {"simulate", "--excitation", "full-sine", "scene.json", "--lambda", "3"});
+  BOOST_TEST(other["input"]["excitation"]["type"] == "full-sine");
+  BOOST_TEST(other["input"]["excitation"]["k"] == 9);
+  BOOST_TEST(near(other["input"]["excitation"]["duration"], 2 * pi / 3, 1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(flag_puts_a_record_in_the_place_of_the_wave_of_a_scene_and_back) {
+  write("w.txt", "0.3\n-0.2\n");
+  write("wave.json", R"({"p": 1, "f": 0.1, "delta": 0.01,
+                         "excitation": {"type": "half-sine", "k": 9, "lambda": 2}})");
+  write("record.json", R"({"p": 1, "f": 0.1, "delta": 0.01,
+                           "excitation": {"type": "record", "record": "w.txt", "record_step": 1}})");
+  const Arguments record{"--record", "w.txt", "--record-step", "1"};
+  const Arguments wave{"--excitation", "half-sine", "--k", "9", "--lambda", "2"};
+  BOOST_TEST(report_of(*this, joined({"simulate", "wave.json"}, record)) ==
+             report_of(*this, {"simulate", "record.json"}));
+  BOOST_TEST(report_of(*this, joined({"simulate", "record.json"}, wave)) ==
+             report_of(*this, {"simulate", "wave.json"}));
+}
+
+BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
+  write("w.txt", "0.3\n-0.2\n");
+  const json given = report_of(*this, at_rest({"--record", "w.txt", "--record-step", "1",
+                                               "--record-units", "m/s2", "--record-scale", "2"}));
+  const json& excitation = given["input"]["excitation"];
+  BOOST_TEST(excitation["record_units"] == "m/s2");
+  BOOST_TEST(excitation["record_step"] == 1);
+  BOOST_TEST(excitation["record_scale"] == 2);
+  BOOST_TEST(report_of(*this, harmonic)["input"]["excitation"]["record_units"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(scene_of_an_excitation_serves_other_commands_with_a_note) {
+  Surroundings surroundings;
+  surroundings.input = R"({"v0": 1, "p": 1, "beta": 0.9,
+                           "excitation": {"type": "half-sine", "k": 1, "lambda": 2}})";
+  const ProgramRun design = run({"design", "-", "--json"}, surroundings);
+  BOOST_TEST(design.exit_code == 0);
+  BOOST_TEST(design.err.find("excitation in the scene is not used by design") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(pulse_is_a_harmonic_that_ends) {
+  const auto lasting = [&](double duration) {
+    return response_of(*this, pulse("harmonic", {"--duration", in_full(duration)}));
+  };
+  check_same_motion(response_of(*this, pulse("half-sine")), lasting(pi / 2));
+  check_same_motion(response_of(*this, pulse("full-sine")), lasting(pi));
+}
+
+BOOST_AUTO_TEST_CASE(rectangle_is_a_record_of_two_equal_values) {
+  write("w.txt", column_file({{0, 0.5}, {pi / 2, 0.5}}));
+  check_same_motion(response_of(*this, pulse("rectangle")),
+                    response_of(*this, at_rest({"--record", "w.txt"})));
+}
+
+BOOST_AUTO_TEST_CASE(half_a_turn_of_the_phase_mirrors_the_motion) {
+  const json here = response_of(*this, harmonic);
+  json there = response_of(*this, joined(harmonic, {"--phase", in_full(pi)}));
+  there["final_position"] = -there["final_position"].get<double>();
+  there["final_velocity"] = -there["final_velocity"].get<double>();
+  check_same_motion(there, here);
+}
+
+BOOST_AUTO_TEST_CASE(harmonic_of_a_duration_needs_no_end_and_may_have_one) {
+  const Arguments ending = pulse("harmonic", {"--duration", "9"});
+  const json whole = response_of(*this, ending);
+  check_response_fields(whole);
+  const json later = response_of(*this, joined(ending, {"--t-end", "500"}));
+  check_same_motion(later, whole);
+  const json earlier = response_of(*this, joined(ending, {"--t-end", "3"}));
+  BOOST_TEST(earlier["outcome"] == "running");
+  BOOST_TEST(earlier["end_time"] == 3);
+  // Up to there nothing says that it ends.
+  check_same_motion(earlier, response_of(*this, pulse("harmonic", {"--t-end", "3"})));
+}
+
+BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
+  const auto answer = [&](double file_scale, const Arguments& more) {
+    write("s5.txt", column_file(record_s5(file_scale)));
+    return response_of(*this, joined(s5, joined({"--record-step", "0.02"}, more)));
+  };
+  const json expected = answer(1, {});
+  constexpr double tolerance = 1e-9;  // the file is rounded differently
+  check_same_motion(answer(1, {"--record-units", "g"}), expected, 0);
+  check_same_motion(answer(9.80665, {"--record-units", "m/s2"}), expected, tolerance);
+  check_same_motion(answer(980.665, {"--record-units", "cm/s2"}), expected, tolerance);
+  // A gravity that goes with dimensionless input, since it is only the record's.
+  check_same_motion(answer(3.7, {"--record-units", "m/s2", "--gravity", "3.7"}), expected,
+                    tolerance);
+  check_same_motion(answer(0.25, {"--record-scale", "4"}), expected, 0);
+}
+
+BOOST_AUTO_TEST_CASE(record_with_times_is_one_with_a_step) {
+  write("s5.txt", column_file(record_s5()));
+  const json by_step = response_of(*this, joined(s5, {"--record-step", "0.02"}));
+  std::vector<Row> rows = record_s5();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].insert(rows[i].begin(), static_cast<double>(i) * 0.02);
+  }
+  write("s5.txt", column_file(rows));
+  check_same_motion(response_of(*this, s5), by_step, 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
+  // From rest H = g / omega^2 makes p = 1; tau = omega t with omega = pi.
+  write("s5.txt", column_file(record_s5()));
+  const json dimensionless = response_of(*this, joined(s5, {"--record-step", in_full(0.02 * pi)}));
+  const json report = report_of(*this, {"simulate", "--period", "2", "--f", "0.05", "--delta-m",
+                                        "0", "--record", "s5.txt", "--record-step", "0.02"});
+  BOOST_TEST(near(report["input"]["p"], 1, 1e-15));
+  BOOST_TEST(near(report["input"]["excitation"]["duration"], 59.98 * pi, 1e-14));
+  check_same_motion(report["response"], dimensionless, 1e-8);
+  BOOST_TEST(near(report["physical"]["peak_m"],
+                  dimensionless["peak_amplitude"].get<double>() * 9.80665 / (pi * pi), 1e-9));
+  BOOST_TEST(
+      near(report["physical"]["stop_time_s"], dimensionless["stop_time"].get<double>() / pi, 1e-8));
+  BOOST_TEST(report["physical"]["excitation_rad_per_s"].is_null());
+  BOOST_TEST(report["physical"]["excitation_duration_s"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(waves_are_in_tau_also_where_the_input_is_physical) {
+  const json report = report_of(
+      *this, {"simulate", "--velocity", "0.4", "--period", "3", "--f", "0.02", "--delta-m", "0.001",
+              "--excitation", "harmonic", "--k", "0.1", "--lambda", "0.7", "--t-end", "30"});
+  const json& input = report["input"];
+  const json same =
+      response_of(*this, {"simulate", "--v0", in_full(input["v0"]), "--p", in_full(input["p"]),
+                          "--f", "0.02", "--delta", in_full(input["delta"]), "--excitation",
+                          "harmonic", "--k", "0.1", "--lambda", "0.7", "--t-end", "30"});
+  BOOST_TEST(report["response"] == same);
+  BOOST_TEST(same["end_time"] == 30);
+}
+
+// p is the natural frequency, so lambda / p times 2 pi / 3 is the other one.
+BOOST_AUTO_TEST_CASE(waves_are_reported_in_si_where_the_input_is_physical) {
+  const Arguments scene{"simulate", "--velocity", "0.4",   "--period",    "3",   "--f",
+                        "0.02",     "--delta-m",  "0.001", "--k",         "0.1", "--lambda",
+                        "0.7",      "--t-end",    "30",    "--excitation"};
+  const json endless = report_of(*this, joined(scene, {"harmonic"}));
+  const double rad_per_s = 0.7 / endless["input"]["p"].get<double>() * 2 * pi / 3;
+  BOOST_TEST(near(endless["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
+  BOOST_TEST(endless["physical"]["excitation_duration_s"].is_null());
+  const json pulse = report_of(*this, joined(scene, {"full-sine"}));
+  BOOST_TEST(near(pulse["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
+  BOOST_TEST(near(pulse["physical"]["excitation_duration_s"], 2 * pi / rad_per_s, 1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(synthetic_records_run) {
+  // Without a notch: that would hold the mass for good at its first slow return.
+  const std::string folder = STILLPOINT_DATA_DIR "/records/";
+  for (const char* name : {"near_fault_pulse.txt", "strong_motion.AT2"}) {
+    const Arguments shaken{"simulate",  "--period", "2.5",      "--f",        "0.02",
+                           "--delta-m", "0",        "--record", folder + name};
+    const json report = report_of(*this, shaken);
+    check_response_fields(report["response"]);
+    BOOST_TEST(report["response"]["outcome"] == "stopped_in_dead_zone");
+    BOOST_TEST(report["response"]["zero_passages"].get<int>() > 1);
+    BOOST_TEST(report["physical"]["peak_m"].get<double>() > 0.05);
+    BOOST_TEST(report["physical"]["peak_m"].get<double>() < 1);
+    const ProgramRun text = run(joined(shaken, {"--verbose"}));
+    BOOST_TEST(text.exit_code == 0);
+    BOOST_TEST(text.out.find("SYNTHETIC") != std::string::npos, text.out);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "report_fields.hpp"
+#include "run_program.hpp"
+
+#include <stillpoint/design/search.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <map>
+#include <numbers>
+#include <regex>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(infeasible_design_test)
+
+// What design says where no damper is admissible.
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+
+Arguments design(double beta, const Arguments& more = {}) {
+  return joined({"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)}, more);
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_SUITE(infeasible, Sandbox)
+
+BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
+  const ProgramRun run_of_json = run(design(0.6, {"--json"}));
+  BOOST_TEST(run_of_json.exit_code == 3);
+  BOOST_TEST(run_of_json.err.empty(), run_of_json.err);
+  const json report = run_of_json.json();
+  BOOST_TEST(report["region"]["feasible"] == false);
+  const auto reason = report["region"]["reason"].get<std::string>();
+  for (const char* part : {"amplitude", "return", "f2 = 0.533333", "f3 = 0.353553"}) {
+    BOOST_TEST(reason.find(part) != std::string::npos, reason);
+  }
+  check_fields(report["region"], {"f1:number", "f2:number", "f3:number", "f_lower:null",
+                                  "f_upper:null", "delta2:number", "beta_min:number"});
+  check_fields(report, {"design:null", "constraints:array", "response:null", "search:null",
+                        "cross_check:null", "physical:null"});
+  BOOST_TEST(report["constraints"].empty());
+
+  const ProgramRun text = run(design(0.6));
+  BOOST_TEST(text.exit_code == 3);
+  BOOST_TEST(text.err.empty(), text.err);
+  for (const char* part : {"No admissible design", "amplitude and return exclude each other",
+                           "0.8485281374", "1.178511302", "0.7071067812"}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
+  }
+}
+
+// (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.
+BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
+  const Arguments too_much = design(0.8, {"--tolerance", "0.4"});
+  const std::string what =
+      "No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.289277, "
+      "delta = ";
+  const std::regex breaks("\\s+");
+  const Arguments same = joined({"region"}, Arguments(too_much.begin() + 1, too_much.end()));
+  for (const Arguments& command : {too_much, same}) {
+    const ProgramRun text = run(joined(command, {"--html", "page.html"}));
+    BOOST_TEST(std::regex_replace(text.out, breaks, " ").find(what) != std::string::npos, text.out);
+    BOOST_TEST(read("page.html").find(what) != std::string::npos);
+    const json region = run(joined(command, {"--json"})).json()["region"];
+    BOOST_TEST(near(region["most_tolerant"]["tolerance"], 0.22219797, 1e-7));
+    BOOST_TEST(near(region["most_tolerant"]["f"], 0.28927670, 1e-7));
+    BOOST_TEST(region["mends"].size() == 1U);
+  }
+  const json other_fault = run(design(0.6, {"--tolerance", "0.1", "--json"})).json()["region"];
+  BOOST_TEST(other_fault["most_tolerant"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart) {
+  const ProgramRun text = run(design(0.8, {"--tolerance", "0.222198"}));
+  BOOST_TEST(text.out.find("22.22 %") == std::string::npos, text.out);
+  BOOST_TEST(text.out.find("22.2198 %") != std::string::npos, text.out);
+}
+
+/// Nobody is left alone with a tolerance that no damper has: the theory's largest is 36.3 %.
+BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_enough) {
+  const Arguments impossible = design(0.6, {"--tolerance", "0.5"});
+  const ProgramRun text = run(impossible);
+  BOOST_TEST(text.exit_code == 3);
+  for (const char* part : {"no damper has", "above 0.3633", "two inputs",
+                           "  tolerance         at most ", "at least "}) {
+    BOOST_TEST(text.out.find(part) != std::string::npos, text.out);
+  }
+  const json joint = run(joined(impossible, {"--json"})).json()["region"]["joint_mend"];
+  BOOST_TEST(near(joint["largest_tolerance"], 0.36336, 1e-4));
+  BOOST_TEST_REQUIRE(joint["mends"].size() == 2U);
+  json problem{{"v0", 1}, {"p", 1}, {"beta", 0.6}, {"tolerance", 0.5}};
+  for (const json& mend : joint["mends"]) {
+    problem[mend["input"].get<std::string>()] = mend["value"];
+  }
+  BOOST_TEST(run({"design", "-"}, {.input = problem.dump()}).exit_code == 0);
+  const Arguments pulse{"design",   "--pulse",     "half-sine", "--k",   "0.5",
+                        "--lambda", "20",          "--p",       "1",     "--beta",
+                        "0.02",     "--tolerance", "0.5",       "--json"};
+  // With a pulse nothing bounds Delta, so that a weaker one alone is enough.
+  const json by_pulse = run(pulse).json()["region"];
+  BOOST_TEST(by_pulse["joint_mend"].is_null());
+  BOOST_TEST(by_pulse["mends"][0]["input"] == "k");
+}
+
+BOOST_AUTO_TEST_CASE(each_mend_is_the_least_one) {
+  const json report = run(design(0.6, {"--json"})).json();
+  std::map<std::string, double> mends;
+  for (const json& mend : report["region"]["mends"]) {
+    mends[mend["input"]] = mend["value"].get<double>();
+  }
+  const double root = std::numbers::sqrt2;
+  const std::map<std::string, double> expected{
+      {"v0", 0.6 * root}, {"p", 1 / (0.6 * root)}, {"beta", 1 / root}};
+  const std::map<std::string, double> given{{"v0", 1}, {"p", 1}, {"beta", 0.6}};
+  BOOST_TEST_REQUIRE(mends.size() == expected.size());
+  for (const auto& [name, value] : expected) {
+    BOOST_TEST(near(mends.at(name), value, 1e-15));
+    const auto exit_code_at = [&, field = name](double mended) {
+      auto problem = given;
+      problem[field] = mended;
+      return run({"design", "--v0", in_full(problem["v0"]), "--p", in_full(problem["p"]), "--beta",
+                  in_full(problem["beta"])})
+          .exit_code;
+    };
+    BOOST_TEST(exit_code_at(mends.at(name)) == 0);
+    BOOST_TEST(exit_code_at(std::nextafter(mends.at(name), given.at(name))) == 3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {
+  const std::vector<std::pair<Arguments, std::string>> cases{{{"--f-max", "0.1"}, "f_max"},
+                                                             {{"--delta-max", "0.01"}, "delta_max"},
+                                                             {{"--tolerance", "0.4"}, "tolerance"}};
+  for (const auto& [limit, name] : cases) {
+    const ProgramRun answer = run(design(0.9, joined({"--json"}, limit)));
+    BOOST_TEST(answer.exit_code == 3);
+    const json region = answer.json()["region"];
+    BOOST_TEST(region["reason"].get<std::string>().find(name) != std::string::npos);
+    bool mended = false;
+    for (const json& mend : region["mends"]) {
+      mended = mended || mend["input"] == name;
+    }
+    BOOST_TEST(mended, name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(report_goes_into_a_file_all_the_same) {
+  BOOST_TEST(run(design(0.6, {"--output", "report.json"})).exit_code == 3);
+  BOOST_TEST(json::parse(read("report.json"))["region"]["feasible"] == false);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_comes_before_an_empty_region) {
+  BOOST_TEST(run(design(0.6, {"--objective", "best"})).exit_code == 2);
+  BOOST_TEST(run(design(0.6, {"--algorithm", "LD_BEST"})).exit_code == 2);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "run_program.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::cli_test {
+
+/// Asserts that `object` has these fields. A field is "NAME:KIND", where KIND is number, count (a
+/// whole number), text, bool, object, array or null; "number?" may be null as well.
+void check_fields(const nlohmann::json& object, std::initializer_list<std::string_view> fields);
+
+/// Asserts the fields of `response`, which every motion that stops has.
+void check_response_fields(const nlohmann::json& response);
+
+/// Asserts that no word of a report is "nan" or "inf".
+void check_only_finite(std::string_view report);
+
+/// The report without its wall times, which are the only thing that differs from run to run.
+[[nodiscard]] nlohmann::json without_wall_times(nlohmann::json report);
+
+/// The report of a run with --json that must end well, with finite numbers alone. Standard error
+/// may say that the damper locks, and nothing else.
+[[nodiscard]] nlohmann::json report_of(const Sandbox& sandbox, const Arguments& arguments,
+                                       const Surroundings& surroundings = {});
+
+/// |a - b| <= tolerance * max(|a|, |b|)
+[[nodiscard]] bool near(double a, double b, double tolerance);
+
+/// 0.4 g at 0 s, -0.2 g at 1 s, 0 at 2 s.
+inline constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
+
+}  // namespace stillpoint::cli_test

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "record_texts.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(column_record_test)
+
+namespace {
+
+using namespace stillpoint::test;
+using stillpoint::InputError;
+using stillpoint::Record;
+namespace data = boost::unit_test::data;
+
+}  // namespace
+
+namespace {
+
+const std::string uneven = "0 0.5\n0.1 -1\n0.25 0.25\n";
+
+const std::vector<Good> columns{
+    {"time_and_value", uneven, plain, 0, {0, 0.1, 0.25}},
+    {"tabs", "0\t0.5\n0.1\t-1\n0.25\t0.25\n", plain, 0, {0, 0.1, 0.25}},
+    {"commas", "0,0.5\n0.1,-1\n0.25,0.25\n", plain, 0, {0, 0.1, 0.25}},
+    {"commas_and_blanks", " 0 , 0.5\n0.1,\t-1 \n\t0.25 ,0.25\n", plain, 0, {0, 0.1, 0.25}},
+    {"comments_and_blank_lines",
+     "# a\n\n0 0.5 # b\n  # c, NPTS\n0.1 -1#d\n \t \n0.25 0.25\n\n",
+     plain,
+     0,
+     {0, 0.1, 0.25}},
+    {"crlf", with_crlf("# a\n\n" + uneven), plain, 0, {0, 0.1, 0.25}},
+    {"no_final_newline", "0 0.5\n0.1 -1\n0.25 0.25", plain, 0, {0, 0.1, 0.25}},
+    {"byte_order_mark", "\xEF\xBB\xBF" + uneven, plain, 0, {0, 0.1, 0.25}},
+    {"fortran_numbers", "0.D0 .5E+00\n1.0D-1 -1.\n.25E0 2.5D-01\n", plain, 0, {0, 0.1, 0.25}},
+    {"end_of_file_of_dos", with_crlf(uneven) + "\x1A", plain, 0, {0, 0.1, 0.25}},
+    {"times_from_above_zero", "1 0.5\n2 -1\n4 0.25\n", plain, 0, {1, 2, 4}},
+    {"times_one_ulp_apart",
+     "1 0.5\n1.0000000000000002 -1\n3 0.25\n",
+     plain,
+     0,
+     {1, 1 + 0x1p-52, 3}},
+    {"one_row", "0 0.5\n", {0.5}, 0, {0}},
+    {"uniform", "0 0.5\n0.02 -1\n0.04 0.25\n", plain, 0.02},
+    {"uniform_in_other_forms", "0.000 0.5\n2e-2 -1\n4.D-2 0.25\n", plain, 0.02},
+    {"uniform_from_elsewhere", "0.02 0.5\n0.04 -1\n0.06 0.25\n", plain, 0, {0.02, 0.04, 0.06}},
+    {"thirds_rounded_to_four_digits",
+     "0 0.5\n0.3333 -1\n0.6667 0.25\n",
+     plain,
+     0,
+     {0, 0.3333, 0.6667}},
+    {"value_alone", "0.5\n-1\n0.25\n", plain, 0.02, {}, with_step(0.02)},
+    {"value_alone_with_comments", "# a\n0.5\n\n-1 # b\n0.25", plain, 0.02, {}, with_step(0.02)},
+    {"value_alone_with_crlf", "0.5\r\n-1\r\n0.25\r\n", plain, 0.02, {}, with_step(0.02)},
+    {"one_value", "0.5", {0.5}, 0.02, {}, with_step(0.02)},
+    {"m_s_2",
+     "0 1\n0.1 9.80665\n0.3 -9.80665\n",
+     {1 / 9.80665, 1, -1},
+     0,
+     {0, 0.1, 0.3},
+     in(RecordUnits::m_per_s2)},
+    {"cm_s_2",
+     "0 1\n0.1 980.665\n0.3 -980.665\n",
+     {1 / 980.665, 1, -1},
+     0,
+     {0, 0.1, 0.3},
+     in(RecordUnits::cm_per_s2)},
+    {"cm_s_2_on_the_moon",
+     "0 0\n0.1 162\n0.3 -81\n",
+     {0, 1, -0.5},
+     0,
+     {0, 0.1, 0.3},
+     in(RecordUnits::cm_per_s2, 1, 1.62)},
+    {"units_and_scale",
+     "0 0\n0.1 1\n0.3 -2\n",
+     {0, 0.3, -0.6},
+     0,
+     {0, 0.1, 0.3},
+     in(RecordUnits::m_per_s2, 3, 10)},
+    {"values_that_are_large", "0 1e6\n0.1 -1e6\n0.3 0\n", {1e6, -1e6, 0}, 0, {0, 0.1, 0.3}},
+};
+
+const std::vector<Bad> wrong_columns{
+    {"empty", "", {": is empty"}},
+    {"byte_order_mark_alone", "\xEF\xBB\xBF", {": is empty"}},
+    {"blank", "\n \n", {"line 2:", "without a value"}},
+    {"comments_alone", "# a\n# b\n", {"line 2:", "without a value"}},
+    {"heading",
+     "time,acc\n0,1\n",
+     {"line 1, column 1:", "\"time\" is not a number", "must begin with #"}},
+    {"heading_of_three_words", "a b c\n0 1\n", {"line 1, column 1:", "\"a\" is not a number"}},
+    {"text_for_a_value", "0 1\n0.1 x\n", {"line 2, column 5:", "\"x\" is not a number"}},
+    {"text_for_a_time", "0 1\n# c\nx 1\n", {"line 3, column 1:", "\"x\" is not a number"}},
+    {"semicolons", "0;1\n", {"line 1, column 1:", "\"0;1\" is not a number"}},
+    {"line_ends_of_old_macs", "0\r1\r", {"line 1, column 1:", "\"0?1\" is not a number"}},
+    {"nan", "0 1\n0.1 nan\n", {"line 2, column 5:", "\"nan\" is not a finite number"}},
+    {"infinite_value", "0 1\n0.1 INF\n", {"line 2, column 5:", "\"INF\" is not a finite number"}},
+    {"infinite_time",
+     "0 1\ninfinity 1\n",
+     {"line 2, column 1:", "\"infinity\" is not a finite number"}},
+    {"value_subnormal",
+     "0 1\n0.1 2.2e-308\n",
+     {"line 2, column 5:", "\"2.2e-308\" is out of range"}},
+    {"value_subnormal_once_scaled",
+     "0 1\n0.1 3e-308\n",
+     {"line 2, column 5:", "\"3e-308\" is out of range"},
+     scaled(0.5)},
+    {"time_negative", "-0.1 1\n0.1 1\n", {"line 1:", "time -0.1 s", "at least 0"}},
+    {"value_out_of_range",
+     "0 1\n0.1 -1e309\n",
+     {"line 2, column 5:", "\"-1e309\" is out of range"}},
+    {"time_subnormal", "2e-308 1\n1 1\n", {"line 1, column 1:", "\"2e-308\" is out of range"}},
+    {"time_beyond_what_a_motion_follows",
+     "0 1\n1.1e150 1\n",
+     {"line 2:", "time 1.1e+150 s", "at most 1e+150"}},
+    // p times the step, and the step itself, must be at least 1e-150.
+    {"times_too_near", "0 1\n0.9e-150 1\n", {"line 2:", "too close to 0"}},
+    {"times_too_near_for_a_slow_oscillator",
+     "0 1\n0.9e-140 1\n",
+     {"line 2:", "too close to 0"},
+     with_p(1e-10)},
+    {"times_too_near_for_a_fast_oscillator",
+     "0 1\n0.9e-150 1\n",
+     {"line 2:", "too close to 0"},
+     with_p(1e10)},
+    {"time_out_of_range", "0 1\n1e309 1\n", {"line 2, column 1:", "\"1e309\" is out of range"}},
+    {"value_out_of_range_once_scaled",
+     "0 1\n0.1 -1e300\n",
+     {"line 2, column 5:", "\"-1e300\" is out of range"},
+     scaled(1e9)},
+    {"value_beyond_what_a_motion_follows",
+     "0 1\n0.1 1e150\n0.2 1.1e150\n",
+     {"line 3, column 5:", "\"1.1e150\" is out of range", "to 1e+150"}},
+    {"value_beyond_what_a_fast_motion_follows",
+     "0 1\n0.1 1.1e150\n",
+     {"line 2, column 5:", "\"1.1e150\" is out of range", "to 1e+150"},
+     with_p(1e10)},
+    {"three_columns", "0 1 2\n", {"line 1:", "3 columns"}},
+    {"five_columns", "0 1 2 3 4\n", {"line 1:", "5 columns"}, with_step(0.1)},
+    {"a_column_too_many", "0 1\n0.1 2\n0.2 3 4\n", {"line 3:", "3 columns"}},
+    {"a_column_too_few", "# a\n0 1\n0.1\n", {"line 3:", "1 column, but 2 in line 2"}},
+    {"a_second_column", "1\n2\n3 4\n", {"line 3:", "2 columns, but 1 in line 1"}, with_step(0.1)},
+    {"a_column_empty", "0,,1\n", {"line 1:", "column is empty"}},
+    {"a_column_of_a_blank", "0, ,1\n", {"line 1:", "column is empty"}},
+    {"a_column_empty_in_front", "0,1\n ,1\n", {"line 2:", "column is empty"}},
+    {"a_column_empty_behind", "0,1\n1,\n", {"line 2:", "column is empty"}},
+    {"comma_alone", ",\n", {"line 1:", "column is empty"}},
+    {"time_that_stands", "0 1\n0.1 1\n0.1 2\n", {"line 3:", "time 0.1", "more than 0.1"}},
+    {"time_that_goes_back", "0 1\n\n0.2 1\n0.1 2\n", {"line 4:", "time 0.1", "more than 0.2"}},
+    {"step_given_with_times", "# a\n" + uneven, {"line 2:", "record-step = 0.1"}, with_step(0.1)},
+    {"nul", with_nul(), {"line 3:", "0x00", "not text"}},
+    {"utf_16",
+     std::string("\xFF\xFE"
+                 "0\0\n\0",
+                 6),
+     {"line 1:", "0x00", "not text"}},
+    {"control_byte", "0 1\n0.1 \x07\n", {"line 2:", "0x07", "not text"}},
+    {"bytes_beyond_ascii", "\xC3\x28\xFF\n", {"line 1, column 1:", "\"?(?\" is not a number"}},
+    {"a_long_word",
+     std::string(5000, 'x'),
+     {"line 1, column 1:", std::string(60, 'x') + "...\" is not"}},
+};
+
+}  // namespace
+
+BOOST_TEST_DECORATOR(*boost::unit_test::tolerance(4 * std::numeric_limits<double>::epsilon()))
+BOOST_DATA_TEST_CASE(columns_are_read, data::make(columns), good) {
+  check_read("record.txt", good);
+}
+
+BOOST_DATA_TEST_CASE(columns_are_refused, data::make(wrong_columns), bad) {
+  check_refused("record.txt", bad);
+}
+
+BOOST_AUTO_TEST_CASE(description_of_columns_is_the_first_comment) {
+  BOOST_TEST(file_of("a.txt", "#\n0 1 ## a pulse \r\n# two\n").description == "a pulse");
+  BOOST_TEST(file_of("a.txt", "0 1\n").description.empty());
+}
+
+BOOST_AUTO_TEST_CASE(values_alone_need_a_step) {
+  check_says(refusal_of<InputError>([] { return file_of("a.txt", "# a\n1\n2\n"); }),
+             {"record-step is missing", "record a.txt", "line 2"});
+}
+
+// ---- a step in place of times
+
+namespace {
+
+/// The step that is read from these times.
+double step_of(const Numbers& times) {
+  std::string text;
+  for (const double time : times) {
+    text += in_full(time) + " 1\n";
+  }
+  const Record record = record_of("times.txt", text);
+  BOOST_TEST((record.step == 0 ? record.times == times : record.times.empty()));
+  return record.step;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(decimal_times_are_a_step) {
+  for (const double rate : {50.0, 100.0, 128.0, 200.0, 1000.0, 1024.0}) {
+    Numbers times;
+    for (int i = 0; i < 20000; ++i) {
+      times.push_back(i / rate);  // the double nearest to the decimal
+    }
+    BOOST_TEST(step_of(times) == 1 / rate);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(times_within_the_bound_are_a_step) {
+  // i h = 4 exactly, where an ulp below is 2^-51 and the bound 2^-51 * 4 = 2^-49.
+  BOOST_TEST(step_of({0, 2}) == 2);
+  BOOST_TEST(step_of({0, 2, 4}) == 2);
+  BOOST_TEST(step_of({0, 2, 4 - 3 * 0x1p-51}) == 2);
+  BOOST_TEST(step_of({0, 2, 4 + 0x1p-49}) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(times_beyond_the_bound_stay) {
+  BOOST_TEST(step_of({0, 2, 4 - 5 * 0x1p-51}) == 0);
+  BOOST_TEST(step_of({0, 2, 4 + 3 * 0x1p-50}) == 0);
+  BOOST_TEST(step_of({0, 2, 4, 6, 8.000001, 10}) == 0);
+  BOOST_TEST(step_of({0x1p-1000, 2, 4}) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(times_come_out_in_tau) {
+  const RecordOptions quarters{.clock = {.per_tau = 0.25}};  // exact: a tau is a quarter second
+  const Record even = record_of("a.AT2", header + three, quarters);
+  BOOST_TEST(even.step == 0.08);
+  BOOST_TEST(even.times.empty());
+  const Record uneven_times = record_of("a.txt", uneven, quarters);
+  BOOST_TEST(uneven_times.step == 0);
+  BOOST_TEST(uneven_times.times == (Numbers{0, 0.4, 1}), boost::test_tools::per_element());
+  BOOST_TEST(record_of("a.txt", "0 1\n0.02 1\n0.04 1\n", quarters).step == 0.08);
+  BOOST_TEST(record_of("a.txt", "1\n2\n", {.step = 0.02, .clock = quarters.clock}).step == 0.08);
+}
+
+BOOST_AUTO_TEST_CASE(units_are_those_of_the_values) {
+  BOOST_TEST(file_of("a.AT2", measured("UNITS: GAL")).units == RecordUnits::cm_per_s2);
+  BOOST_TEST(file_of("a.AT2", measured("ACCELERATION")).units == RecordUnits::g);
+  BOOST_TEST(file_of("a.txt", uneven, in(RecordUnits::m_per_s2)).units == RecordUnits::m_per_s2);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+#include "record_texts.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(peer_record_test)
+
+namespace {
+
+using namespace stillpoint::test;
+using stillpoint::Record;
+namespace data = boost::unit_test::data;
+
+}  // namespace
+
+namespace {
+
+const std::string eight = "1 2 3 4 5 6 7 8\n9 10 11 12 13 14 15 16\n17\n";
+const Numbers seventeen{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
+
+const std::vector<Good> peer{
+    {"npts_and_dt_with_keys", header + three, plain, 0.02},
+    {"npts_and_dt_in_front", counted("    3    0.0100    NPTS, DT") + three, plain, 0.01},
+    {"dt_in_front_of_npts", counted("0.0100 3 DT, NPTS") + three, plain, 0.01},
+    {"dt_key_before_npts_key", counted("DT= .005 SEC, NPTS= 3") + three, plain, 0.005},
+    {"lower_case", counted("npts= 3, dt= .02 sec") + three, plain, 0.02},
+    {"no_sec", counted("NPTS= 3, DT= .02") + three, plain, 0.02},
+    {"sec_with_a_comma_behind", counted("NPTS=   3, DT=   .0050 SEC, ") + three, plain, 0.005},
+    {"blanks_before_commas", counted("NPTS = 3 , DT = .02 SEC") + three, plain, 0.02},
+    {"no_blanks", counted("NPTS=3,DT=.02SEC") + three, plain, 0.02},
+    {"tabs", counted("NPTS=\t3,\tDT=\t.02\tSEC") + three, plain, 0.02},
+    {"no_equal_signs", counted("NPTS 3 DT .02") + three, plain, 0.02},
+    {"dt_in_fortran_form", counted("NPTS= 3, DT= 0.2D-01 SEC") + three, plain, 0.02},
+    {"npts_in_line_7",
+     titles + quantity + "HYPOCENTRAL DISTANCE 20 KM\n\nFILTERED\nNPTS= 3, DT= .02 SEC\n" + three,
+     plain, 0.02},
+    {"npts_in_line_7_in_front", titles + "A\nB\nC\n" + quantity + "3 0.02 NPTS, DT\n" + three,
+     plain, 0.02},
+    {"npts_in_a_comment_above",
+     titles + "# NPTS= 9, DT= 1\n" + quantity + "NPTS= 3, DT= .02 SEC\n" + three, plain, 0.02},
+    {"npts_in_longer_words_above",
+     titles + "XNPTS\nNPTSX\nX_NPTS\nNPTS_X\n" + quantity + "NPTS= 3, DT= .02 SEC\n" + three, plain,
+     0.02},
+    {"npts_behind_a_longer_word", counted("XNPTS NPTS= 3, DT= .02 SEC") + three, plain, 0.02},
+    {"number_and_word_in_front", counted("7 STATION NPTS= 3, DT= .02 SEC") + three, plain, 0.02},
+    {"numbers_and_word_in_front", counted("7 8 STATION NPTS= 3, DT= .02 SEC") + three, plain, 0.02},
+    {"full_stop", counted("3 0.02 NPTS, DT.") + three, plain, 0.02},
+    {"npts_in_line_1", "NPTS= 3, DT= .02 SEC\n" + three, plain, 0.02},
+    {"one_value_a_line", header + "0.5\n-1\n0.25\n", plain, 0.02},
+    {"five_values_a_line",
+     counted("7 0.01 NPTS, DT") + "1 2 3 4 5\n6 7\n",
+     {1, 2, 3, 4, 5, 6, 7},
+     0.01},
+    {"eight_values_a_line", counted("17 0.01 NPTS, DT") + eight, seventeen, 0.01},
+    {"uneven_lines", header + "0.5 -1\n\n0.25\n", plain, 0.02},
+    {"one_value", counted("NPTS= 1, DT= .01 SEC") + "0.5\n", {0.5}, 0.01},
+    {"crlf", with_crlf(header + three), plain, 0.02},
+    {"no_final_newline", header + "0.5 -1 0.25", plain, 0.02},
+    {"byte_order_mark", "\xEF\xBB\xBF" + header + three, plain, 0.02},
+    {"blank_lines_behind", header + three + "\n  \n\n", plain, 0.02},
+    {"text_behind", header + three + "END OF RECORD\n", plain, 0.02},
+    {"text_behind_that_begins_with_a_number", header + three + "3 VALUES\n1 2 3\n", plain, 0.02},
+    {"text_behind_in_the_last_line", header + "0.5 -1 0.25 END\n", plain, 0.02},
+    {"end_of_file_of_dos", with_crlf(header + three) + "\x1A", plain, 0.02},
+    {"form_feed_and_end_of_file_of_dos_behind", header + three + "END\f\n\x1A\n", plain, 0.02},
+    {"fortran_numbers", header + "-.123E-03 1.2D-3 +5.\n", {-0.000123, 0.0012, 5}, 0.02},
+    {"fortran_numbers_in_lower_case", header + ".5e+00 -12.d-1 7d2\n", {0.5, -1.2, 700}, 0.02},
+    {"fortran_three_digit_exponents",
+     header + "0.5-100 -.25+101 1.-007\n",
+     {0.5e-100, -0.25e101, 1e-7},
+     0.02},
+};
+
+const std::vector<Good> units{
+    {"g_of_a_time_series", measured("ACCELERATION TIME SERIES IN UNITS OF G"), plain, 0.02},
+    {"g_with_filter_points",
+     measured("ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz LP=40.0 Hz"),
+     plain, 0.02},
+    {"g_in_lower_case", measured("acceleration time history in units of g"), plain, 0.02},
+    {"g_that_the_option_repeats", header + three, plain, 0.02, {}, in(RecordUnits::g)},
+    {"cm_sec_sec",
+     measured("ACCELERATION TIME HISTORY IN UNITS OF CM/SEC/SEC"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"cm_sec_2",
+     measured("ACCELERATION TIME HISTORY IN UNITS OF CM/SEC**2"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"cm_s_2_with_blanks",
+     measured("UNITS: cm / s^2"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"cm_sec_sec_in_brackets",
+     measured("ACCELERATION (CM/SEC/SEC)"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"cm_second_second",
+     measured("ACCELERATION IN UNITS OF CM/SECOND/SECOND"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"m_seconds_2",
+     measured("ACCELERATION IN UNITS OF M/SECONDS**2"),
+     {0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665},
+     0.02},
+    {"gal",
+     measured("ACCELERATION TIME HISTORY IN GAL"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"m_s_2",
+     measured("ACCELERATION TIME HISTORY IN UNITS OF M/S2"),
+     {0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665},
+     0.02},
+    {"m_s_2_that_the_option_repeats",
+     measured("ACCELERATION IN UNITS OF M/SEC/SEC"),
+     {0.05, -0.1, 0.025},
+     0.02,
+     {},
+     in(RecordUnits::m_per_s2, 1, 10)},
+    {"acceleration_that_tells_of_its_velocity",
+     measured("ACCELERATION IN UNITS OF G, VELOCITY AND DISPLACEMENT SET TO ZERO AT ITS END"),
+     plain, 0.02},
+    {"time_series_alone",
+     measured("RECORDED TIME SERIES, CM/S2"),
+     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
+     0.02},
+    {"units_are",
+     measured("ACCELERATION, UNITS ARE M/S2"),
+     {0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665},
+     0.02},
+    {"silent_header_is_g", measured("ACCELERATION TIME HISTORY"), plain, 0.02},
+    {"silent_header_and_option",
+     measured("ACCELERATION TIME HISTORY"),
+     {0.0625, -0.125, 0.03125},
+     0.02,
+     {},
+     in(RecordUnits::m_per_s2, 1, 8)},
+    {"scale", header + three, {1, -2, 0.5}, 0.02, {}, scaled(2)},
+    {"negative_scale", header + three, {-0.5, 1, -0.25}, 0.02, {}, scaled(-1)},
+};
+
+}  // namespace
+
+BOOST_TEST_DECORATOR(*boost::unit_test::tolerance(4 * std::numeric_limits<double>::epsilon()))
+BOOST_DATA_TEST_CASE(peer_record_is_read, data::make(peer), good) {
+  check_read("record.AT2", good);
+  check_read("record.txt", good);  // told by NPTS, not by its name
+}
+
+BOOST_TEST_DECORATOR(*boost::unit_test::tolerance(4 * std::numeric_limits<double>::epsilon()))
+BOOST_DATA_TEST_CASE(peer_units_are_honoured, data::make(units), good) {
+  check_read("record.at2", good);
+}
+
+BOOST_AUTO_TEST_CASE(description_of_a_peer_record_is_its_titles) {
+  BOOST_TEST(file_of("a.AT2", with_crlf(header + three)).description ==
+             "PEER NGA STRONG MOTION DATABASE RECORD; NOWHERE 01/02/03, SOME STATION, 090");
+}
+
+BOOST_AUTO_TEST_CASE(description_is_short_and_printable) {
+  const std::string tail = "\n" + quantity + "NPTS= 3, DT= .02 SEC\n" + three;
+  BOOST_TEST(file_of("a.AT2", std::string(999, 'x') + tail).description ==
+             std::string(200, 'x') + "...");
+  BOOST_TEST(file_of("a.AT2",
+                     "Ni\xC4\x9F"
+                     "de" +
+                         tail,
+                     {})
+                 .description ==
+             "Ni\xC4\x9F"
+             "de");
+  BOOST_TEST(file_of("a.AT2",
+                     "Ni\xF0"
+                     "de\fX" +
+                         tail,
+                     {})
+                 .description == "Ni?de?X");
+  // 1 + 2 * 100 bytes: the last letter does not fit.
+  std::string letters = "x";
+  for (int i = 0; i < 100; ++i) {
+    letters += "\xC3\xA9";
+  }
+  BOOST_TEST(file_of("a.AT2", letters + tail).description == letters.substr(0, 199) + "...");
+}
+
+namespace {
+
+const std::vector<Bad> wrong_peer{
+    {"no_npts", titles + quantity + "DT= .02 SEC\n" + three, {"line 5:", "no NPTS and DT"}},
+    {"no_header", three, {"line 1:", "no NPTS and DT"}},
+    {"npts_too_far_down", std::string(32, '\n') + header + three, {"line 32:", "no NPTS and DT"}},
+    {"npts_without_number",
+     counted("NPTS= , DT= .02 SEC") + three,
+     {"line 4:", "NPTS has no number"}},
+    {"npts_full_of_stars", counted("NPTS= ****, DT= .02 SEC") + three, {"line 4:", "NPTS has no"}},
+    {"npts_zero", counted("NPTS= 0, DT= .02 SEC"), {"line 4:", "NPTS = 0", "from 1"}},
+    {"npts_negative", counted("NPTS= -3, DT= .02 SEC") + three, {"line 4:", "NPTS = -3", "from 1"}},
+    {"npts_broken", counted("NPTS= 3.5, DT= .02 SEC") + three, {"line 4:", "NPTS = 3.5", "whole"}},
+    {"npts_huge",
+     counted("NPTS= 1e300, DT= .02 SEC") + three,
+     {"line 4:", "NPTS = 1e300", "to 1000000000"}},
+    {"npts_alone", counted("NPTS= 3") + three, {"line 4:", "NPTS without DT"}},
+    {"dt_in_the_next_line", counted("NPTS= 3\nDT= .02 SEC") + three, {"line 4:", "without DT"}},
+    {"dt_without_number", counted("NPTS= 3, DT= SEC") + three, {"line 4:", "DT has no number"}},
+    {"dt_missing_in_front", counted("3 NPTS, DT") + three, {"line 4:", "NPTS has no number"}},
+    {"dt_zero", counted("3 0.0000 NPTS, DT") + three, {"line 4:", "DT = 0.0000", "more than 0"}},
+    {"dt_negative",
+     counted("NPTS= 3, DT= -.02 SEC") + three,
+     {"line 4:", "DT = -.02", "more than 0"}},
+    {"dt_nan", counted("NPTS= 3, DT= NaN SEC") + three, {"line 4:", "DT has no number"}},
+    {"dt_out_of_range", counted("NPTS= 3, DT= 1e999 SEC") + three, {"line 4:", "DT has no number"}},
+    {"dt_in_milliseconds",
+     counted("NPTS= 3, DT= 5 MSEC") + three,
+     {"line 4:", "\"MSEC\"", "in SEC"}},
+    {"dt_in_front_in_milliseconds", counted("3 5 NPTS, DT (MS)") + three, {"line 4:", "\"MS\""}},
+    {"too_few_values", header + "0.5 -1\n", {"line 5:", "ends after 2", "NPTS = 3 in line 4"}},
+    {"no_values", header, {"line 4:", "ends after 0", "NPTS = 3"}},
+    {"far_too_few_values",
+     counted("NPTS= 999999999, DT= .01") + three,
+     {"line 5:", "ends after 3", "NPTS = 999999999"}},
+    {"too_few_values_and_a_trailer",
+     header + "0.5 -1\nEND\n",
+     {"line 6, column 1:", "\"END\" is not a number", "value 3 of 3"}},
+    {"too_many_values_in_a_line",
+     header + "0.5 -1 0.25 4\n",
+     {"line 5:", "too many values: 4", "NPTS = 3 in line 4"}},
+    {"too_many_values_in_more_lines",
+     header + three + "\n4 5\n6\n\n7\nEND\n",
+     {"line 7:", "too many values: 7", "NPTS = 3 in line 4"}},
+    {"too_many_values_that_are_not_finite",
+     header + three + "NaN\n",
+     {"line 6:", "too many values: 4"}},
+    {"two_records", header + three + header + three, {"line 9:", "second record"}},
+    {"text_for_a_number",
+     header + "0.5 abc 0.25\n",
+     {"line 5, column 5:", "\"abc\" is not a number", "2 of 3"}},
+    {"stars_for_a_number",
+     header + "0.5\n*******\n0.25\n",
+     {"line 6, column 1:", "\"*******\" is not"}},
+    {"decimal_comma", header + "0,5 -1,0 0,25\n", {"line 5, column 1:", "\"0,5\" is not a number"}},
+    {"numbers_that_touch",
+     header + "0.5-1.25 0.25\n",
+     {"line 5, column 1:", "\"0.5-1.25\" is not a number"}},
+    {"two_digit_exponent_without_e",
+     header + "0.5-03 1 1\n",
+     {"line 5, column 1:", "\"0.5-03\" is not"}},
+    {"exponent_without_e_or_point",
+     header + "5-103 1 1\n",
+     {"line 5, column 1:", "\"5-103\" is not"}},
+    {"exponent_twice",
+     header + "0.5E-03-100 1 1\n",
+     {"line 5, column 1:", "\"0.5E-03-100\" is not"}},
+    {"two_signs", header + "+-0.5 1 1\n", {"line 5, column 1:", "\"+-0.5\" is not a number"}},
+    {"hexadecimal", header + "0x10 1 1\n", {"line 5, column 1:", "\"0x10\" is not a number"}},
+    {"nan", header + "0.5 NaN 1\n", {"line 5, column 5:", "\"NaN\" is not a finite number"}},
+    {"infinity", header + "0.5 -inf 1\n", {"line 5, column 5:", "\"-inf\" is not a finite number"}},
+    {"too_large",
+     header + "0.5\n1e400\n1\n",
+     {"line 6, column 1:", "\"1e400\" is out of range", "in g", "2.2e-308 to 1e+150"}},
+    {"too_small",
+     header + "0.5\n0.1-500\n1\n",
+     {"line 6, column 1:", "\"0.1-500\" is out of range"}},
+    {"too_large_once_scaled",
+     header + "0.5 1 1e300\n",
+     {"line 5, column 7:", "\"1e300\" is out of range"},
+     scaled(1e10)},
+    {"velocity", measured("VELOCITY TIME HISTORY IN UNITS OF CM/S"), {"line 3:", "a velocity"}},
+    {"velocity_in_lower_case", measured("Velocity (cm/s)"), {"line 3:", "a velocity"}},
+    {"velocity_without_units", measured("VELOCITY TIME HISTORY"), {"line 3:", "a velocity"}},
+    {"displacement",
+     measured("DISPLACEMENT TIME SERIES IN UNITS OF CM"),
+     {"line 3:", "a displacement"}},
+    {"units_of_a_velocity",
+     measured("TIME HISTORY IN UNITS OF CM/S"),
+     {"line 3:", "\"CM/S\" are those of a velocity"}},
+    {"units_of_a_velocity_behind_in",
+     measured("TIME HISTORY IN CM/SEC"),
+     {"line 3:", "\"CM/S\" are those of a velocity"}},
+    {"units_of_a_displacement",
+     measured("UNITS OF CM"),
+     {"line 3:", "\"CM\" are those of a displacement"}},
+    {"acceleration_in_units_of_a_velocity",
+     measured("ACCELERATION IN UNITS OF M/SEC"),
+     {"line 3:", "\"M/S\" are those of a velocity"}},
+    {"unknown_units",
+     measured("ACCELERATION TIME HISTORY IN UNITS OF FT/S2"),
+     {"line 3:", "\"FT/S2\" are unknown", "G, CM/S2 or M/S2"}},
+    {"units_twice",
+     titles + quantity + "UNITS: CM/S2\nNPTS= 3, DT= .02\n" + three,
+     {"line 4:", "units of cm/s2 contradict those of line 3, g"}},
+    {"units_that_the_option_contradicts",
+     header + three,
+     {"line 3:", "are in g", "record-units = cm/s2"},
+     in(RecordUnits::cm_per_s2)},
+    {"units_that_the_option_g_contradicts",
+     measured("UNITS OF CM/SEC/SEC"),
+     {"line 3:", "are in cm/s2", "record-units = g"},
+     in(RecordUnits::g)},
+    {"step_given_as_well", header + three, {"line 4:", "record-step = 0.02"}, with_step(0.02)},
+    {"empty", "", {": is empty"}},
+    {"blank", "\n\n", {"line 2:", "no NPTS"}},
+    {"binary", "\x89PNG\r\n\x1F\x02", {"line 2:", "0x1F", "not text"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE(peer_record_is_refused, data::make(wrong_peer), bad) {
+  check_refused("record.AT2", bad);
+}
+
+BOOST_AUTO_TEST_CASE(npts_stands_in_one_of_the_first_32_lines) {
+  std::string text = "NPTS= 3, DT= .02 SEC\n" + three;
+  for (int line = 1; line < 32; ++line) {
+    text.insert(0, "A TITLE\n");
+  }
+  for (const char* name : {"a.AT2", "a.txt"}) {
+    BOOST_TEST(record_of(name, text).values == plain, boost::test_tools::per_element());
+  }
+  check_refused("b.AT2", {"", "A TITLE\n" + text, {"line 32:", "no NPTS"}});
+  check_refused("b.txt", {"", "A TITLE\n" + text, {"line 1, column 1:", "\"A\" is not a number"}});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Records as text, right and wrong, for the tests of each form.
+
+#include "refusal.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/record_file.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace stillpoint::test {
+
+using records::RecordFile;
+using records::RecordOptions;
+using records::RecordUnits;
+
+using Numbers = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+inline const std::string titles =
+    "PEER NGA STRONG MOTION DATABASE RECORD\n"
+    "NOWHERE 01/02/03, SOME STATION, 090\n";
+inline const std::string quantity = "ACCELERATION TIME HISTORY IN UNITS OF G\n";
+inline const std::string header = titles + quantity + "NPTS= 3, DT= .02000 SEC\n";
+inline const std::string three = "0.5 -1 0.25\n";
+
+/// A double as it is read back to the last bit.
+inline std::string in_full(double value) {
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << value;
+  return text.str();
+}
+
+/// A file that is right, and what it says.
+struct Good {
+  const char* name;
+  std::string text;
+  Numbers values;
+  double step;
+  Numbers times{};
+  RecordOptions options{};
+};
+
+/// A file that is wrong, and what the message must say.
+struct Bad {
+  const char* name;
+  std::string text;
+  Texts says;
+  RecordOptions options{};
+};
+
+inline std::ostream& operator<<(std::ostream& stream, const Good& good) {
+  return stream << good.name;
+}
+
+inline std::ostream& operator<<(std::ostream& stream, const Bad& bad) {
+  return stream << bad.name;
+}
+
+inline RecordOptions with_step(double step) {
+  return {.step = step};
+}
+
+inline RecordOptions in(RecordUnits units, double scale = 1, double gravity_m_per_s2 = 9.80665) {
+  return {.units = units, .scale = scale, .gravity_m_per_s2 = gravity_m_per_s2};
+}
+
+inline RecordOptions with_p(double p) {
+  return {.clock = {.p = p}};
+}
+
+inline RecordOptions scaled(double scale) {
+  return {.scale = scale};
+}
+
+/// `text` with every line end turned into CR LF.
+inline std::string with_crlf(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  }
+  return result;
+}
+
+/// A header whose line with NPTS and DT is `counts`.
+inline std::string counted(const std::string& counts) {
+  return titles + quantity + counts + "\n";
+}
+
+/// A header with another line in place of the quantity, and three values.
+inline std::string measured(const std::string& line) {
+  return titles + line + "\nNPTS= 3, DT= .02000 SEC\n" + three;
+}
+
+inline std::string with_nul() {
+  std::string text = "0 1\n0.1 2\n";
+  text += '\0';
+  return text;
+}
+
+inline const Numbers plain{0.5, -1, 0.25};
+
+inline RecordFile file_of(const char* name, const std::string& text,
+                          const RecordOptions& options = {}) {
+  return records::parse_record(text, name, options);
+}
+
+inline Record record_of(const char* name, const std::string& text,
+                        const RecordOptions& options = {}) {
+  return file_of(name, text, options).record;
+}
+
+inline void check_read(const char* name, const Good& good) {
+  const Record record = record_of(name, good.text, good.options);
+  BOOST_TEST(record.values == good.values, boost::test_tools::per_element());
+  BOOST_TEST(record.times == good.times, boost::test_tools::per_element());
+  BOOST_TEST(record.step == good.step);
+}
+
+inline void check_refused(const char* name, const Bad& bad) {
+  const std::string message =
+      refusal_of<records::FileError>([&] { return file_of(name, bad.text, bad.options); });
+  check_says(message, bad.says);
+  BOOST_TEST(message.starts_with("record " + std::string(name)), message);
+}
+
+}  // namespace stillpoint::test
