@@ -21,6 +21,8 @@ class WorstReturn {
 
   [[nodiscard]] FirstReturn at(double f) const;
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
+  /// The worst from low to high, as far as both ends and the samples between them know.
+  [[nodiscard]] FirstReturn between(double low, double high) const;
   /// The largest need from low to high: of both ends and of the samples between them, which have
   /// the local maxima.
   [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;

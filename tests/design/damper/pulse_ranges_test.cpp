@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "pulse_region.hpp"
 #include "random_source.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -163,6 +164,45 @@ std::string context_of(const Task& task) {
   return text.str();
 }
 
+PulseRequest mended(PulseRequest request, std::string_view field, double value) {
+  PulseProblem& problem = request.problem;
+  const auto set = [&](auto change) { std::visit(change, problem.pulse); };
+  if (field == "k_low") {
+    problem.ranges.k_low = value;
+  } else if (field == "k_high") {
+    set([&](auto& kind) { kind.k = value; });
+  } else if (field == "lambda_low") {
+    set([&](auto& kind) { kind.lambda = value; });
+  } else if (field == "lambda_high") {
+    problem.ranges.lambda_high = value;
+  } else if (field == "p_low") {
+    problem.p = value;
+  } else {
+    BOOST_REQUIRE(field == "p_high");
+    problem.p_high = value;
+  }
+  return request;
+}
+
+bool has_design(const PulseRequest& request) {
+  return PulseRegion(request.problem, request.limits).feasible();
+}
+
+/// Each end that is moved makes it feasible, and a little less does not.
+void check_ends(const PulseRequest& request, const std::vector<Mend>& mends) {
+  constexpr double part = 1e-4;  // the cases of lambda move with the ends
+  for (const Mend& mend : mends) {
+    if (mend.field == "beta") {
+      continue;
+    }
+    BOOST_TEST_CONTEXT(mend.field << " = " << mend.value) {
+      const double less = mend.value * (mend.upwards ? 1 - part : 1 + part);
+      BOOST_TEST(has_design(mended(request, mend.field, mend.value)));
+      BOOST_TEST(!has_design(mended(request, mend.field, less)));
+    }
+  }
+}
+
 /// How many of the points that are simulated in the box and in the ranges are not admissible.
 int outside(const Task& task, const DesignPoint& point, int points, RandomSource& random) {
   const auto part = [&](int i) {
@@ -217,6 +257,21 @@ BOOST_AUTO_TEST_CASE(ends_of_a_range_of_k_are_mended_to_what_is_known) {
   }
   BOOST_TEST(fields == (std::vector<std::string_view>{"k_low", "k_high", "lambda", "p", "beta"}),
              boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_end_that_is_mended_is_moved_as_little_as_possible) {
+  for (int kind = 0; kind < 3; ++kind) {
+    PulseRequest request;
+    request.problem = {pulse_of(kind, 0.55, 0.9),        1,  1e9, Criterion::exact,
+                       {.k_low = 0.5, .lambda_high = 1}, 1.1};
+    request.problem.beta = 0.97 * stillpoint::design::design(request).region.beta_min;
+    const DesignResult result = stillpoint::design::design(request);
+    BOOST_TEST_CONTEXT("kind " << kind) {
+      BOOST_TEST(!result.finding.has_value());
+      BOOST_TEST(result.mends.size() >= 3U);
+      check_ends(request, result.mends);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(ranges_are_refused_upside_down) {
