@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -128,17 +131,17 @@ std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<
   };
   add("beta", HUGE_VAL, limits, &TriedPart::peak);
   if (limits.tolerance > 0) {
-    double most = 0;
+    std::optional<double> most;
     for (const TriedPart& now : parts) {
-      most = std::max(most, now.rated.tolerance.value_or(0));
+      most = std::max(most, now.rated.tolerance);
     }
     constexpr double less = 1 - 1e-10;
-    if (most > 0) {
-      list.push_back({"tolerance", most * less, false});
+    if (most && *most < limits.tolerance) {
+      list.push_back({"tolerance", *most * less, false});
     }
   }
-  const auto without = [&](std::optional<double> Limits::*limit) {
-    Limits others = limits;
+  const auto without = [&given = limits](std::optional<double> Limits::*limit) {
+    Limits others = given;
     others.*limit = std::nullopt;
     return others;
   };

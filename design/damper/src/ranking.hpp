@@ -3,7 +3,10 @@
 
 #include <stillpoint/design/catalogue.hpp>
 
+#include <cstddef>
 #include <functional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace stillpoint::design {

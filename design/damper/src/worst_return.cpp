@@ -74,6 +74,12 @@ double top_of(const Placed& before, const Placed& now, const Placed& after) {
 
 WorstReturn::WorstReturn(const PulseProblem& problem)
     : weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
+  add_cases(problem);
+  add_samples();
+}
+
+/// The two legs of (61).
+void WorstReturn::add_cases(const PulseProblem& problem) {
   const double lambda = angular_frequency(problem.pulse) / problem.p;
   const double shortest =
       problem.ranges.lambda_high.value_or(angular_frequency(problem.pulse)) / problem.p;
@@ -83,7 +89,6 @@ WorstReturn::WorstReturn(const PulseProblem& problem)
   corner_ = cases_.size();
   add_leg(unit, lambda, 1, shortest, 1);
   cases_.push_back({shortest, 1, PulseProfile(with_wave(unit, 1, shortest), 1, weakest_ < 1)});
-  add_samples();
 }
 
 /// Without its end. The ratio lambda/p grows along it.
@@ -124,8 +129,7 @@ void WorstReturn::add_samples() {
     }
   }
   std::ranges::sort(grid);
-  const auto repeated = std::ranges::unique(grid);
-  grid.erase(repeated.begin(), repeated.end());
+  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   samples_.reserve(grid.size());
   for (const double f : grid) {
     samples_.push_back(at(f));

@@ -39,6 +39,7 @@ class WorstReturn {
     PulseProfile profile;
   };
 
+  void add_cases(const PulseProblem& problem);
   void add_leg(const Pulse& unit, double lambda, double p, double to_lambda, double to_p);
   void add_samples();
   [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;
