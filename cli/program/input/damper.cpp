@@ -102,7 +102,8 @@ DesignInput design_input(const Settings& settings) {
   if (algorithm && algorithm->empty()) {
     throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
   }
-  DesignInput input{{given.problem, given.limits, {}, pulse}, given.physical};
+  DesignInput input{{given.problem, given.limits, {}, pulse, pulse_ranges(settings, pulse)},
+                    given.physical};
   input.request.search.objective = objective(settings);
   input.request.search.algorithm = algorithm.value_or("");
   return input;
@@ -130,9 +131,6 @@ std::optional<std::vector<design::Part>> catalogue_input(
     const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical) {
   if (!settings.has("catalogue")) {
     return std::nullopt;
-  }
-  if (settings.has("pulse")) {
-    throw UsageError("catalogue and pulse exclude each other: parts are chosen for a velocity");
   }
   sweep::CatalogueUnits units;
   units.p = p;
