@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "command_line.hpp"
 #include "output.hpp"
 #include "settings.hpp"
 
@@ -29,6 +30,7 @@ ExitCode run_region(const Settings& settings, Output& output);
 ExitCode run_simulate(const Settings& settings, Output& output);
 ExitCode run_spectrum(const Settings& settings, Output& output);
 ExitCode run_sweep(const Settings& settings, Output& output);
+ExitCode run_merge(const MergeFiles& files, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);
 
 /// What they have to say, before anything is shown. A design for a hit or under records, see

@@ -4,6 +4,7 @@
 #include "embedded.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
+#include "request.hpp"
 #include "scene.hpp"
 #include "written_files.hpp"
 
@@ -58,6 +59,11 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     output.commit();
     return exit_done;
   }
+  if (invocation.merge) {
+    const ExitCode code = run_merge(*invocation.merge, output);
+    output.commit();
+    return code;
+  }
   if (invocation.command == Command::init) {
     output.print(starter_scene(invocation.scene));
     output.commit();
@@ -87,6 +93,9 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   std::optional<report::TemporaryPage> temporary;
   if (opens && !settings.has("html")) {
     settings.set(*find_option("html"), temporary.emplace().path());
+  }
+  if (invocation.command == Command::sweep) {
+    resolve_part(settings);
   }
   require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run_command(invocation.command, settings, output);

@@ -274,7 +274,12 @@ std::vector<Option> rows() {
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
       row("threads", integer, "N", sweeping, "default: all. No result depends on it",
           of_suites | sweep, {.role = Role::execution}),
-      row("resume", flag, "", sweeping, "continue an interrupted sweep", sweep,
+      row("part", text, "I/N", sweeping,
+          "write the I-th of N parts, which sweep merge joins; auto or auto/N: from the launcher. "
+          "{part} in the name of the output is replaced by I-of-N",
+          sweep, {.role = Role::execution}),
+      row("resume", flag, "", sweeping,
+          "continue an interrupted sweep; of a part that is complete, do nothing", sweep,
           {.role = Role::execution}),
 
       row("max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate,

@@ -6,6 +6,8 @@
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/run.hpp>
 
 #include <fmt/format.h>
@@ -45,7 +47,7 @@ std::string advice(const std::exception& error, const sweep::LeftRows& left) {
 }
 
 SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::SweepMap* map) {
-  const auto total = sweep::entries(spec);
+  const auto total = sweep::own_entries(spec).count;
   const std::int64_t begun_with = sink.found().rows;
   Progress progress(progress_in_rows(begun_with, total), static_cast<double>(total.value_or(0)),
                     static_cast<double>(begun_with));
@@ -88,6 +90,9 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   }
   std::optional<sweep::SweepMap> map;
   if (wants_page(settings)) {
+    if (spec.part) {
+      throw UsageError("part and a page exclude each other: a map shows a whole sweep");
+    }
     map.emplace(spec);
     prepare_page(settings);
   }
@@ -101,6 +106,25 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     constexpr int indent = 2;
     output.print(json ? report::json(spec, summary).dump(indent) + "\n"
                       : shown(report::document(spec, summary), settings));
+  }
+  return exit_done;
+}
+
+ExitCode run_merge(const MergeFiles& files, Output& output) {
+  Progress progress([](double bytes, double seconds) {
+    return fmt::format("{:.4g} bytes, {:.3g} bytes/s", bytes, bytes / seconds);
+  });
+  const auto show = [&progress](const sweep::Merged& so_far) {
+    static_cast<void>(progress.goes_on(static_cast<double>(so_far.bytes)));
+  };
+  const sweep::Merged merged =
+      sweep::merge(files.output, files.parts, {progress.stop_token(), show});
+  if (merged.stopped) {
+    throw Interrupted("interrupted: nothing is written");
+  }
+  if (!sweep::is_standard_output(files.output)) {
+    output.print(
+        fmt::format("{}: {} rows of {} parts\n", files.output, merged.rows, files.parts.size()));
   }
   return exit_done;
 }

@@ -52,20 +52,23 @@ ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
     columns.push_back(name(column, spec.units));
   }
   const SweepState& state = summary.state;
-  return {{"schema", "stillpoint/sweep-report/1"},
-          {"program", program_json()},
-          {"kind", name(spec.kind)},
-          {"output",
-           {{"file", text_or_null(spec.output.value_or(""))},
-            {"format", name(spec.format)},
-            {"columns", columns}}},
-          {"rows", state.rows},
-          {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
-          {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
-          {"resumed_at", summary.resumed_at},
-          {"threads", spec.threads},
-          {"wall_time_s", summary.wall_time_s},
-          {"rows_per_s", rate(summary)}};
+  return {
+      {"schema", "stillpoint/sweep-report/1"},
+      {"program", program_json()},
+      {"kind", name(spec.kind)},
+      {"output",
+       {{"file", text_or_null(spec.output.value_or(""))},
+        {"format", name(spec.format)},
+        {"columns", columns}}},
+      {"part", spec.part ? ordered_json{{"number", spec.part->number}, {"count", spec.part->count}}
+                         : ordered_json(nullptr)},
+      {"rows", state.rows},
+      {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
+      {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
+      {"resumed_at", summary.resumed_at},
+      {"threads", spec.threads},
+      {"wall_time_s", summary.wall_time_s},
+      {"rows_per_s", rate(summary)}};
 }
 
 Document document(const SweepSpec& spec, const SweepSummary& summary) {
@@ -75,6 +78,9 @@ Document document(const SweepSpec& spec, const SweepSummary& summary) {
   Section& rows = document.section("Rows");
   if (spec.output) {
     rows.row("file", *spec.output);
+  }
+  if (spec.part) {
+    rows.row("part", text(*spec.part));
   }
   rows.row("rows", fmt::format("{}", state.rows));
   if (summary.resumed_at > 0) {

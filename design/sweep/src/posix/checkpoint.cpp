@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "part_file.hpp"
 
+#include "../shallow_json.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/output_file.hpp>
@@ -38,10 +40,15 @@ ordered_json task_of(const std::string& text) {
 
 ordered_json to_json(const Checkpoint& checkpoint) {
   const SweepState& state = checkpoint.state;
-  return {{"schema", schema},           {"rows", state.rows},
-          {"bytes", checkpoint.bytes},  {"complete", checkpoint.complete},
-          {"digest", state.digest},     {"outcomes", state.outcomes},
-          {"feasible", state.feasible}, {"task", task_of(checkpoint.task)}};
+  return {{"schema", schema},
+          {"rows", state.rows},
+          {"bytes", checkpoint.bytes},
+          {"complete", checkpoint.complete},
+          {"digest", state.digest},
+          {"outcomes", state.outcomes},
+          {"feasible", state.feasible},
+          {"bytes_digest", {state.bytes.words, state.bytes.rest, state.bytes.size}},
+          {"task", task_of(checkpoint.task)}};
 }
 
 Checkpoint from_json(const ordered_json& document) {
@@ -56,6 +63,10 @@ Checkpoint from_json(const ordered_json& document) {
   document.at("digest").get_to(checkpoint.state.digest);
   document.at("outcomes").get_to(checkpoint.state.outcomes);
   document.at("feasible").get_to(checkpoint.state.feasible);
+  const ordered_json& digest = document.at("bytes_digest");
+  digest.at(0).get_to(checkpoint.state.bytes.words);
+  digest.at(1).get_to(checkpoint.state.bytes.rest);
+  digest.at(2).get_to(checkpoint.state.bytes.size);
   return checkpoint;
 }
 
@@ -63,16 +74,18 @@ std::string text(const ordered_json& task, const std::string& key) {
   return task.contains(key) ? task.at(key).dump() : "nothing";
 }
 
-/// The library prints a value by recursion, so a deep one would exhaust the stack.
-bool is_flat(int depth, ordered_json::parse_event_t /*event*/, const ordered_json& /*parsed*/) {
-  constexpr int deepest = 16;  // a checkpoint has three levels
-  if (depth > deepest) {
-    throw std::runtime_error("not a checkpoint");
-  }
-  return true;
-}
-
 }  // namespace
+
+ordered_json parse_shallow(const std::string& text) {
+  constexpr int deepest = 16;  // what the program writes has four levels
+  return ordered_json::parse(
+      text, [](int depth, ordered_json::parse_event_t /*event*/, const ordered_json& /*parsed*/) {
+        if (depth > deepest) {
+          throw std::runtime_error("nested too deeply");
+        }
+        return true;
+      });
+}
 
 void require_task(const std::string& task) {
   static_cast<void>(task_of(task));
@@ -85,7 +98,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
   }
   const std::string content = records::read_text_file("resume", path, largest);
   try {
-    return from_json(ordered_json::parse(content, is_flat));
+    return from_json(parse_shallow(content));
   } catch (const std::exception&) {
     throw LeftoverError(
         fmt::format("resume {}: is not the checkpoint of a sweep: remove it to start again", path));

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace stillpoint::sweep {
+
+/// What has been joined.
+struct Merged {
+  std::int64_t rows{0};
+  std::int64_t bytes{0};
+  bool stopped{false};  ///< then nothing is left
+};
+
+struct MergeWatch {
+  std::stop_token stop{};
+  std::function<void(const Merged&)> progress{};  ///< called now and then
+};
+
+/// Joins the parts of a sweep, in whatever order they are given, into the file that the sweep would
+/// have written in one. Throws records::FileError for a part that is not whole, of another sweep,
+/// given twice or changed since, and for an output that cannot be written; InputError for a part
+/// that is missing. The file is then not written.
+Merged merge(const std::string& output, const std::vector<std::string>& parts,
+             const MergeWatch& watch = {});
+
+}  // namespace stillpoint::sweep
