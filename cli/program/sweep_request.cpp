@@ -219,10 +219,36 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
                : sweep::default_columns(spec, times);
 }
 
+/// What is kept of the rows that are not written.
+std::optional<sweep::AskedReduction> reduction(const Settings& settings, const SweepSpec& spec) {
+  if (!settings.flag("reduce")) {
+    for (const char* const option : {"histogram", "best"}) {
+      if (settings.has(option)) {
+        throw UsageError(
+            fmt::format("{} is for a sweep without rows: give --reduce as well", option));
+      }
+    }
+    return std::nullopt;
+  }
+  if (settings.has("format")) {
+    throw UsageError("format and reduce exclude each other: the report is JSON");
+  }
+  sweep::AskedReduction asked;
+  for (const std::string& bins : settings.texts("histogram")) {
+    asked.histograms.push_back(sweep::parse_bins(bins, spec.columns, spec.units));
+  }
+  for (const std::string& best : settings.texts("best")) {
+    asked.best.push_back(sweep::parse_best(best, spec.columns, spec.units));
+  }
+  return asked;
+}
+
 sweep::RowFormat row_format(const Settings& settings) {
   const auto output = settings.text("output");
   const auto wanted = settings.known("format");
-  const bool npy = wanted ? *wanted == "npy" : output && output->ends_with(".npy");
+  const bool npy = settings.flag("reduce") ? false
+                   : wanted                ? *wanted == "npy"
+                                           : output && output->ends_with(".npy");
   return npy ? sweep::RowFormat::npy : sweep::RowFormat::csv;
 }
 
@@ -298,6 +324,7 @@ SweepSpec sweep_request(const Settings& settings) {
   }
   add_axes(settings, spec);
   spec.columns = columns(settings, spec);
+  spec.reduction = reduction(settings, spec);
   spec.identity = identity(settings, spec);
   try {
     require_valid(spec);

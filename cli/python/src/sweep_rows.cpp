@@ -114,6 +114,9 @@ std::unique_ptr<Result> run_sweep(const py::object& scene, const py::kwargs& opt
   cli::resolve_part(given);
   cli::require_files_apart(Command::sweep, given, std::nullopt);
   SweepSpec spec = cli::sweep_request(given);
+  if (spec.reduction) {
+    throw InputError("reduce", "true", "is for the program alone: the table can be reduced here");
+  }
   std::optional<sweep::SweepMap> map = map_of(spec);
   const py::dtype type = dtype_of(spec);
   RowsInMemory memory(in_memory

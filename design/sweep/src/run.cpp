@@ -121,6 +121,19 @@ class Sweep {
   }
 
   void write() {
+    if (watch_.reducer != nullptr) {
+      watch_.reducer->add(block_);
+    } else {
+      write_rows_of_block();
+    }
+    if (watch_.map != nullptr) {
+      watch_.map->add(block_);
+    }
+    state_.add(block_);
+    sink_.reached(state_);
+  }
+
+  void write_rows_of_block() {
     const auto& pieces = rows_.rows(block_);
     if (state_.rows == 0) {
       write_header();
@@ -128,11 +141,6 @@ class Sweep {
     for (const std::string& piece : pieces) {
       put(piece);
     }
-    if (watch_.map != nullptr) {
-      watch_.map->add(block_);
-    }
-    state_.add(block_);
-    sink_.reached(state_);
   }
 
   void write_header() { put(rows_.header(own_.count.value_or(0))); }

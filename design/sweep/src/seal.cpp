@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "seal.hpp"
 
-#include "posix/part_file.hpp"
 #include "rows.hpp"
-#include "shallow_json.hpp"
 
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/sweep/json_text.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cerrno>
@@ -45,10 +45,10 @@ Seal seal_from(const ordered_json& document) {
     throw std::runtime_error("not a seal");
   }
   Seal seal;
-  document.at("part").get_to(seal.part.number);
-  document.at("parts").get_to(seal.part.count);
-  document.at("entries").get_to(seal.whole.entries);
-  document.at("list").get_to(seal.whole.digest);
+  document.at("part").get_to(seal.label.part.number);
+  document.at("parts").get_to(seal.label.part.count);
+  document.at("entries").get_to(seal.label.whole.entries);
+  document.at("list").get_to(seal.label.whole.digest);
   seal.format = document.at("format") == name(RowFormat::npy) ? RowFormat::npy : RowFormat::csv;
   document.at("fields").get_to(seal.npy_fields);
   document.at("header").get_to(seal.header);
@@ -57,7 +57,7 @@ Seal seal_from(const ordered_json& document) {
   document.at("feasible").get_to(seal.state.feasible);
   document.at("digest").get_to(seal.state.bytes.words);
   document.at("rest").get_to(seal.state.bytes.rest);
-  seal.task = document.at("task").dump();
+  seal.label.task = document.at("task").dump();
   return seal;
 }
 
@@ -73,23 +73,26 @@ std::string bytes_of(std::ifstream& file, std::int64_t from, std::int64_t to) {
 
 std::string text(const Seal& seal) {
   const SweepState& state = seal.state;
-  const ordered_json document{
-      {"schema", seal_schema},      {"part", seal.part.number},
-      {"parts", seal.part.count},   {"entries", seal.whole.entries},
-      {"list", seal.whole.digest},  {"format", name(seal.format)},
-      {"fields", seal.npy_fields},  {"header", seal.header},
-      {"rows", state.rows},         {"outcomes", state.outcomes},
-      {"feasible", state.feasible}, {"digest", state.bytes.words},
-      {"rest", state.bytes.rest},   {"task", ordered_json::parse(seal.task)}};
+  const ordered_json document{{"schema", seal_schema},
+                              {"part", seal.label.part.number},
+                              {"parts", seal.label.part.count},
+                              {"entries", seal.label.whole.entries},
+                              {"list", seal.label.whole.digest},
+                              {"format", name(seal.format)},
+                              {"fields", seal.npy_fields},
+                              {"header", seal.header},
+                              {"rows", state.rows},
+                              {"outcomes", state.outcomes},
+                              {"feasible", state.feasible},
+                              {"digest", state.bytes.words},
+                              {"rest", state.bytes.rest},
+                              {"task", ordered_json::parse(seal.label.task)}};
   return fmt::format("{}{} {:0{}}\n", seal_mark, document.dump(), state.bytes.size, place_digits);
 }
 
 Seal seal_of(const SweepSpec& spec, const SweepState& state) {
   const RowWriter rows(spec);
-  const ListExtent grid{entries(spec).value_or(0), 0};
-  return {.part = *spec.part,
-          .task = spec.identity,
-          .whole = spec.listed.value_or(grid),
+  return {.label = label_of(spec),
           .format = spec.format,
           .npy_fields = rows.npy_fields(),
           .header = static_cast<std::int64_t>(rows.header(state.rows).size()),
@@ -121,34 +124,18 @@ Seal read_seal(const std::string& path) {
     throw refuse();
   }
   try {
-    Seal seal = seal_from(parse_shallow(line.substr(seal_mark.size())));
+    const std::string_view document = std::string_view(line).substr(seal_mark.size());
+    require_json_object(document, place);
+    Seal seal = seal_from(ordered_json::parse(document));
     seal.state.bytes.size = seal_place;
-    const auto& [number, count] = seal.part;
-    if (number < 1 || number > count || count > most_sweep_parts || seal.header < 0 ||
-        seal.header > seal_place ||
-        seal.state.rows != range_of(seal.part, seal.whole.entries).count) {
+    seal.label.path = path;
+    if (!seal.label.is_whole(seal.state.rows) || seal.header < 0 || seal.header > seal_place) {
       throw refuse();
     }
     return seal;
-  } catch (const nlohmann::json::exception&) {
-    throw refuse();
-  } catch (const std::runtime_error&) {
+  } catch (const std::exception&) {
     throw refuse();
   }
-}
-
-std::string difference(const Seal& one, const Seal& other) {
-  const auto differs = [](std::string_view what, auto was, auto is) {
-    return fmt::format("{} was {}, is {}", what, was, is);
-  };
-  const std::string of_tasks = difference(one.task, other.task);
-  return !of_tasks.empty() ? of_tasks
-         : one.whole.entries != other.whole.entries
-             ? differs("the number of entries", one.whole.entries, other.whole.entries)
-         : one.whole.digest != other.whole.digest ? "the list has changed"
-         : one.npy_fields != other.npy_fields
-             ? differs("the layout", one.npy_fields, other.npy_fields)
-             : "";
 }
 
 }  // namespace stillpoint::sweep

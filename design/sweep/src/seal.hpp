@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/sweep/merge.hpp>
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace stillpoint::sweep {
@@ -15,9 +15,7 @@ namespace stillpoint::sweep {
 /// found from the end of the file. A file without it is no whole part. Readers of CSV can take it
 /// for a comment, and readers of .npy do not look behind the rows.
 struct Seal {
-  SweepPart part;
-  std::string task;  ///< SweepSpec::identity
-  ListExtent whole;  ///< entries of the whole sweep, and the digest of a list
+  PartLabel label;
   RowFormat format{RowFormat::csv};
   std::string npy_fields;  ///< of format npy, see npy.hpp
   std::int64_t header{0};  ///< bytes before the rows
@@ -31,8 +29,5 @@ struct Seal {
 
 /// Throws FileError, of kind "part", if the file cannot be read or does not end in a seal.
 [[nodiscard]] Seal read_seal(const std::string& path);
-
-/// Empty if both are parts of the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
-[[nodiscard]] std::string difference(const Seal& one, const Seal& other);
 
 }  // namespace stillpoint::sweep

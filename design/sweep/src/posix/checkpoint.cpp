@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "part_file.hpp"
 
-#include "../shallow_json.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/output_file.hpp>
@@ -74,18 +72,16 @@ std::string text(const ordered_json& task, const std::string& key) {
   return task.contains(key) ? task.at(key).dump() : "nothing";
 }
 
-}  // namespace
-
-ordered_json parse_shallow(const std::string& text) {
-  constexpr int deepest = 16;  // what the program writes has four levels
-  return ordered_json::parse(
-      text, [](int depth, ordered_json::parse_event_t /*event*/, const ordered_json& /*parsed*/) {
-        if (depth > deepest) {
-          throw std::runtime_error("nested too deeply");
-        }
-        return true;
-      });
+/// The library prints a value by recursion, so a deep one would exhaust the stack.
+bool is_flat(int depth, ordered_json::parse_event_t /*event*/, const ordered_json& /*parsed*/) {
+  constexpr int deepest = 16;  // a checkpoint has three levels
+  if (depth > deepest) {
+    throw std::runtime_error("not a checkpoint");
+  }
+  return true;
 }
+
+}  // namespace
 
 void require_task(const std::string& task) {
   static_cast<void>(task_of(task));
@@ -98,7 +94,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
   }
   const std::string content = records::read_text_file("resume", path, largest);
   try {
-    return from_json(parse_shallow(content));
+    return from_json(ordered_json::parse(content, is_flat));
   } catch (const std::exception&) {
     throw LeftoverError(
         fmt::format("resume {}: is not the checkpoint of a sweep: remove it to start again", path));

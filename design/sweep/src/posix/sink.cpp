@@ -73,15 +73,15 @@ std::optional<Seal> find_part(const SweepSpec& spec) {
   } catch (const records::FileError&) {
     return std::nullopt;
   }
-  if (found->part.count != spec.part->count ||
-      !difference(*found, seal_of(spec, found->state)).empty()) {
+  const SweepPart part = found->label.part;
+  if (part.count != spec.part->count || !difference(found->label, label_of(spec)).empty()) {
     return std::nullopt;
   }
-  if (found->part != *spec.part) {
+  if (part != *spec.part) {
     throw LeftoverError(
         fmt::format("output {}: is part {} of this sweep: give each part a file of its own, as "
                     "{{part}} in the name does",
-                    *spec.output, text(found->part)));
+                    *spec.output, text(part)));
   }
   return found;
 }

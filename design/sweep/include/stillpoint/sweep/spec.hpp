@@ -9,6 +9,7 @@
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/list.hpp>
 #include <stillpoint/sweep/part.hpp>
+#include <stillpoint/sweep/reduction.hpp>
 #include <stillpoint/sweep/units.hpp>
 
 #include <cstdint>
@@ -47,6 +48,8 @@ struct SweepSpec {
   std::optional<SweepPart> part;     ///< only these entries; the file can be merged
   std::optional<ListExtent> listed;  ///< of the whole list: needed for a part of one
   std::vector<Quantity> columns;     ///< of the output; see default_columns
+  /// If given, the rows are not written but reduced, see Reducer.
+  std::optional<AskedReduction> reduction;
   int threads{1};                    ///< no result depends on it
 
   std::optional<double> half_cycle_limit;  ///< of motions, 1 to 1e15; empty: as in core
