@@ -234,10 +234,14 @@ std::optional<sweep::AskedReduction> reduction(const Settings& settings, const S
     throw UsageError("format and reduce exclude each other: the report is JSON");
   }
   sweep::AskedReduction asked;
-  for (const std::string& bins : settings.texts("histogram")) {
+  const auto histograms = settings.texts("histogram");
+  asked.histograms.reserve(histograms.size());
+  for (const std::string& bins : histograms) {
     asked.histograms.push_back(sweep::parse_bins(bins, spec.columns, spec.units));
   }
-  for (const std::string& best : settings.texts("best")) {
+  const auto bests = settings.texts("best");
+  asked.best.reserve(bests.size());
+  for (const std::string& best : bests) {
     asked.best.push_back(sweep::parse_best(best, spec.columns, spec.units));
   }
   return asked;

@@ -75,6 +75,7 @@ ordered_json row_json(const ReducedRow& row, const std::vector<RowColumn>& colum
 
 ReducedRow row_from(const ordered_json& row, const std::vector<RowColumn>& columns) {
   ReducedRow result{row.at("entry").get<std::int64_t>() - 1, {}};
+  result.values.reserve(columns.size());
   for (const RowColumn& column : columns) {
     result.values.push_back(value_from(row.at(column.name)));
   }
@@ -158,22 +159,20 @@ Histogram histogram_from(const ordered_json& histogram, const std::vector<RowCol
 
 ordered_json best_json(const BestRows& best, const std::vector<RowColumn>& columns) {
   ordered_json rows = ordered_json::array();
-  for (const ReducedRow& row : best.rows) {
+  for (const ReducedRow& row : best.rows()) {
     rows.push_back(row_json(row, columns));
   }
-  return {{"column", columns[best.column].name},
-          {"order", best.largest ? "largest" : "smallest"},
-          {"most", best.most},
+  return {{"column", columns[best.column()].name},
+          {"order", best.largest() ? "largest" : "smallest"},
+          {"most", best.most()},
           {"rows", rows}};
 }
 
 BestRows best_from(const ordered_json& best, const std::vector<RowColumn>& columns) {
-  BestRows result{.column = place_of(columns, best.at("column")),
-                  .most = best.at("most").get<std::size_t>(),
-                  .largest = best.at("order") == "largest",
-                  .rows = {}};
+  BestRows result(place_of(columns, best.at("column")), best.at("most").get<std::size_t>(),
+                  best.at("order") == "largest");
   for (const ordered_json& row : best.at("rows")) {
-    result.rows.push_back(row_from(row, columns));
+    result.add(row_from(row, columns));
   }
   return result;
 }
@@ -196,6 +195,7 @@ ordered_json digest_json(const ordered_json& report) {
 
 std::vector<RowColumn> columns_from(const ordered_json& columns) {
   std::vector<RowColumn> result;
+  result.reserve(columns.size());
   for (const ordered_json& name : columns) {
     result.push_back({name.get<std::string>(), Form::number});
     for (const sweep::QuantityForm& known : sweep::quantity_forms) {

@@ -46,7 +46,7 @@ void add_best(Document& made, const BestRows& best, const Reduction& reduction) 
   for (const auto& column : reduction.row) {
     table.head.push_back(column.name);
   }
-  for (const ReducedRow& row : best.rows) {
+  for (const ReducedRow& row : best.rows()) {
     if (table.rows.size() == most_shown) {
       break;
     }
@@ -60,8 +60,8 @@ void add_best(Document& made, const BestRows& best, const Reduction& reduction) 
     }
     table.rows.push_back(std::move(shown));
   }
-  made.section(fmt::format("{} {}", best.largest ? "Largest" : "Smallest",
-                           reduction.row[best.column].name))
+  made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
+                           reduction.row[best.column()].name))
       .parts.emplace_back(std::move(table));
 }
 

@@ -26,22 +26,23 @@ Reduction empty_reduction(const SweepSpec& spec) {
     return static_cast<std::size_t>(std::ranges::find(spec.columns, column) - spec.columns.begin());
   };
   const auto computed = results(spec.kind);
+  reduction.row.reserve(spec.columns.size());
   for (const Quantity column : spec.columns) {
     reduction.row.push_back({std::string(name(column, spec.units)), form(column)});
     if (form(column) == Form::number && std::ranges::find(computed, column) != computed.end()) {
       reduction.columns.push_back({.column = place(column)});
     }
   }
+  reduction.histograms.reserve(spec.reduction->histograms.size());
   for (const AskedBins& asked : spec.reduction->histograms) {
     reduction.histograms.push_back({.column = place(asked.column),
                                     .edges = asked.edges,
                                     .counts = std::vector<std::int64_t>(asked.edges.size() - 1)});
   }
+  reduction.best.reserve(spec.reduction->best.size());
   for (const AskedBest& asked : spec.reduction->best) {
-    reduction.best.push_back({.column = place(asked.column),
-                              .most = static_cast<std::size_t>(asked.count),
-                              .largest = asked.largest,
-                              .rows = {}});
+    reduction.best.emplace_back(place(asked.column), static_cast<std::size_t>(asked.count),
+                                asked.largest);
   }
   return reduction;
 }
@@ -110,7 +111,7 @@ void reduce(Histogram& histogram, const Share& share) {
 }
 
 void reduce(BestRows& best, const Share& share) {
-  const Eigen::ArrayXd& values = share.values(best.column);
+  const Eigen::ArrayXd& values = share.values(best.column());
   for (Index i = share.begin; i < share.end; ++i) {
     if (std::isfinite(values[i]) && best.takes(values[i], share.block.first + i)) {
       best.add(share.row(i));

@@ -5,7 +5,9 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace stillpoint::sweep {
 
@@ -74,20 +76,33 @@ std::vector<FineBins::Bin> FineBins::filled() const {
   return bins;
 }
 
+bool BestRows::better(const ReducedRow& one, const ReducedRow& other) const {
+  return beats(one.values[column_], one.entry, other.values[column_], other.entry, largest_);
+}
+
+std::vector<ReducedRow> BestRows::rows() const {
+  std::vector<ReducedRow> sorted = heap_;
+  std::ranges::sort(sorted, std::bind_front(&BestRows::better, this));
+  return sorted;
+}
+
 bool BestRows::takes(double value, std::int64_t entry) const {
-  return rows.size() < most ||
-         beats(value, entry, rows.back().values[column], rows.back().entry, largest);
+  return heap_.size() < most_ ||
+         beats(value, entry, heap_.front().values[column_], heap_.front().entry, largest_);
 }
 
 void BestRows::add(ReducedRow row) {
-  const auto place =
-      std::ranges::upper_bound(rows, row, [this](const ReducedRow& one, const ReducedRow& other) {
-        return beats(one.values[column], one.entry, other.values[column], other.entry, largest);
-      });
-  rows.insert(place, std::move(row));
-  if (rows.size() > most) {
-    rows.pop_back();
+  const auto order = std::bind_front(&BestRows::better, this);
+  heap_.push_back(std::move(row));
+  std::ranges::push_heap(heap_, order);
+  if (heap_.size() > most_) {
+    std::ranges::pop_heap(heap_, order);
+    heap_.pop_back();
   }
+}
+
+void BestRows::add(const BestRows& other) {
+  std::ranges::for_each(other.heap_, [this](const ReducedRow& row) { add(row); });
 }
 
 void add(Reduction& total, const Reduction& more) {
@@ -109,12 +124,7 @@ void add(Reduction& total, const Reduction& more) {
     histogram.above += other.above;
   }
   for (std::size_t i = 0; i < total.best.size(); ++i) {
-    for (const ReducedRow& row : more.best[i].rows) {
-      BestRows& best = total.best[i];
-      if (best.takes(row.values[best.column], row.entry)) {
-        best.add(row);
-      }
-    }
+    total.best[i].add(more.best[i]);
   }
 }
 

@@ -96,15 +96,30 @@ struct Histogram {
   std::int64_t above{0};
 };
 
-struct BestRows {
-  std::size_t column{0};
-  std::size_t most{1};
-  bool largest{false};
-  std::vector<ReducedRow> rows;  ///< best first
+class BestRows {
+ public:
+  /// At most `most` rows, at least 1, with the smallest or the largest values of a column.
+  BestRows(std::size_t column, std::size_t most, bool largest)
+      : column_(column), most_(most), largest_(largest) {}
+
+  [[nodiscard]] std::size_t column() const { return column_; }
+  [[nodiscard]] std::size_t most() const { return most_; }
+  [[nodiscard]] bool largest() const { return largest_; }
+  /// Best first.
+  [[nodiscard]] std::vector<ReducedRow> rows() const;
 
   /// Whether a row with this value and this place would be among them.
   [[nodiscard]] bool takes(double value, std::int64_t entry) const;
   void add(ReducedRow row);
+  void add(const BestRows& other);
+
+ private:
+  [[nodiscard]] bool better(const ReducedRow& one, const ReducedRow& other) const;
+
+  std::size_t column_;
+  std::size_t most_;
+  bool largest_;
+  std::vector<ReducedRow> heap_;  ///< the worst in front
 };
 
 struct Reduction {
