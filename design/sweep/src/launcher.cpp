@@ -43,7 +43,8 @@ class Launchers {
                     "parallel, or give I/N");
     }
     // One process alone says little: each task of an array is the only one of its step.
-    std::ranges::stable_partition(words_, [](const Word& word) { return word.part.count > 1; });
+    std::stable_partition(words_.begin(), words_.end(),
+                          [](const Word& word) { return word.part.count > 1; });
     const Word& first = words_.front();
     for (const Word& word : words_) {
       if (word.part != first.part && word.part.count > 1) {

@@ -116,14 +116,14 @@ void require_apart(const std::string& output, const std::vector<std::string>& pa
   }
 }
 
-Merged merge(const std::string& output, const std::vector<std::string>& paths,
+Merged merge(const std::string& output, const std::vector<std::string>& parts,
              const MergeWatch& watch) {
-  if (paths.empty()) {
+  if (parts.empty()) {
     throw InputError::missing("part", "name the files of all parts");
   }
-  require_apart(output, paths);
-  const std::vector<Seal> parts = read_seals(paths);
-  const std::string header = header_of(parts.front());
+  require_apart(output, parts);
+  const std::vector<Seal> seals = read_seals(parts);
+  const std::string header = header_of(seals.front());
   const std::unique_ptr<RowSink> sink =
       open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
   Joiner joiner(*sink, watch);
@@ -131,7 +131,7 @@ Merged merge(const std::string& output, const std::vector<std::string>& paths,
   try {
     joiner.write(header);
     merged.stopped =
-        !std::ranges::all_of(parts, [&joiner](const Seal& part) { return joiner.append(part); });
+        !std::ranges::all_of(seals, [&joiner](const Seal& part) { return joiner.append(part); });
   } catch (...) {
     sink->leave();
     throw;
