@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "options/command_line.hpp"
 #include "options/settings.hpp"
 #include "output.hpp"
 
@@ -26,6 +27,7 @@ ExitCode run(Command command, const Settings& settings, Output& output);
 
 /// Those with a file of their own.
 ExitCode run_sweep(const Settings& settings, Output& output);
+ExitCode run_merge(const MergeFiles& files, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);
 
 /// What design and region have to say, before anything is shown; of a design for a hit, see

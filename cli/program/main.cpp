@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "input/request.hpp"
 #include "messages.hpp"
 #include "options/command_line.hpp"
 #include "options/embedded.hpp"
@@ -36,6 +37,11 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     output.commit();
     return exit_done;
   }
+  if (invocation.merge) {
+    const ExitCode code = run_merge(*invocation.merge, output);
+    output.commit();
+    return code;
+  }
   if (invocation.command == Command::init) {
     output.print(starter_scene(invocation.scene));
     output.commit();
@@ -65,6 +71,9 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   std::optional<report::TemporaryPage> temporary;
   if (opens && !settings.has("html")) {
     settings.set(*find_option("html"), temporary.emplace().path());
+  }
+  if (invocation.command == Command::sweep) {
+    resolve_part(settings);
   }
   require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run(invocation.command, settings, output);

@@ -4,7 +4,10 @@
 #include "progress.hpp"
 
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/run.hpp>
 
 #include <fmt/format.h>
@@ -30,8 +33,9 @@ std::string advice(const std::exception& error, const sweep::LeftRows& left) {
              : ": make room for the rest, then give the same command with --resume";
 }
 
-SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::SweepMap* map) {
-  const auto total = sweep::entries(spec);
+SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::SweepMap* map,
+                         sweep::Reducer* reducer = nullptr) {
+  const auto total = sweep::own_entries(spec).count;
   const std::int64_t begun_with = sink.found().rows;
   Progress progress(
       [&](double rows, double seconds) {
@@ -44,7 +48,7 @@ SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::Swe
     static_cast<void>(progress.goes_on(rows));
   };
   try {
-    return sweep::run(spec, sink, {progress.stop_token(), show, map});
+    return sweep::run(spec, sink, {progress.stop_token(), show, map, reducer});
   } catch (const std::exception& error) {
     const sweep::LeftRows left = sink.leave();
     if (left.count == 0) {
@@ -66,10 +70,57 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
   }
 }
 
+/// The report of the part that is to be computed, if its file is there already and --resume is
+/// given. Throws UsageError for another part of the same sweep.
+std::optional<report::ReductionReport> find_part(const Settings& settings, const SweepSpec& spec) {
+  if (!spec.part) {
+    if (spec.resume) {
+      throw UsageError("resume and reduce exclude each other: split the sweep with --part");
+    }
+    return std::nullopt;
+  }
+  const std::string path = settings.text("output").value_or("");
+  std::optional<report::ReductionReport> found;
+  try {
+    found = report::read_reduction(path);
+  } catch (const records::FileError&) {
+    return std::nullopt;
+  }
+  const sweep::PartLabel label = label_of(spec);
+  if (found->label.part.count != label.part.count || !difference(found->label, label).empty()) {
+    return std::nullopt;
+  }
+  if (found->label.part != label.part) {
+    throw UsageError(
+        fmt::format("output {}: is part {} of this sweep: give each part a file of "
+                    "its own, as {{part}} in the name does",
+                    path, text(found->label.part)));
+  }
+  return spec.resume ? std::move(found) : std::nullopt;
+}
+
+report::ReductionReport reduction_report(const Settings& settings, const SweepSpec& spec) {
+  if (auto found = find_part(settings, spec)) {
+    return *std::move(found);
+  }
+  sweep::Reducer reducer(spec);
+  sweep::NoRows none;
+  const SweepSummary summary = run_watched(spec, none, nullptr, &reducer);
+  require_complete(summary, none);
+  return report::reduction_report(spec, summary, reducer.result());
+}
+
 }  // namespace
 
 ExitCode run_sweep(const Settings& settings, Output& output) {
   const SweepSpec spec = sweep_request(settings);
+  if (spec.reduction) {
+    if (wants_page(settings)) {
+      throw UsageError("reduce and a page exclude each other: a map shows the rows");
+    }
+    print_report(reduction_report(settings, spec), settings, output);
+    return exit_done;
+  }
   const bool rows_on_standard_output = sweep::goes_to_standard_output(spec);
   const bool json = settings.flag("json");
   if (rows_on_standard_output && json) {
@@ -77,6 +128,9 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   }
   std::optional<sweep::SweepMap> map;
   if (wants_page(settings)) {
+    if (spec.part) {
+      throw UsageError("part and a page exclude each other: a map shows a whole sweep");
+    }
     map.emplace(spec);
     prepare_page(settings);
   }
@@ -90,6 +144,32 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     constexpr int indent = 2;
     output.print(json ? report::json(spec, summary).dump(indent) + "\n"
                       : shown(report::document(spec, summary), settings));
+  }
+  return exit_done;
+}
+
+ExitCode run_merge(const MergeFiles& files, Output& output) {
+  sweep::require_apart(files.output, files.parts);
+  if (report::is_reduction(files.parts.front())) {
+    constexpr int indent = 2;
+    output.write_file("output", files.output,
+                      report::json(report::merged(files.parts)).dump(indent) + "\n");
+    return exit_done;
+  }
+  Progress progress([](double bytes, double seconds) {
+    return fmt::format("{:.4g} bytes, {:.3g} bytes/s", bytes, bytes / seconds);
+  });
+  const auto show = [&progress](const sweep::Merged& so_far) {
+    static_cast<void>(progress.goes_on(static_cast<double>(so_far.bytes)));
+  };
+  const sweep::Merged merged =
+      sweep::merge(files.output, files.parts, {progress.stop_token(), show});
+  if (merged.stopped) {
+    throw Interrupted("interrupted: nothing is written");
+  }
+  if (!sweep::is_standard_output(files.output)) {
+    output.print(
+        fmt::format("{}: {} rows of {} parts\n", files.output, merged.rows, files.parts.size()));
   }
   return exit_done;
 }

@@ -63,7 +63,10 @@ struct SimulateInput {
 /// UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);
 
-/// Opens the list and reads its header.
+/// Puts the numbers of a part of a sweep in place of `auto`, and its name into that of the output.
+/// What has been resolved stays as it is. Throws InputError.
+void resolve_part(Settings& settings);
+/// Opens the list and reads its header; of a part, all of it. The part must be resolved.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
 
 /// The options of those names, or their defaults. Throw InputError.

@@ -7,6 +7,8 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/launcher.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 
@@ -14,7 +16,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -43,6 +47,20 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings,
     throw UsageError("list-format is for a list: give --list FILE as well");
   }
   return {};
+}
+
+/// A part of a list depends on the length of all of it.
+std::optional<sweep::ListExtent> extent_of_list(const Settings& settings, const SweepSpec& spec) {
+  if (!spec.part || !spec.list) {
+    return std::nullopt;
+  }
+  const std::string path = *settings.text("list");
+  if (path == "-" || sweep::is_special_file(path)) {
+    throw UsageError(
+        "part and a list on standard input exclude each other: the list is read twice");
+  }
+  sweep::List whole(path, list_format(settings), spec.units);
+  return read_to_end(whole);
 }
 
 bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
@@ -197,7 +215,38 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
                : sweep::default_columns(spec, times);
 }
 
+/// What is kept of the rows that are not written.
+std::optional<sweep::AskedReduction> reduction(const Settings& settings, const SweepSpec& spec) {
+  if (!settings.flag("reduce")) {
+    for (const char* const option : {"histogram", "best"}) {
+      if (settings.has(option)) {
+        throw UsageError(
+            fmt::format("{} is for a sweep without rows: give --reduce as well", option));
+      }
+    }
+    return std::nullopt;
+  }
+  if (settings.has("format")) {
+    throw UsageError("format and reduce exclude each other: the report is JSON");
+  }
+  sweep::AskedReduction asked;
+  const auto histograms = settings.texts("histogram");
+  asked.histograms.reserve(histograms.size());
+  for (const std::string& bins : histograms) {
+    asked.histograms.push_back(sweep::parse_bins(bins, spec.columns, spec.units));
+  }
+  const auto bests = settings.texts("best");
+  asked.best.reserve(bests.size());
+  for (const std::string& best : bests) {
+    asked.best.push_back(sweep::parse_best(best, spec.columns, spec.units));
+  }
+  return asked;
+}
+
 sweep::RowFormat row_format(const Settings& settings) {
+  if (settings.flag("reduce")) {
+    return sweep::RowFormat::csv;
+  }
   if (const auto wanted = settings.known("format")) {
     return *sweep::parse_row_format(*wanted);
   }
@@ -228,7 +277,32 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
   return result.dump();
 }
 
+/// I/N, auto or auto/N.
+sweep::SweepPart part_of(const std::string& asked) {
+  constexpr std::string_view automatic = "auto";
+  const bool counted = asked.starts_with("auto/");
+  if (asked != automatic && !counted) {
+    return sweep::parse_part(asked);
+  }
+  const auto count =
+      counted ? std::optional(sweep::parse_part("1" + asked.substr(automatic.size())).count)
+              : std::nullopt;
+  return sweep::launched_part([](const char* name) { return std::getenv(name); }, count);
+}
+
 }  // namespace
+
+void resolve_part(Settings& settings) {
+  const auto asked = settings.text("part");
+  if (!asked) {
+    return;
+  }
+  const sweep::SweepPart part = part_of(*asked);
+  settings.set(*find_option("part"), text(part));
+  if (const auto output = settings.text("output")) {
+    settings.set(*find_option("output"), sweep::with_part(*output, part));
+  }
+}
 
 SweepSpec sweep_request(const Settings& settings) {
   SweepSpec spec;
@@ -239,6 +313,10 @@ SweepSpec sweep_request(const Settings& settings) {
   spec.resume = settings.flag("resume");
   spec.units = units(settings);
   spec.list = open_list(settings, spec.units);
+  if (const auto part = settings.text("part")) {
+    spec.part = sweep::parse_part(*part);
+  }
+  spec.listed = extent_of_list(settings, spec);
   spec.kind = kind_of(settings, spec);
   refuse_for_other_kinds(settings, spec);
   if (spec.kind == SweepKind::design) {
@@ -248,6 +326,7 @@ SweepSpec sweep_request(const Settings& settings) {
   }
   add_axes(settings, spec);
   spec.columns = columns(settings, spec);
+  spec.reduction = reduction(settings, spec);
   spec.identity = identity(settings, spec);
   try {
     require_valid(spec);

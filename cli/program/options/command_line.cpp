@@ -16,6 +16,7 @@
 #include <array>
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -86,6 +87,16 @@ void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
   }
   app.footer(std::string(help.examples));
   app.allow_extras();
+}
+
+/// "merge OUT PART..." behind "sweep".
+void add_merge(CLI::App& sweep, MergeFiles& files) {
+  CLI::App& merge = *sweep.add_subcommand("merge", "join the parts of a sweep, see --part");
+  merge.set_help_flag("-h,--help", "print this text");
+  merge.add_option("OUT", files.output, "the file of the whole sweep")->required()->type_name("");
+  merge.add_option("PART", files.parts, "the file of each part, in any order")
+      ->required()
+      ->type_name("");
 }
 
 void refuse_extras(const CLI::App& app, Command command) {
@@ -198,6 +209,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   app.footer(std::string(footer("stillpoint")));
   std::vector<std::string> words = without_help_command(argc, argv);
   std::array<Collected, command_helps.size()> collected;
+  MergeFiles merge;
   for (std::size_t i = 0; i < command_helps.size(); ++i) {
     const CommandHelp& help = command_helps[i];
     CLI::App& command =
@@ -205,6 +217,9 @@ Invocation parse_command_line(int argc, const char* const* argv) {
     // To set up the options of all commands would take longer than most answers do.
     if (std::ranges::find(words, command.get_name()) != words.end()) {
       add_options(command, help, collected[i]);
+      if (help.command == Command::sweep) {
+        add_merge(command, merge);
+      }
     }
   }
   app.add_subcommand("help", "print the options of a command");
@@ -238,6 +253,13 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   invocation.flags = from_flags(chosen, collected[index], invocation.command);
   if (chosen.get_option("scene")->count() > 0) {
     invocation.scene = collected[index].scene;
+  }
+  if (!chosen.get_subcommands().empty()) {
+    if (invocation.scene || !invocation.flags.values().empty()) {
+      throw UsageError(
+          "sweep merge: takes OUT and the files of the parts, no scene and no options");
+    }
+    invocation.merge = std::move(merge);
   }
   return invocation;
 }

@@ -26,11 +26,18 @@ struct CommandHelp {
 /// What --help says of the program.
 [[nodiscard]] std::string_view program_about();
 
+/// The files of `sweep merge OUT PART...`.
+struct MergeFiles {
+  std::string output;
+  std::vector<std::string> parts;
+};
+
 /// What the command line asks for.
 struct Invocation {
   Command command{Command::design};
   Settings flags;
   std::optional<std::string> scene;  ///< path or "-"; of init the kind
+  std::optional<MergeFiles> merge;   ///< of sweep: join parts, and nothing else is asked
   std::optional<std::string> reply;  ///< --help or --version: print this, and nothing else is asked
 };
 

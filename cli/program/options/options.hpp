@@ -98,8 +98,8 @@ struct OptionTraits {
   FileUse file{FileUse::none};
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
-  bool repeats{false};                     ///< may be given several times to what takes a suite
-  RangeEnd range{RangeEnd::none};          ///< LOW:HIGH is a value as well, of design and region
+  bool repeats{false};             ///< may be given several times; a file to what takes a suite
+  RangeEnd range{RangeEnd::none};  ///< LOW:HIGH is a value as well, of design and region
   DesignFor design{DesignFor::both};
   Load load{Load::none};
 };
@@ -123,7 +123,8 @@ struct Option {
                : kind;
   }
   [[nodiscard]] bool repeats_in(Command command) const {
-    return traits.repeats && (command == Command::design || command == Command::spectrum);
+    const bool takes_suite = command == Command::design || command == Command::spectrum;
+    return traits.repeats && (takes_suite || traits.file == FileUse::none);
   }
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&

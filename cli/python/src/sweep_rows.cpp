@@ -111,13 +111,18 @@ std::unique_ptr<Result> run_sweep(const py::object& scene, const py::kwargs& opt
   if (in_memory) {
     given.set(*cli::find_option("format"), std::string("npy"));
   }
+  cli::resolve_part(given);
   cli::require_files_apart(Command::sweep, given, std::nullopt);
   SweepSpec spec = cli::sweep_request(given);
+  if (spec.reduction) {
+    throw InputError("reduce", "true", "is for the program alone: the table can be reduced here");
+  }
   std::optional<sweep::SweepMap> map = map_of(spec);
   const py::dtype type = dtype_of(spec);
-  RowsInMemory memory(in_memory ? static_cast<std::size_t>(sweep::entries(spec).value_or(0)) *
-                                      static_cast<std::size_t>(type.itemsize())
-                                : 0);
+  RowsInMemory memory(in_memory
+                          ? static_cast<std::size_t>(sweep::own_entries(spec).count.value_or(0)) *
+                                static_cast<std::size_t>(type.itemsize())
+                          : 0);
   const sweep::SweepSummary summary = interruptible([&](const std::stop_token& stop) {
     const std::unique_ptr<sweep::RowSink> file = in_memory ? nullptr : sweep::open_rows(spec);
     return sweep::run(spec, file ? *file : memory, {stop, {}, map ? &*map : nullptr});

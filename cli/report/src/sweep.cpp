@@ -3,6 +3,7 @@
 
 #include "figures/report_figures.hpp"
 #include "json/parts.hpp"
+#include "sweep_parts.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +36,8 @@ constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
     "stop at x = 0", "stop in dead zone", "never stop",   "caught at start",
     "running",       "over the limit",    "stop in notch"};
 
+}  // namespace
+
 ordered_json outcomes_json(const SweepState& state) {
   ordered_json counts;
   for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
@@ -43,7 +46,25 @@ ordered_json outcomes_json(const SweepState& state) {
   return counts;
 }
 
-}  // namespace
+void outcomes_from_json(const ordered_json& outcomes, SweepState& state) {
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    outcomes.at(std::string(sweep_outcome_name(i))).get_to(state.outcomes[i]);
+  }
+}
+
+void add_outcomes(Document& document, const SweepState& state, bool design) {
+  Section& section = document.section(design ? "Designs" : "Outcomes");
+  if (design) {
+    section.row("feasible", fmt::format("{}", state.feasible));
+    section.row("infeasible", fmt::format("{}", state.rows - state.feasible));
+    return;
+  }
+  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
+    if (state.outcomes[i] > 0) {
+      section.row(std::string(outcome_labels[i]), fmt::format("{}", state.outcomes[i]));
+    }
+  }
+}
 
 ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
   const bool design = spec.kind == SweepKind::design;
@@ -52,20 +73,23 @@ ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
     columns.push_back(name(column, spec.units));
   }
   const SweepState& state = summary.state;
-  return {{"schema", "stillpoint/sweep-report/1"},
-          {"program", program_json()},
-          {"kind", name(spec.kind)},
-          {"output",
-           {{"file", text_or_null(spec.output.value_or(""))},
-            {"format", name(spec.format)},
-            {"columns", columns}}},
-          {"rows", state.rows},
-          {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
-          {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
-          {"resumed_at", summary.resumed_at},
-          {"threads", spec.threads},
-          {"wall_time_s", summary.wall_time_s},
-          {"rows_per_s", rate(summary)}};
+  return {
+      {"schema", "stillpoint/sweep-report/1"},
+      {"program", program_json()},
+      {"kind", name(spec.kind)},
+      {"output",
+       {{"file", text_or_null(spec.output.value_or(""))},
+        {"format", name(spec.format)},
+        {"columns", columns}}},
+      {"part", spec.part ? ordered_json{{"number", spec.part->number}, {"count", spec.part->count}}
+                         : ordered_json(nullptr)},
+      {"rows", state.rows},
+      {"outcomes", design ? ordered_json(nullptr) : outcomes_json(state)},
+      {"feasible", design ? ordered_json(state.feasible) : ordered_json(nullptr)},
+      {"resumed_at", summary.resumed_at},
+      {"threads", spec.threads},
+      {"wall_time_s", summary.wall_time_s},
+      {"rows_per_s", rate(summary)}};
 }
 
 Document document(const SweepSpec& spec, const SweepSummary& summary) {
@@ -76,24 +100,16 @@ Document document(const SweepSpec& spec, const SweepSummary& summary) {
   if (spec.output) {
     rows.row("file", *spec.output);
   }
+  if (spec.part) {
+    rows.row("part", text(*spec.part));
+  }
   rows.row("rows", fmt::format("{}", state.rows));
   if (summary.resumed_at > 0) {
     rows.row("resumed at", fmt::format("{}", summary.resumed_at));
   }
   rows.row("time", fmt::format("{:.4g} s, {:.3g} rows/s on {} thread{}", summary.wall_time_s,
                                rate(summary), spec.threads, spec.threads == 1 ? "" : "s"));
-  if (spec.kind == SweepKind::design) {
-    Section& designs = document.section("Designs");
-    designs.row("feasible", fmt::format("{}", state.feasible));
-    designs.row("infeasible", fmt::format("{}", state.rows - state.feasible));
-    return document;
-  }
-  Section& outcomes = document.section("Outcomes");
-  for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    if (state.outcomes[i] > 0) {
-      outcomes.row(std::string(outcome_labels[i]), fmt::format("{}", state.outcomes[i]));
-    }
-  }
+  add_outcomes(document, state, spec.kind == SweepKind::design);
   return document;
 }
 

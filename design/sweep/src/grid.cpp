@@ -84,7 +84,7 @@ class GridSource : public SweepSource {
     next_ += block.size;
   }
 
-  void skip(std::int64_t entries, std::uint64_t /*digest*/) override {
+  void skip(std::int64_t entries, std::optional<std::uint64_t> /*digest*/) override {
     assert(next_ == 0 && entries <= total_);
     next_ = entries;
   }

@@ -8,6 +8,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -205,6 +206,16 @@ bool List::next(std::vector<double>& values, const std::stop_token& stop) {
     read_object(line, values);
   }
   return true;
+}
+
+ListExtent read_to_end(List& list) {
+  ListExtent extent;
+  Digest digest;
+  for (std::vector<double> values; list.next(values); ++extent.entries) {
+    std::ranges::for_each(values, [&](double value) { digest.add(value); });
+  }
+  extent.digest = digest.value();
+  return extent;
 }
 
 }  // namespace stillpoint::sweep

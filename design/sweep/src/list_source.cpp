@@ -28,7 +28,7 @@ class ListSource : public SweepSource {
     }
   }
 
-  void skip(std::int64_t entries, std::uint64_t digest) override {
+  void skip(std::int64_t entries, std::optional<std::uint64_t> digest) override {
     constexpr std::int64_t at_once = 4096;
     SweepBlock block;
     while (next_ < entries) {
@@ -37,7 +37,7 @@ class ListSource : public SweepSource {
         break;
       }
     }
-    if (!stop_.stop_requested() && entries > 0 && (next_ != entries || digest_.value() != digest)) {
+    if (digest && !stop_.stop_requested() && (next_ != entries || digest_.value() != digest)) {
       throw records::FileError(
           {.kind = "list", .path = list_->source()},
           fmt::format("its first {} entries are not those that the interrupted sweep had read",

@@ -6,6 +6,8 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace stillpoint::sweep {
@@ -22,6 +24,10 @@ const SweepAxis& axis_of(const SweepSpec& spec, Quantity quantity) {
 }
 
 const SweepSpec& drawable(const SweepSpec& spec) {
+  if (spec.part) {
+    throw InputError("map", fmt::format("of part {}", text(*spec.part)),
+                     "can only be drawn of a whole sweep");
+  }
   if (spec.list || spec.kind == SweepKind::design) {
     throw InputError("map", spec.list ? "of a list" : "of design problems",
                      "can only be drawn of a grid of motions over f and delta");

@@ -41,7 +41,7 @@ using Units = std::optional<SweepUnits>;
 
 /// As NumPy describes records with the columns as fields: 8-byte floats, but bytes for outcome and
 /// feasible.
-std::string npy_fields(const std::vector<Quantity>& columns, const Units& units) {
+std::string fields_of(const std::vector<Quantity>& columns, const Units& units) {
   std::string fields;
   for (const Quantity column : columns) {
     fields += form(column) == Form::truth ? fmt::format("('{}', '|b1'), ", name(column, units))
@@ -112,9 +112,12 @@ void append_npy(const SweepBlock& block, const std::vector<Quantity>& columns, I
 
 }  // namespace
 
+std::string RowWriter::npy_fields() const {
+  return format_ == RowFormat::csv ? "" : fields_of(columns_, units_);
+}
+
 std::string RowWriter::header(std::int64_t rows) const {
-  return format_ == RowFormat::csv ? csv_header(columns_, units_)
-                                   : npy_header(npy_fields(columns_, units_), rows);
+  return format_ == RowFormat::csv ? csv_header(columns_, units_) : npy_header(npy_fields(), rows);
 }
 
 const std::vector<std::string>& RowWriter::rows(const SweepBlock& block) {

@@ -3,19 +3,25 @@
 
 #include "block.hpp"
 #include "rows.hpp"
+#include "seal.hpp"
 #include "seconds.hpp"
 #include "source.hpp"
 #include "step.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/records/file_error.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace stillpoint::sweep {
 
 namespace {
 
 using Eigen::Index;
+
+constexpr Index most_rows = std::numeric_limits<Index>::max();
 
 /// How many entries are computed at once. A block takes some tenths of a second at most, so a stop
 /// is answered soon however long an entry takes.
@@ -48,12 +54,14 @@ class Sweep {
         source_(spec.list ? list_source(spec, watch.stop) : grid_source(spec)),
         step_(spec, watch.stop),
         rows_(spec),
+        own_(own_entries(spec)),
         state_(sink.found()) {}
 
   /// False after a stop.
   bool write_rows() {
     if (!sink_.complete()) {
-      source_->skip(state_.rows, state_.digest);
+      source_->skip(own_.first + state_.rows,
+                    state_.rows > 0 ? std::optional(state_.digest) : std::nullopt);
       while (next_block()) {
       }
     }
@@ -63,6 +71,9 @@ class Sweep {
     }
     if (state_.rows == 0) {
       write_header();
+    }
+    if (spec_.part && !sink_.complete()) {
+      sink_.write(text(seal()));
     }
     sink_.finish(state_, rows_.header(state_.rows));
     return true;
@@ -81,7 +92,7 @@ class Sweep {
   /// False at the end and after a stop.
   bool next_block() {
     const double begun = seconds_now();
-    source_->fill(block_, size_.value());
+    source_->fill(block_, std::min(size_.value(), own_.count.value_or(most_rows) - state_.rows));
     if (block_.size == 0 || stopped() || !compute()) {
       return false;
     }
@@ -110,12 +121,10 @@ class Sweep {
   }
 
   void write() {
-    const auto& pieces = rows_.rows(block_);
-    if (state_.rows == 0) {
-      write_header();
-    }
-    for (const std::string& piece : pieces) {
-      sink_.write(piece);
+    if (watch_.reducer != nullptr) {
+      watch_.reducer->add(block_);
+    } else {
+      write_rows_of_block();
     }
     if (watch_.map != nullptr) {
       watch_.map->add(block_);
@@ -124,7 +133,32 @@ class Sweep {
     sink_.reached(state_);
   }
 
-  void write_header() { sink_.write(rows_.header(entries(spec_).value_or(0))); }
+  void write_rows_of_block() {
+    const auto& pieces = rows_.rows(block_);
+    if (state_.rows == 0) {
+      write_header();
+    }
+    for (const std::string& piece : pieces) {
+      put(piece);
+    }
+  }
+
+  void write_header() { put(rows_.header(own_.count.value_or(0))); }
+
+  void put(std::string_view bytes) {
+    sink_.write(bytes);
+    if (spec_.part) {
+      state_.bytes.add(bytes);
+    }
+  }
+
+  [[nodiscard]] Seal seal() const {
+    if (state_.rows != own_.count) {
+      throw records::FileError({.kind = "list", .path = spec_.list->source()},
+                               "has become shorter since the sweep began");
+    }
+    return seal_of(spec_, state_);
+  }
 
   const SweepSpec& spec_;
   RowSink& sink_;
@@ -132,6 +166,7 @@ class Sweep {
   std::unique_ptr<SweepSource> source_;
   SweepStep step_;
   RowWriter rows_;
+  OwnEntries own_;
   BlockSize size_;
   SweepBlock block_;
   SweepState state_;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -27,8 +28,8 @@ class SweepSource {
   virtual void fill(SweepBlock& block, Eigen::Index most) = 0;
 
   /// Skips the first `entries`, before the first fill. Throws FileError if a list does not begin
-  /// with the entries that `digest` was of.
-  virtual void skip(std::int64_t entries, std::uint64_t digest) = 0;
+  /// with the entries that `digest`, if given, was of.
+  virtual void skip(std::int64_t entries, std::optional<std::uint64_t> digest) = 0;
 
   /// Throws an error that says where entry i of the block comes from, and `reason`.
   [[noreturn]] virtual void refuse(const SweepBlock& block, Eigen::Index i,

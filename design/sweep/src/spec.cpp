@@ -107,6 +107,15 @@ std::optional<std::int64_t> entries(const SweepSpec& spec) {
   return count;
 }
 
+OwnEntries own_entries(const SweepSpec& spec) {
+  if (!spec.part) {
+    return {0, entries(spec)};
+  }
+  const EntryRange range =
+      range_of(*spec.part, spec.listed ? spec.listed->entries : entries(spec).value_or(0));
+  return {range.first, range.count};
+}
+
 bool given(const SweepSpec& spec, Quantity input) {
   return (spec.list && spec.list->has(input)) ||
          std::ranges::find(spec.axes, input, &SweepAxis::quantity) != spec.axes.end();

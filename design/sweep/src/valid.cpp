@@ -157,6 +157,9 @@ void require_valid(const SweepSpec& spec) {
   if (spec.half_cycle_limit) {
     require_within("half-cycle-limit", *spec.half_cycle_limit, 1, 1e15);
   }
+  if (spec.part && spec.list && !spec.listed) {
+    throw InputError("part", text(*spec.part), "needs to know how many entries the list has");
+  }
   if (entries(spec)) {
     check_corners(spec);
   }

@@ -38,10 +38,15 @@ ordered_json task_of(const std::string& text) {
 
 ordered_json to_json(const Checkpoint& checkpoint) {
   const SweepState& state = checkpoint.state;
-  return {{"schema", schema},           {"rows", state.rows},
-          {"bytes", checkpoint.bytes},  {"complete", checkpoint.complete},
-          {"digest", state.digest},     {"outcomes", state.outcomes},
-          {"feasible", state.feasible}, {"task", task_of(checkpoint.task)}};
+  return {{"schema", schema},
+          {"rows", state.rows},
+          {"bytes", checkpoint.bytes},
+          {"complete", checkpoint.complete},
+          {"digest", state.digest},
+          {"outcomes", state.outcomes},
+          {"feasible", state.feasible},
+          {"bytes_digest", {state.bytes.words, state.bytes.rest, state.bytes.size}},
+          {"task", task_of(checkpoint.task)}};
 }
 
 Checkpoint from_json(const ordered_json& document) {
@@ -56,6 +61,10 @@ Checkpoint from_json(const ordered_json& document) {
   document.at("digest").get_to(checkpoint.state.digest);
   document.at("outcomes").get_to(checkpoint.state.outcomes);
   document.at("feasible").get_to(checkpoint.state.feasible);
+  const ordered_json& digest = document.at("bytes_digest");
+  digest.at(0).get_to(checkpoint.state.bytes.words);
+  digest.at(1).get_to(checkpoint.state.bytes.rest);
+  digest.at(2).get_to(checkpoint.state.bytes.size);
   return checkpoint;
 }
 

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,6 +73,11 @@ struct OpenPart {
 [[nodiscard]] OpenPart begin_part(const std::string& path, std::string task);
 /// Begins if there is nothing to resume.
 [[nodiscard]] OpenPart resume_part(const std::string& path, std::string task);
+
+/// The file that parts of a sweep are joined into, or a device or a pipe. Of what an interrupted
+/// merge with the same task left, nothing is kept.
+[[nodiscard]] std::unique_ptr<RowSink> open_whole(const std::string& output,
+                                                  const std::string& task);
 
 /// A file that appears under its name when it is complete, and grows as FILE.part until then. The
 /// rows are on the disk before the checkpoint says so, and the checkpoint is replaced in one step:

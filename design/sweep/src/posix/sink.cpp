@@ -3,12 +3,15 @@
 
 #include "part_file.hpp"
 
+#include "../seal.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -45,6 +48,62 @@ class StreamSink : public RowSink {
   SweepState nothing_;
 };
 
+/// A part that is there already.
+class WholePart : public RowSink {
+ public:
+  explicit WholePart(const SweepState& found) : found_(found) {}
+
+  [[nodiscard]] const SweepState& found() const override { return found_; }
+  [[nodiscard]] bool complete() const override { return true; }
+  void write(std::string_view /*bytes*/) override {}
+  void reached(const SweepState& /*state*/) override {}
+  void finish(const SweepState& /*state*/, std::string_view /*header*/) override {}
+  LeftRows leave() override { return {}; }
+
+ private:
+  SweepState found_;
+};
+
+/// The seal of a part of this sweep that is there already; throws LeftoverError if it is another
+/// part than the one that is to be computed.
+std::optional<Seal> find_part(const SweepSpec& spec) {
+  std::optional<Seal> found;
+  try {
+    found = read_seal(*spec.output);
+  } catch (const records::FileError&) {
+    return std::nullopt;
+  }
+  const SweepPart part = found->label.part;
+  if (part.count != spec.part->count || !difference(found->label, label_of(spec)).empty()) {
+    return std::nullopt;
+  }
+  if (part != *spec.part) {
+    throw LeftoverError(
+        fmt::format("output {}: is part {} of this sweep: give each part a file of its own, as "
+                    "{{part}} in the name does",
+                    *spec.output, text(part)));
+  }
+  return found;
+}
+
+/// The identity of what FILE.part is to become.
+std::string task_of(const SweepSpec& spec) {
+  if (!spec.part) {
+    return spec.identity;
+  }
+  nlohmann::ordered_json task = nlohmann::ordered_json::parse(spec.identity, nullptr, false);
+  task["part"] = text(*spec.part);
+  return task.dump();
+}
+
+std::unique_ptr<RowSink> open_stream(const std::string& path) {
+  Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!descriptor.is_open()) {
+    refuse_writing("output", path, errno);
+  }
+  return std::make_unique<StreamSink>(std::move(descriptor), path);
+}
+
 void require_streamable(const SweepSpec& spec, bool terminal) {
   if (spec.resume) {
     throw InputError("resume", "true", "needs an output file, which is then resumed");
@@ -75,14 +134,25 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
   }
   if (is_special_file(*spec.output)) {
     require_streamable(spec, false);
-    Descriptor descriptor(::open(spec.output->c_str(), O_WRONLY | O_CLOEXEC));
-    if (!descriptor.is_open()) {
-      refuse_writing("output", *spec.output, errno);
-    }
-    return std::make_unique<StreamSink>(std::move(descriptor), *spec.output);
+    return open_stream(*spec.output);
   }
-  return std::make_unique<PartFile>(spec.resume ? resume_part(*spec.output, spec.identity)
-                                                : begin_part(*spec.output, spec.identity));
+  if (spec.part) {
+    const auto found = find_part(spec);
+    if (found && spec.resume) {
+      return std::make_unique<WholePart>(found->state);
+    }
+  }
+  const std::string task = task_of(spec);
+  return std::make_unique<PartFile>(spec.resume ? resume_part(*spec.output, task)
+                                                : begin_part(*spec.output, task));
+}
+
+std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string& task) {
+  require_file_name("output", output);
+  if (is_special_file(output)) {
+    return open_stream(output);
+  }
+  return std::make_unique<PartFile>(resume_part(output, task));
 }
 
 std::string description(const LeftRows& left) {

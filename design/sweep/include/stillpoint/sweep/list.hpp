@@ -67,4 +67,13 @@ class List {
   std::optional<std::vector<double>> first_;  ///< read with the keys, not yet given
 };
 
+/// How long a list is, and what is in it.
+struct ListExtent {
+  std::int64_t entries{0};
+  std::uint64_t digest{0};
+};
+
+/// Of all that is left of it.
+[[nodiscard]] ListExtent read_to_end(List& list);
+
 }  // namespace stillpoint::sweep

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/sweep/map.hpp>
+#include <stillpoint/sweep/reduction.hpp>
 #include <stillpoint/sweep/sink.hpp>
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
@@ -17,6 +18,7 @@ struct SweepWatch {
   std::stop_token stop{};                             ///< answered within some tenths of a second
   std::function<void(const SweepState&)> progress{};  ///< called after each block
   SweepMap* map{nullptr};                             ///< to be filled
+  Reducer* reducer{nullptr};  ///< takes the rows, which then are not written
 };
 
 enum class SweepEnd {

@@ -48,6 +48,19 @@ class RowSink {
   virtual LeftRows leave() = 0;
 };
 
+/// Where no rows go.
+class NoRows : public RowSink {
+ public:
+  [[nodiscard]] const SweepState& found() const override { return nothing_; }
+  void write(std::string_view /*bytes*/) override {}
+  void reached(const SweepState& /*state*/) override {}
+  void finish(const SweepState& /*state*/, std::string_view /*header*/) override {}
+  LeftRows leave() override { return {}; }
+
+ private:
+  SweepState nothing_;
+};
+
 /// Another sweep left files, or is still writing them, and this sweep must not touch them.
 class LeftoverError : public std::runtime_error {
  public:

@@ -8,6 +8,8 @@
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/list.hpp>
+#include <stillpoint/sweep/part.hpp>
+#include <stillpoint/sweep/reduction.hpp>
 #include <stillpoint/sweep/units.hpp>
 
 #include <cstdint>
@@ -45,9 +47,13 @@ struct SweepSpec {
   /// one value and stands for an input that is not a column. Without hold or notch_width the notch
   /// is the paper's.
   std::vector<SweepAxis> axes;
-  std::shared_ptr<List> list;     ///< empty for a grid; it is read once, from its beginning
-  std::vector<Quantity> columns;  ///< of the output; see default_columns
-  int threads{1};                 ///< no result depends on it
+  std::shared_ptr<List> list;        ///< empty for a grid; it is read once, from its beginning
+  std::optional<SweepPart> part;     ///< only these entries; the file can be merged
+  std::optional<ListExtent> listed;  ///< of the whole list: needed for a part of one
+  std::vector<Quantity> columns;     ///< of the output; see default_columns
+  /// If given, the rows are not written but reduced, see Reducer.
+  std::optional<AskedReduction> reduction;
+  int threads{1};                    ///< no result depends on it
 
   std::optional<double> half_cycle_limit;  ///< of motions, 1 to 1e15; empty: as in core
   std::vector<FrictionZone> zones;         ///< of motions; see Surface
@@ -62,13 +68,22 @@ struct SweepSpec {
   std::optional<std::string> output;  ///< a file; empty: standard output
   RowFormat format{RowFormat::csv};
   bool resume{false};  ///< continue what an interrupted sweep left of `output`
-  /// Everything that the rows depend on except the entries of a list, as a JSON object. A sweep is
-  /// resumed only if this is the same as when it began.
+  /// Everything that the rows of the whole sweep depend on except the entries of a list, as a JSON
+  /// object. A sweep is resumed only if this is the same as when it began, and merged only of parts
+  /// in which it is the same.
   std::string identity{"{}"};
 };
 
 /// The number of entries of a grid; empty for a list. Throws InputError above 1e15.
 [[nodiscard]] std::optional<std::int64_t> entries(const SweepSpec& spec);
+
+/// Which entries are to be computed: all, or those of the part. Of a list that is not split the
+/// count is empty.
+struct OwnEntries {
+  std::int64_t first{0};
+  std::optional<std::int64_t> count{};
+};
+[[nodiscard]] OwnEntries own_entries(const SweepSpec& spec);
 
 /// Whether the input has an axis or is a column of the list.
 [[nodiscard]] bool given(const SweepSpec& spec, Quantity input);

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::sweep {
@@ -16,15 +17,30 @@ namespace stillpoint::sweep {
 /// low bits of doubles are often 0. It is no protection against intent.
 class Digest {
  public:
-  void add(double number) {
+  Digest() = default;
+  explicit Digest(std::uint64_t value) : value_(value) {}
+
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  void add(std::uint64_t word) {
     constexpr std::uint64_t prime = 0x100000001B3U;
-    value_ = (value_ ^ std::bit_cast<std::uint64_t>(number)) * prime;
+    value_ = (value_ ^ word) * prime;
     value_ ^= value_ >> 29U;
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
 
  private:
   std::uint64_t value_{0xCBF29CE484222325U};
+};
+
+/// The same of a sequence of bytes, in whatever pieces it comes.
+struct ByteDigest {
+  std::uint64_t words{Digest().value()};  ///< of all whole words so far
+  std::uint64_t rest{0};                  ///< the bytes after them, the first one lowest
+  std::int64_t size{0};                   ///< bytes so far
+
+  void add(std::string_view bytes);
+
+  friend bool operator==(const ByteDigest&, const ByteDigest&) = default;
 };
 
 /// Of the values of a record, whose file may change; of other loads that of nothing.
@@ -39,6 +55,7 @@ struct SweepState {
   std::uint64_t digest{0};                                   ///< of the entries of a list so far
   std::array<std::int64_t, sweep_outcome_count> outcomes{};  ///< how many motions ended this way
   std::int64_t feasible{0};                                  ///< of the design problems
+  ByteDigest bytes;                                          ///< of the file of a part so far
 
   /// Adds the results of one more block.
   void add(const SweepBlock& block);

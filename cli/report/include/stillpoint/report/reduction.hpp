@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/report/document.hpp>
+#include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/reduction.hpp>
+#include <stillpoint/sweep/run.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::report {
+
+/// What a sweep without rows found. Nothing in it depends on how it was computed, so the reports of
+/// the parts are enough to make that of the whole, to the last byte.
+struct ReductionReport {
+  std::string kind;   ///< of the sweep
+  bool split{false};  ///< into parts, of which this is one
+  sweep::PartLabel label;
+  sweep::SweepState state;  ///< rows, outcomes, feasible designs
+  sweep::Reduction reduction;
+};
+
+[[nodiscard]] ReductionReport reduction_report(const sweep::SweepSpec& spec,
+                                               const sweep::SweepSummary& summary,
+                                               sweep::Reduction reduction);
+
+[[nodiscard]] Document document(const ReductionReport& report);
+[[nodiscard]] nlohmann::ordered_json json(const ReductionReport& report);
+
+/// Whether the file begins as a JSON report does.
+[[nodiscard]] bool is_reduction(const std::string& path);
+
+/// Reads the JSON report of a part. Throws records::FileError if it is not whole.
+[[nodiscard]] ReductionReport read_reduction(const std::string& path);
+
+/// The report of the whole sweep, from those of all its parts. Throws as sweep::merge does.
+[[nodiscard]] ReductionReport merged(const std::vector<std::string>& parts);
+
+}  // namespace stillpoint::report

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+#include "json/parts.hpp"
+#include "sweep_parts.hpp"
+
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/report/reduction.hpp>
+#include <stillpoint/sweep/json_text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace stillpoint::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+using sweep::BestRows;
+using sweep::FineBins;
+using sweep::Form;
+using sweep::Histogram;
+using sweep::ReducedColumn;
+using sweep::ReducedRow;
+using sweep::Reduction;
+using sweep::RowColumn;
+
+constexpr auto reduction_schema = "stillpoint/sweep-reduction/1";
+constexpr std::array quantile_shares{0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
+
+/// Null for what does not exist or never happens.
+ordered_json value_json(double value, Form form) {
+  if (!std::isfinite(value)) {
+    return nullptr;
+  }
+  switch (form) {
+    case Form::number:
+      break;
+    case Form::outcome:
+      return sweep::sweep_outcome_name(static_cast<std::size_t>(value));
+    case Form::truth:
+      return value != 0;
+  }
+  return value;
+}
+
+double value_from(const ordered_json& value) {
+  if (value.is_boolean()) {
+    return value.get<bool>() ? 1 : 0;
+  }
+  if (value.is_string()) {
+    for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
+      if (value == sweep::sweep_outcome_name(i)) {
+        return static_cast<double>(i);
+      }
+    }
+    throw std::runtime_error("not an outcome");
+  }
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+/// Entries are counted from 1, as in messages.
+ordered_json row_json(const ReducedRow& row, const std::vector<RowColumn>& columns) {
+  ordered_json result{{"entry", row.entry + 1}};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    result[columns[i].name] = value_json(row.values[i], columns[i].form);
+  }
+  return result;
+}
+
+ReducedRow row_from(const ordered_json& row, const std::vector<RowColumn>& columns) {
+  ReducedRow result{row.at("entry").get<std::int64_t>() - 1, {}};
+  result.values.reserve(columns.size());
+  for (const RowColumn& column : columns) {
+    result.values.push_back(value_from(row.at(column.name)));
+  }
+  return result;
+}
+
+ordered_json extreme_json(const std::optional<ReducedRow>& row,
+                          const std::vector<RowColumn>& columns) {
+  return row ? row_json(*row, columns) : ordered_json(nullptr);
+}
+
+std::optional<ReducedRow> extreme_from(const ordered_json& row,
+                                       const std::vector<RowColumn>& columns) {
+  return row.is_null() ? std::nullopt : std::optional(row_from(row, columns));
+}
+
+ordered_json quantiles_json(const Reduction& reduction, const ReducedColumn& column) {
+  ordered_json result = ordered_json::array();
+  for (const double share : quantile_shares) {
+    if (const auto bounds = quantile(reduction, column, share)) {
+      result.push_back({{"share", share}, {"low", bounds->first}, {"high", bounds->second}});
+    }
+  }
+  return result;
+}
+
+ordered_json column_json(const Reduction& reduction, const ReducedColumn& column) {
+  ordered_json bins = ordered_json::array();
+  for (const FineBins::Bin& bin : column.bins.filled()) {
+    bins.push_back({bin.low, bin.high, bin.count});
+  }
+  return {{"column", reduction.row[column.column].name},
+          {"count", column.count},
+          {"absent", column.absent},
+          {"infinite", column.infinite},
+          {"least", extreme_json(column.least, reduction.row)},
+          {"largest", extreme_json(column.largest, reduction.row)},
+          {"quantiles", quantiles_json(reduction, column)},
+          {"bins", bins}};
+}
+
+std::size_t place_of(const std::vector<RowColumn>& columns, const ordered_json& name) {
+  const auto found = std::ranges::find(columns, name.get<std::string>(), &RowColumn::name);
+  if (found == columns.end()) {
+    throw std::runtime_error("not a column");
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+ReducedColumn column_from(const ordered_json& column, const std::vector<RowColumn>& columns) {
+  ReducedColumn result{.column = place_of(columns, column.at("column"))};
+  column.at("count").get_to(result.count);
+  column.at("absent").get_to(result.absent);
+  column.at("infinite").get_to(result.infinite);
+  result.least = extreme_from(column.at("least"), columns);
+  result.largest = extreme_from(column.at("largest"), columns);
+  for (const ordered_json& bin : column.at("bins")) {
+    // The end that is nearer to 0 is in the bin.
+    const double low = bin.at(0).get<double>();
+    result.bins.add(low < 0 ? bin.at(1).get<double>() : low, bin.at(2).get<std::int64_t>());
+  }
+  return result;
+}
+
+ordered_json histogram_json(const Histogram& histogram, const std::vector<RowColumn>& columns) {
+  return {{"column", columns[histogram.column].name},
+          {"edges", histogram.edges},
+          {"counts", histogram.counts},
+          {"below", histogram.below},
+          {"above", histogram.above}};
+}
+
+Histogram histogram_from(const ordered_json& histogram, const std::vector<RowColumn>& columns) {
+  Histogram result{.column = place_of(columns, histogram.at("column")), .edges = {}, .counts = {}};
+  histogram.at("edges").get_to(result.edges);
+  histogram.at("counts").get_to(result.counts);
+  histogram.at("below").get_to(result.below);
+  histogram.at("above").get_to(result.above);
+  return result;
+}
+
+ordered_json best_json(const BestRows& best, const std::vector<RowColumn>& columns) {
+  ordered_json rows = ordered_json::array();
+  for (const ReducedRow& row : best.rows()) {
+    rows.push_back(row_json(row, columns));
+  }
+  return {{"column", columns[best.column()].name},
+          {"order", best.largest() ? "largest" : "smallest"},
+          {"most", best.most()},
+          {"rows", rows}};
+}
+
+BestRows best_from(const ordered_json& best, const std::vector<RowColumn>& columns) {
+  BestRows result(place_of(columns, best.at("column")), best.at("most").get<std::size_t>(),
+                  best.at("order") == "largest");
+  for (const ordered_json& row : best.at("rows")) {
+    result.add(row_from(row, columns));
+  }
+  return result;
+}
+
+template <class Item, class Make>
+ordered_json list_json(const std::vector<Item>& items, const Make& make) {
+  ordered_json list = ordered_json::array();
+  for (const Item& item : items) {
+    list.push_back(make(item));
+  }
+  return list;
+}
+
+/// Of a part: of everything else in the report.
+ordered_json digest_json(const ordered_json& report) {
+  sweep::ByteDigest digest;
+  digest.add(report.dump());
+  return {digest.words, digest.rest, digest.size};
+}
+
+std::vector<RowColumn> columns_from(const ordered_json& columns) {
+  std::vector<RowColumn> result;
+  result.reserve(columns.size());
+  for (const ordered_json& name : columns) {
+    result.push_back({name.get<std::string>(), Form::number});
+    for (const sweep::QuantityForm& known : sweep::quantity_forms) {
+      if (result.back().name == known.name) {
+        result.back().form = known.form;
+      }
+    }
+  }
+  return result;
+}
+
+ReductionReport report_from(ordered_json document) {
+  const ordered_json digest = document.at("digest");
+  document.erase("digest");
+  if (document.at("schema") != reduction_schema || digest != digest_json(document)) {
+    throw std::runtime_error("not the report of a part");
+  }
+  ReductionReport report;
+  document.at("kind").get_to(report.kind);
+  report.split = true;
+  document.at("part").at("number").get_to(report.label.part.number);
+  document.at("part").at("count").get_to(report.label.part.count);
+  document.at("entries").get_to(report.label.whole.entries);
+  document.at("list_digest").get_to(report.label.whole.digest);
+  report.label.task = document.at("task").dump();
+  document.at("rows").get_to(report.state.rows);
+  if (document.at("outcomes").is_null()) {
+    document.at("feasible").get_to(report.state.feasible);
+  } else {
+    outcomes_from_json(document.at("outcomes"), report.state);
+  }
+  Reduction& reduction = report.reduction;
+  reduction.row = columns_from(document.at("row"));
+  for (const ordered_json& column : document.at("columns")) {
+    reduction.columns.push_back(column_from(column, reduction.row));
+  }
+  for (const ordered_json& histogram : document.at("histograms")) {
+    reduction.histograms.push_back(histogram_from(histogram, reduction.row));
+  }
+  for (const ordered_json& best : document.at("best")) {
+    reduction.best.push_back(best_from(best, reduction.row));
+  }
+  if (!report.label.is_whole(report.state.rows)) {
+    throw std::runtime_error("not that part");
+  }
+  return report;
+}
+
+void append(ReductionReport& total, const ReductionReport& more) {
+  total.state.rows += more.state.rows;
+  total.state.feasible += more.state.feasible;
+  for (std::size_t i = 0; i < sweep::sweep_outcome_count; ++i) {
+    total.state.outcomes[i] += more.state.outcomes[i];
+  }
+  add(total.reduction, more.reduction);
+}
+
+}  // namespace
+
+ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
+                                 Reduction reduction) {
+  sweep::PartLabel label = label_of(spec);
+  if (!spec.part) {
+    label.whole.entries = summary.state.rows;
+    label.whole.digest = summary.state.digest;
+  }
+  return {std::string(name(spec.kind)), spec.part.has_value(), std::move(label), summary.state,
+          std::move(reduction)};
+}
+
+ordered_json json(const ReductionReport& report) {
+  const bool design = report.kind == name(sweep::SweepKind::design);
+  const auto& [number, count] = report.label.part;
+  const Reduction& reduction = report.reduction;
+  const auto& row = reduction.row;
+  ordered_json names = ordered_json::array();
+  for (const RowColumn& column : row) {
+    names.push_back(column.name);
+  }
+  const ordered_json part{{"number", number}, {"count", count}};
+  ordered_json result{
+      {"schema", reduction_schema},
+      {"program", program_json()},
+      {"kind", report.kind},
+      {"part", report.split ? part : ordered_json(nullptr)},
+      {"entries", report.label.whole.entries},
+      {"rows", report.state.rows},
+      {"outcomes", design ? ordered_json(nullptr) : outcomes_json(report.state)},
+      {"feasible", design ? ordered_json(report.state.feasible) : ordered_json(nullptr)},
+      {"row", names},
+      {"columns",
+       list_json(reduction.columns,
+                 [&](const ReducedColumn& column) { return column_json(reduction, column); })},
+      {"histograms",
+       list_json(reduction.histograms,
+                 [&](const Histogram& histogram) { return histogram_json(histogram, row); })},
+      {"best",
+       list_json(reduction.best, [&](const BestRows& best) { return best_json(best, row); })},
+      {"list_digest", report.label.whole.digest},
+      {"task", ordered_json::parse(report.label.task)}};
+  result["digest"] = report.split ? digest_json(result) : ordered_json(nullptr);
+  return result;
+}
+
+bool is_reduction(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return file.get() == '{';
+}
+
+ReductionReport read_reduction(const std::string& path) {
+  constexpr std::size_t largest_file = std::size_t{1} << 30U;
+  const std::string text = records::read_text_file("part", path, largest_file);
+  try {
+    sweep::require_json_object(text, {.kind = "part", .path = path});
+    ReductionReport report = report_from(ordered_json::parse(text));
+    report.label.path = path;
+    return report;
+  } catch (const std::exception&) {
+    throw records::FileError(
+        {.kind = "part", .path = path},
+        "is no whole part of a reduced sweep: it was cut short or has changed");
+  }
+}
+
+ReductionReport merged(const std::vector<std::string>& parts) {
+  sweep::PartOrder order;
+  std::optional<ReductionReport> total;
+  for (const std::string& path : parts) {
+    ReductionReport part = read_reduction(path);
+    order.add(part.label);
+    if (total) {
+      append(*total, part);
+    } else {
+      total = std::move(part);
+    }
+  }
+  static_cast<void>(order.places());
+  total->split = false;
+  return *std::move(total);
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/reduction.hpp>
+
+#include "sweep_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace stillpoint::report {
+
+namespace {
+
+using sweep::BestRows;
+using sweep::Form;
+using sweep::Histogram;
+using sweep::ReducedColumn;
+using sweep::ReducedRow;
+using sweep::Reduction;
+
+std::string short_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
+}
+
+std::string extreme_cell(const std::optional<ReducedRow>& row, std::size_t column) {
+  return row ? fmt::format("{} (entry {})", short_number(row->values[column]), row->entry + 1)
+             : "-";
+}
+
+void add_columns(Document& made, const Reduction& reduction) {
+  Table table{{"column", "least", "median between", "largest"}, {}};
+  for (const ReducedColumn& column : reduction.columns) {
+    const auto median = quantile(reduction, column, 0.5);
+    table.rows.push_back(
+        {{reduction.row[column.column].name, extreme_cell(column.least, column.column),
+          median ? fmt::format("{:.4g} and {:.4g}", median->first, median->second) : "-",
+          extreme_cell(column.largest, column.column)}});
+  }
+  made.section("Columns").parts.emplace_back(std::move(table));
+}
+
+void add_best(Document& made, const BestRows& best, const Reduction& reduction) {
+  constexpr std::size_t most_shown = 10;
+  Table table{{"entry"}, {}};
+  for (const auto& column : reduction.row) {
+    table.head.push_back(column.name);
+  }
+  for (const ReducedRow& row : best.rows()) {
+    if (table.rows.size() == most_shown) {
+      break;
+    }
+    TableRow shown{{fmt::format("{}", row.entry + 1)}};
+    for (std::size_t i = 0; i < row.values.size(); ++i) {
+      const double value = row.values[i];
+      const bool is_outcome = reduction.row[i].form == Form::outcome && std::isfinite(value);
+      shown.cells.push_back(
+          is_outcome ? std::string(sweep::sweep_outcome_name(static_cast<std::size_t>(value)))
+                     : short_number(value));
+    }
+    table.rows.push_back(std::move(shown));
+  }
+  made.section(fmt::format("{} {}", best.largest() ? "Largest" : "Smallest",
+                           reduction.row[best.column()].name))
+      .parts.emplace_back(std::move(table));
+}
+
+void add_histogram(Document& made, const Histogram& histogram, const Reduction& reduction) {
+  Table table{{"from", "to", "values"}, {}};
+  const auto bin = [&table](std::string from, std::string to, std::int64_t count) {
+    if (count > 0) {
+      table.rows.push_back({{std::move(from), std::move(to), fmt::format("{}", count)}});
+    }
+  };
+  bin("", short_number(histogram.edges.front()), histogram.below);
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    bin(short_number(histogram.edges[i]), short_number(histogram.edges[i + 1]),
+        histogram.counts[i]);
+  }
+  bin(short_number(histogram.edges.back()), "", histogram.above);
+  made.detail(fmt::format("Histogram of {}", reduction.row[histogram.column].name))
+      .parts.emplace_back(std::move(table));
+}
+
+}  // namespace
+
+Document document(const ReductionReport& report) {
+  Document made;
+  made.title = "Sweep without rows";
+  Section& rows = made.section("Entries");
+  if (report.split) {
+    rows.row("part", text(report.label.part));
+  }
+  rows.row("entries", fmt::format("{}", report.state.rows));
+  add_outcomes(made, report.state, report.kind == name(sweep::SweepKind::design));
+  add_columns(made, report.reduction);
+  for (const BestRows& best : report.reduction.best) {
+    add_best(made, best, report.reduction);
+  }
+  for (const Histogram& histogram : report.reduction.histograms) {
+    add_histogram(made, histogram, report.reduction);
+  }
+  return made;
+}
+
+}  // namespace stillpoint::report

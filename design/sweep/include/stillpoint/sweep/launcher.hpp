@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/sweep/part.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace stillpoint::sweep {
+
+/// The value of an environment variable; null where it is not set.
+using Environment = std::function<const char*(const char* name)>;
+
+/// The part that falls to this process, from what its launcher sets: Open MPI, MPICH, a step or an
+/// array of Slurm, GNU parallel. GNU parallel does not say how many jobs there are, so it needs
+/// `count`; of the others it must be theirs. Throws InputError if no launcher says anything, if two
+/// contradict each other, and for a value that makes no sense.
+[[nodiscard]] SweepPart launched_part(const Environment& environment,
+                                      std::optional<std::int64_t> count = {});
+
+}  // namespace stillpoint::sweep

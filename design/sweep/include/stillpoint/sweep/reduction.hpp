@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/sweep/quantity.hpp>
+#include <stillpoint/sweep/units.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// What is kept of the rows of a sweep that are not written. All of it is counts, and rows that are
+// chosen by their values and, if these are the same, by their places: so the reductions of parts
+// add up to that of the whole, to the last bit, in any order.
+
+namespace stillpoint::sweep {
+
+/// A column counted in bins of one's own.
+struct AskedBins {
+  Quantity column{};
+  std::vector<double> edges;  ///< rising, at least two
+};
+
+/// The rows with the smallest or the largest values of a column.
+struct AskedBest {
+  Quantity column{};
+  std::int64_t count{1};
+  bool largest{false};
+};
+
+struct AskedReduction {
+  std::vector<AskedBins> histograms;
+  std::vector<AskedBest> best;
+};
+
+/// "peak_amplitude:0:1:50", "stop_time:1:100:40:log" or "f:0,0.1,0.3": low, high and the number of
+/// bins, or the edges. Throws InputError.
+[[nodiscard]] AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns,
+                                   const std::optional<SweepUnits>& units);
+/// "peak_amplitude:10", the ten smallest, or "tolerance:10:largest".
+[[nodiscard]] AskedBest parse_best(std::string_view text, const std::vector<Quantity>& columns,
+                                   const std::optional<SweepUnits>& units);
+
+struct RowColumn {
+  std::string name;
+  Form form{Form::number};
+};
+
+struct ReducedRow {
+  std::int64_t entry{0};       ///< of the whole sweep, from 0
+  std::vector<double> values;  ///< one for each RowColumn
+};
+
+/// How many values are in each of the bins that split each power of two into eight. What is smaller
+/// than 3e-309 counts as 0, which is a bin by itself: any double has its bin, and no bin depends on
+/// the sweep.
+class FineBins {
+ public:
+  void add(double value, std::int64_t times = 1);
+  void add(const FineBins& other);
+  /// The bins that are not empty, in rising order, with low <= values < high; of negative values
+  /// low < values <= high.
+  struct Bin {
+    double low{0};
+    double high{0};
+    std::int64_t count{0};
+  };
+  [[nodiscard]] std::vector<Bin> filled() const;
+
+ private:
+  static constexpr std::size_t count = std::size_t{1} << 15U;  // sign, exponent, three bits
+  std::vector<std::int64_t> counts_ = std::vector<std::int64_t>(count);
+};
+
+/// The finite values of one column.
+struct ReducedColumn {
+  std::size_t column{0};  ///< among the RowColumns
+  std::int64_t count{0};
+  std::int64_t absent{0};    ///< values that do not exist
+  std::int64_t infinite{0};  ///< what never happens
+  std::optional<ReducedRow> least{};
+  std::optional<ReducedRow> largest{};
+  FineBins bins{};
+};
+
+struct Histogram {
+  std::size_t column{0};
+  std::vector<double> edges;         ///< bin i: edges[i] <= value < edges[i + 1]; the last has both
+  std::vector<std::int64_t> counts;  ///< of each bin
+  std::int64_t below{0};
+  std::int64_t above{0};
+};
+
+class BestRows {
+ public:
+  /// At most `most` rows, at least 1, with the smallest or the largest values of a column.
+  BestRows(std::size_t column, std::size_t most, bool largest)
+      : column_(column), most_(most), largest_(largest) {}
+
+  [[nodiscard]] std::size_t column() const { return column_; }
+  [[nodiscard]] std::size_t most() const { return most_; }
+  [[nodiscard]] bool largest() const { return largest_; }
+  /// Best first.
+  [[nodiscard]] std::vector<ReducedRow> rows() const;
+
+  /// Whether a row with this value and this place would be among them.
+  [[nodiscard]] bool takes(double value, std::int64_t entry) const;
+  void add(ReducedRow row);
+  void add(const BestRows& other);
+
+ private:
+  [[nodiscard]] bool better(const ReducedRow& one, const ReducedRow& other) const;
+
+  std::size_t column_;
+  std::size_t most_;
+  bool largest_;
+  std::vector<ReducedRow> heap_;  ///< the worst in front
+};
+
+struct Reduction {
+  std::vector<RowColumn> row;
+  std::vector<ReducedColumn> columns;  ///< the results that are numbers
+  std::vector<Histogram> histograms;
+  std::vector<BestRows> best;
+};
+
+/// Adds what other entries of the same sweep gave.
+void add(Reduction& total, const Reduction& more);
+
+/// Bounds of the value below which a share of the finite values lies: the bin of that value in all
+/// of its histograms. Empty if there are none.
+[[nodiscard]] std::optional<std::pair<double, double>> quantile(const Reduction& reduction,
+                                                                const ReducedColumn& column,
+                                                                double share);
+
+struct SweepSpec;
+struct SweepBlock;
+
+/// Reduces the blocks of a sweep on several threads.
+class Reducer {
+ public:
+  explicit Reducer(const SweepSpec& spec);
+
+  void add(const SweepBlock& block);
+  [[nodiscard]] Reduction result() const;
+
+ private:
+  std::vector<Quantity> columns_;
+  std::vector<Reduction> shares_;  ///< one for each thread
+};
+
+}  // namespace stillpoint::sweep

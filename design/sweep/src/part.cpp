@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/sweep/part.hpp>
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace stillpoint::sweep {
+
+std::string text(const SweepPart& part) {
+  return fmt::format("{}/{}", part.number, part.count);
+}
+
+SweepPart parse_part(std::string_view text) {
+  SweepPart part{0, 0};
+  const char* const end = text.data() + text.size();
+  const auto [slash, number_fault] = std::from_chars(text.data(), end, part.number);
+  if (number_fault == std::errc() && slash != end && *slash == '/') {
+    const auto [rest, count_fault] = std::from_chars(slash + 1, end, part.count);
+    if (rest == end && count_fault == std::errc() && 1 <= part.number &&
+        part.number <= part.count && part.count <= most_sweep_parts) {
+      return part;
+    }
+  }
+  throw InputError(
+      "part", fmt::format("\"{}\"", records::printable(text, records::longest_word)),
+      fmt::format("must be I/N with 1 <= I <= N <= {}, auto or auto/N", most_sweep_parts));
+}
+
+EntryRange range_of(const SweepPart& part, std::int64_t entries) {
+  const std::int64_t least = entries / part.count;
+  const std::int64_t longer = entries % part.count;  // so many have one entry more
+  const std::int64_t before = part.number - 1;
+  return {before * least + std::min(before, longer), least + (before < longer ? 1 : 0)};
+}
+
+std::string with_part(std::string path, const SweepPart& part) {
+  constexpr std::string_view placeholder = "{part}";
+  const std::string count = fmt::format("{}", part.count);
+  const std::string name = fmt::format("{:0{}}-of-{}", part.number, count.size(), count);
+  for (std::size_t place = 0; (place = path.find(placeholder, place)) != std::string::npos;
+       place += name.size()) {
+    path.replace(place, placeholder.size(), name);
+  }
+  return path;
+}
+
+}  // namespace stillpoint::sweep

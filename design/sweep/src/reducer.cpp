@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "block.hpp"
+
+#include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/axis.hpp>
+#include <stillpoint/sweep/reduction.hpp>
+#include <stillpoint/sweep/spec.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::sweep {
+
+namespace {
+
+using Eigen::Index;
+
+Reduction empty_reduction(const SweepSpec& spec) {
+  Reduction reduction;
+  const auto place = [&spec](Quantity column) {
+    return static_cast<std::size_t>(std::ranges::find(spec.columns, column) - spec.columns.begin());
+  };
+  const auto computed = results(spec.kind);
+  reduction.row.reserve(spec.columns.size());
+  for (const Quantity column : spec.columns) {
+    reduction.row.push_back({std::string(name(column, spec.units)), form(column)});
+    if (form(column) == Form::number && std::ranges::find(computed, column) != computed.end()) {
+      reduction.columns.push_back({.column = place(column)});
+    }
+  }
+  reduction.histograms.reserve(spec.reduction->histograms.size());
+  for (const AskedBins& asked : spec.reduction->histograms) {
+    reduction.histograms.push_back({.column = place(asked.column),
+                                    .edges = asked.edges,
+                                    .counts = std::vector<std::int64_t>(asked.edges.size() - 1)});
+  }
+  reduction.best.reserve(spec.reduction->best.size());
+  for (const AskedBest& asked : spec.reduction->best) {
+    reduction.best.emplace_back(place(asked.column), static_cast<std::size_t>(asked.count),
+                                asked.largest);
+  }
+  return reduction;
+}
+
+/// Some entries of a block.
+struct Share {
+  const SweepBlock& block;
+  const std::vector<Quantity>& columns;
+  Index begin;
+  Index end;
+
+  [[nodiscard]] const Eigen::ArrayXd& values(std::size_t column) const {
+    return block[columns[column]];
+  }
+  [[nodiscard]] ReducedRow row(Index i) const {
+    ReducedRow row{block.first + i, {}};
+    row.values.reserve(columns.size());
+    for (const Quantity column : columns) {
+      row.values.push_back(block[column][i]);
+    }
+    return row;
+  }
+};
+
+/// Entries come in rising order, so the first of equal values is the one that is there.
+void reduce(ReducedColumn& reduced, const Share& share) {
+  const Eigen::ArrayXd& values = share.values(reduced.column);
+  const auto at = [&reduced](const std::optional<ReducedRow>& row) {
+    return row->values[reduced.column];
+  };
+  for (Index i = share.begin; i < share.end; ++i) {
+    const double value = values[i];
+    if (!std::isfinite(value)) {
+      ++(std::isnan(value) ? reduced.absent : reduced.infinite);
+      continue;
+    }
+    ++reduced.count;
+    reduced.bins.add(value);
+    if (!reduced.least || value < at(reduced.least)) {
+      reduced.least = share.row(i);
+    }
+    if (!reduced.largest || value > at(reduced.largest)) {
+      reduced.largest = share.row(i);
+    }
+  }
+}
+
+void reduce(Histogram& histogram, const Share& share) {
+  const Eigen::ArrayXd& values = share.values(histogram.column);
+  const auto& edges = histogram.edges;
+  for (Index i = share.begin; i < share.end; ++i) {
+    const double value = values[i];
+    if (!std::isfinite(value)) {
+      continue;
+    }
+    if (value < edges.front()) {
+      ++histogram.below;
+    } else if (value > edges.back()) {
+      ++histogram.above;
+    } else {
+      const auto next = std::ranges::upper_bound(edges, value);
+      const auto bin = static_cast<std::size_t>(next - edges.begin()) - 1;
+      ++histogram.counts[std::min(bin, histogram.counts.size() - 1)];
+    }
+  }
+}
+
+void reduce(BestRows& best, const Share& share) {
+  const Eigen::ArrayXd& values = share.values(best.column());
+  for (Index i = share.begin; i < share.end; ++i) {
+    if (std::isfinite(values[i]) && best.takes(values[i], share.block.first + i)) {
+      best.add(share.row(i));
+    }
+  }
+}
+
+InputError wrong(std::string_view option, std::string_view text, std::string_view bound) {
+  return {std::string(option),
+          fmt::format("\"{}\"", records::printable(text, records::longest_word)),
+          std::string(bound)};
+}
+
+/// The column before the first ':', and what follows.
+std::pair<Quantity, std::string_view> column_of(std::string_view option, std::string_view text,
+                                                const std::vector<Quantity>& columns,
+                                                const std::optional<SweepUnits>& units) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string_view asked = text.substr(0, colon);
+  std::string names;
+  for (const Quantity column : columns) {
+    if (form(column) != Form::number) {
+      continue;
+    }
+    if (name(column, units) == asked) {
+      return {column, text.substr(std::min(colon + 1, text.size()))};
+    }
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(column, units));
+  }
+  throw wrong(option, text, "must begin with a column of numbers: " + names);
+}
+
+}  // namespace
+
+AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns,
+                     const std::optional<SweepUnits>& units) {
+  constexpr std::int64_t most_bins = 100'000;
+  const std::string_view option = "histogram";
+  const auto [column, rest] = column_of(option, text, columns, units);
+  const Axis asked = parse_axis(option, rest);
+  const bool counted = asked.spacing().has_value();
+  const std::int64_t bins = asked.size() - (counted ? 0 : 1);
+  if (bins < 1 || bins > most_bins) {
+    throw wrong(option, text, fmt::format("must have 1 to {} bins", most_bins));
+  }
+  const auto [low, high] = asked.ends();
+  const Axis edges = counted ? Axis(low, high, bins + 1, *asked.spacing()) : asked;
+  AskedBins result{column, {}};
+  result.edges.reserve(static_cast<std::size_t>(edges.size()));
+  for (std::int64_t i = 0; i < edges.size(); ++i) {
+    result.edges.push_back(edges[i]);
+  }
+  if (std::ranges::adjacent_find(result.edges, std::greater_equal()) != result.edges.end()) {
+    throw wrong(option, text, "must have rising edges");
+  }
+  return result;
+}
+
+AskedBest parse_best(std::string_view text, const std::vector<Quantity>& columns,
+                     const std::optional<SweepUnits>& units) {
+  constexpr std::int64_t most_rows = 100'000;
+  const std::string_view option = "best";
+  const auto [column, rest] = column_of(option, text, columns, units);
+  const std::size_t colon = std::min(rest.find(':'), rest.size());
+  const std::string_view order = rest.substr(colon);
+  if (!order.empty() && order != ":largest" && order != ":smallest") {
+    throw wrong(option, text, "must be COLUMN:K, COLUMN:K:smallest or COLUMN:K:largest");
+  }
+  const std::int64_t count = records::parse_integer(option, rest.substr(0, colon));
+  if (count < 1 || count > most_rows) {
+    throw wrong(option, text, fmt::format("must ask for 1 to {} rows", most_rows));
+  }
+  return {column, count, order == ":largest"};
+}
+
+Reducer::Reducer(const SweepSpec& spec)
+    : columns_(spec.columns),
+      shares_(static_cast<std::size_t>(spec.threads), empty_reduction(spec)) {}
+
+void Reducer::add(const SweepBlock& block) {
+  const auto threads = static_cast<Index>(shares_.size());
+  for_each_entry(threads, static_cast<int>(threads), {}, [&](Index thread) {
+    Reduction& reduction = shares_[static_cast<std::size_t>(thread)];
+    const Share share{block, columns_, block.size * thread / threads,
+                      block.size * (thread + 1) / threads};
+    for (ReducedColumn& column : reduction.columns) {
+      reduce(column, share);
+    }
+    for (Histogram& histogram : reduction.histograms) {
+      reduce(histogram, share);
+    }
+    for (BestRows& best : reduction.best) {
+      reduce(best, share);
+    }
+  });
+}
+
+Reduction Reducer::result() const {
+  Reduction total = shares_.front();
+  for (std::size_t i = 1; i < shares_.size(); ++i) {
+    sweep::add(total, shares_[i]);
+  }
+  return total;
+}
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,6 @@
+#!/bin/sh
+#SBATCH --job-name=stillpoint
+#SBATCH --ntasks=1
+#SBATCH --requeue
+# One task of the array that slurm.sh submits.
+exec stillpoint sweep "$@" --part auto --threads "${SLURM_CPUS_PER_TASK:-1}" --resume

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// Sweeps without rows say of the rows what the rows themselves would.
+#include "json_schema.hpp"
+#include "refusal.hpp"
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(sweep_reduce_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using nlohmann::json;
+
+/// Motions without friction that never stop, with little of it, and caught at the start.
+const Arguments motions{"sweep", "--v0",      "1",       "--p",      "1",
+                        "--f",   "0:0.35:15", "--delta", "0:0.6:13", "--times"};
+const Arguments designs{"sweep", "--v0", "0.5:1:4", "--p", "1", "--beta", "0.4:0.9:23"};
+const Arguments asked{"--reduce",
+                      "--histogram",
+                      "peak_amplitude:0.7:0.95:6",
+                      "--histogram",
+                      "stop_time:1:40:5:log",
+                      "--best",
+                      "stop_time:7",
+                      "--best",
+                      "half_cycles:4:largest"};
+
+/// The numbers of a column, where there are any, with their places from 1.
+std::vector<std::pair<double, std::int64_t>> numbers(const SweepTable& table,
+                                                     const std::string& column) {
+  std::vector<std::pair<double, std::int64_t>> found;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (!table.at(i, column).empty()) {
+      found.emplace_back(table.number(i, column), static_cast<std::int64_t>(i) + 1);
+    }
+  }
+  return found;
+}
+
+/// Asserts that the row of a report is that row of the table.
+void check_row(const json& row, const SweepTable& table) {
+  const std::size_t place = row.at("entry").get<std::size_t>() - 1;
+  BOOST_TEST(row.size() == table.columns.size() + 1);
+  for (const std::string& column : table.columns) {
+    const std::string& text = table.at(place, column);
+    const json& value = row.at(column);
+    if (value.is_number()) {
+      BOOST_TEST(value.get<double>() == std::stod(text));
+    } else {
+      BOOST_TEST((value.is_null()     ? ""
+                  : value.is_string() ? value.get<std::string>()
+                                      : value.dump()) == text);
+    }
+  }
+}
+
+/// Asserts what a report says of a column, from its rows.
+void check_column(const json& report, const SweepTable& table) {
+  const std::string column = report.at("column");
+  BOOST_TEST_CONTEXT(column) {
+    auto values = numbers(table, column);
+    const auto count = std::ssize(values);
+    BOOST_TEST(report.at("count") == count);
+    BOOST_TEST(report.at("absent").get<std::int64_t>() +
+                   report.at("infinite").get<std::int64_t>() ==
+               std::ssize(table.rows) - count);
+    std::ranges::sort(values);  // of equal values the first entry
+    if (values.empty()) {
+      BOOST_TEST(report.at("least").is_null());
+      return;
+    }
+    BOOST_TEST(report.at("least").at("entry") == values.front().second);
+    const double largest = values.back().first;
+    const auto first_largest =
+        std::ranges::find(values, largest, [](const auto& one) { return one.first; });
+    BOOST_TEST(report.at("largest").at("entry") == first_largest->second);
+    check_row(report.at("least"), table);
+    check_row(report.at("largest"), table);
+    for (const json& quantile : report.at("quantiles")) {
+      const auto rank = std::ceil(quantile.at("share").get<double>() * static_cast<double>(count));
+      const double value = values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1].first;
+      BOOST_TEST(quantile.at("low").get<double>() <= value);
+      BOOST_TEST(quantile.at("high").get<double>() >= value);
+      // A bin is at most an eighth as wide as its inner end is large.
+      BOOST_TEST(quantile.at("high").get<double>() - quantile.at("low").get<double>() <=
+                 std::abs(value) / 8);
+    }
+    std::int64_t binned = 0;
+    for (const json& bin : report.at("bins")) {
+      const double low = bin.at(0);
+      const double high = bin.at(1);
+      const auto in_bin = std::ranges::count_if(values, [&](const auto& one) {
+        return low == high ? one.first == low
+               : low < 0   ? low < one.first && one.first <= high
+                           : low <= one.first && one.first < high;
+      });
+      BOOST_TEST(bin.at(2) == in_bin);
+      binned += bin.at(2).get<std::int64_t>();
+    }
+    BOOST_TEST(binned == count);
+  }
+}
+
+void check_histogram(const json& histogram, const SweepTable& table) {
+  const auto values = numbers(table, histogram.at("column"));
+  const std::vector<double> edges = histogram.at("edges");
+  const auto within = [&](double low, double high, bool with_high) {
+    return std::ranges::count_if(values, [&](const auto& one) {
+      return low <= one.first && (with_high ? one.first <= high : one.first < high);
+    });
+  };
+  BOOST_TEST_REQUIRE(histogram.at("counts").size() + 1 == edges.size());
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    BOOST_TEST(histogram.at("counts").at(i) ==
+               within(edges[i], edges[i + 1], i + 2 == edges.size()));
+  }
+  BOOST_TEST(histogram.at("below") == within(-INFINITY, edges.front(), false));
+  BOOST_TEST(histogram.at("below").get<std::int64_t>() + histogram.at("above").get<std::int64_t>() +
+                 within(edges.front(), edges.back(), true) ==
+             std::ssize(values));
+}
+
+void check_best(const json& best, const SweepTable& table) {
+  auto values = numbers(table, best.at("column"));
+  const bool largest = best.at("order") == "largest";
+  std::ranges::sort(values, [largest](const auto& one, const auto& other) {
+    return one.first != other.first ? (one.first > other.first) == largest
+                                    : one.second < other.second;
+  });
+  const json& rows = best.at("rows");
+  BOOST_TEST_REQUIRE(rows.size() == std::min(values.size(), best.at("most").get<std::size_t>()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    BOOST_TEST(rows[i].at("entry") == values[i].second);
+    check_row(rows[i], table);
+  }
+}
+
+}  // namespace
+
+struct Reduced : Sandbox {
+  [[nodiscard]] json report(const Arguments& arguments) const {
+    const ProgramRun answer = run(joined(arguments, {"--json"}));
+    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    check_report_schema(answer.out);
+    return answer.json();
+  }
+
+  /// Asserts that it says of its rows what is true of them.
+  void check_true(const Arguments& sweep, const Arguments& more) const {
+    const SweepTable table = read_csv(run(sweep).out);
+    const json found = report(joined(sweep, more));
+    BOOST_TEST(found.at("rows") == table.rows.size());
+    if (found.at("outcomes").is_object()) {
+      for (const auto& [outcome, count] : found.at("outcomes").items()) {
+        std::int64_t there = 0;
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+          there += table.at(i, "outcome") == outcome ? 1 : 0;
+        }
+        BOOST_TEST(count == there, outcome);
+      }
+    } else {
+      BOOST_TEST(found.at("feasible") == numbers(table, "f").size());
+    }
+    for (const json& column : found.at("columns")) {
+      check_column(column, table);
+    }
+    for (const json& histogram : found.at("histograms")) {
+      check_histogram(histogram, table);
+    }
+    for (const json& best : found.at("best")) {
+      check_best(best, table);
+    }
+  }
+
+  /// Asserts that n parts merge to the bytes of one run.
+  void check_merged(const Arguments& sweep, int n) const {
+    static_cast<void>(run(joined(sweep, {"--output", "whole.json", "--quiet"})));
+    Arguments merge{"sweep", "merge", "merged.json"};
+    for (int i = n; i >= 1; --i) {
+      const std::string part = std::to_string(i) + "/" + std::to_string(n);
+      const std::string name = "part" + std::to_string(i) + ".json";
+      const ProgramRun answer = run(joined(
+          sweep, {"--part", part, "--output", name, "--threads", std::to_string(1 + i % 3)}));
+      BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+      check_report_schema(read(name));
+      merge.push_back(name);
+    }
+    const ProgramRun answer = run(merge);
+    BOOST_TEST(answer.exit_code == 0, answer.err);
+    BOOST_TEST((read("merged.json") == read("whole.json")), n << " parts");
+  }
+};
+
+BOOST_FIXTURE_TEST_SUITE(reductions, Reduced)
+
+BOOST_AUTO_TEST_CASE(say_what_the_rows_say) {
+  check_true(motions, asked);
+  check_true(designs,
+             {"--reduce", "--best", "tolerance:3:largest", "--histogram", "delta:0,0.05,0.1,0.4"});
+  check_true({"sweep", "--p", "1", "--f", "0.05:0.2:9", "--delta", "0", "--excitation", "harmonic",
+              "--k", "0.2", "--lambda", "0.35", "--t-end", "20"},
+             {"--reduce", "--best", "final_velocity:3"});
+}
+
+BOOST_AUTO_TEST_CASE(of_parts_merge_to_the_bytes_of_the_whole) {
+  for (const int n : {1, 2, 7}) {
+    check_merged(joined(motions, asked), n);
+  }
+  check_merged(joined(designs, {"--reduce", "--best", "delta:5"}), 100);  // 92 entries
+  write("list.csv", "f,delta\n0.1,0.2\n0.3,0.1\n0.02,0.03\n0,0\n");
+  check_merged({"sweep", "--v0", "1", "--p", "1", "--list", "list.csv", "--reduce"}, 3);
+  check_merged({"sweep", "--velocity", "200mm/s:400mm/s:5", "--period", "2.8s", "--f", "0.02",
+                "--delta-m", "1mm:6mm:6", "--reduce", "--best", "peak_m:2"},
+               2);
+}
+
+BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
+  const Arguments sweep = joined(motions, {"--reduce"});
+  for (const char* part : {"1/2", "2/2"}) {
+    static_cast<void>(run(joined(sweep, {"--part", part, "--output", "{part}.json"})));
+  }
+  static_cast<void>(
+      run(joined(sweep, {"--best", "stop_time:2", "--part", "2/2", "--output", "foreign.json"})));
+  static_cast<void>(run(joined(sweep, {"--output", "whole.json"})));
+  const std::string second = read("2-of-2.json");
+  write("torn.json", second.substr(0, second.size() / 2));
+  std::string changed = second;
+  const std::size_t place = changed.find("\"count\": ", changed.find("\"columns\"")) + 9;
+  changed[place] = changed[place] == '1' ? '2' : '1';
+  write("changed.json", changed);
+  const auto before = contents();
+  const auto check = [&](const Arguments& parts, const Texts& says) {
+    check_refusal(run(joined({"sweep", "merge", "merged.json"}, parts)), says);
+    BOOST_TEST(contents() == before);
+  };
+  check({"1-of-2.json"}, {"2/2", "is missing"});
+  check({"1-of-2.json", "2-of-2.json", "2-of-2.json"}, {"2-of-2.json", "part 2/2"});
+  check({"1-of-2.json", "torn.json"}, {"torn.json", "no whole part"});
+  check({"1-of-2.json", "changed.json"}, {"changed.json", "no whole part"});
+  check({"1-of-2.json", "whole.json"}, {"whole.json", "no whole part"});
+  check({"1-of-2.json", "foreign.json"}, {"foreign.json", "1-of-2.json", "best"});
+}
+
+BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
+  const Arguments part = joined(motions, {"--reduce", "--output", "r.json", "--part"});
+  static_cast<void>(run(joined(part, {"1/2"})));
+  const std::string found = read("r.json");
+  BOOST_TEST(run(joined(part, {"1/2", "--resume"})).exit_code == 0);
+  BOOST_TEST(read("r.json") == found);
+  check_refusal(run(joined(part, {"2/2"})), {"r.json", "1/2", "{part}"});
+}
+
+BOOST_AUTO_TEST_CASE(are_text_for_people) {
+  const std::string text = run(joined(motions, asked)).out;
+  for (const char* part : {"stop_time", "median", "Smallest stop_time", "entries"}) {
+    BOOST_TEST(text.find(part) != std::string::npos, text);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+namespace {
+
+const Wrong wrong_reductions[] = {
+    {"a histogram of rows",
+     joined(motions, {"--histogram", "stop_time:0:1:5"}),
+     {"histogram", "--reduce"}},
+    {"the best of rows", joined(motions, {"--best", "stop_time:5"}), {"best", "--reduce"}},
+    {"in a format", joined(motions, {"--reduce", "--format", "npy"}), {"format", "reduce"}},
+    {"with a page", joined(motions, {"--reduce", "--html", "a.html"}), {"reduce", "page"}},
+    {"resumed", joined(motions, {"--reduce", "--resume"}), {"resume", "reduce", "--part"}},
+    {"an unknown column",
+     joined(motions, {"--reduce", "--best", "stop:5"}),
+     {"best", "stop:5", "stop_time"}},
+    {"of outcomes",
+     joined(motions, {"--reduce", "--best", "outcome:5"}),
+     {"best", "outcome:5", "numbers"}},
+    {"no rows",
+     joined(motions, {"--reduce", "--best", "stop_time:0"}),
+     {"best", "stop_time:0", "1 to"}},
+    {"no number", joined(motions, {"--reduce", "--best", "stop_time"}), {"best"}},
+    {"another order",
+     joined(motions, {"--reduce", "--best", "stop_time:5:first"}),
+     {"best", "smallest"}},
+    {"no bins",
+     joined(motions, {"--reduce", "--histogram", "stop_time:1:1:5"}),
+     {"histogram", "rising"}},
+    {"one edge",
+     joined(motions, {"--reduce", "--histogram", "stop_time:1"}),
+     {"histogram", "1 to"}},
+    {"falling edges",
+     joined(motions, {"--reduce", "--histogram", "stop_time:1,3,2"}),
+     {"histogram", "rising"}}};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_reductions_are_refused,
+                       boost::unit_test::data::make(wrong_reductions), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
