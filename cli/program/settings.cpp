@@ -30,23 +30,21 @@ double parse_value(const Option& option, std::string_view text) {
                               dimension == Dimension::none ? with_a_unit(option) : "");
 }
 
-Range range_value(const Option& option, std::string_view low, std::string_view high) {
-  if (high.find(':') != std::string_view::npos) {
-    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
-                     "must be a number, or a range LOW:HIGH");
-  }
-  const Range range{parse_value(option, low), parse_value(option, high)};
-  if (!(range.low <= range.high && range.low >= 0)) {
-    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
-                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH");
-  }
-  return range;
+namespace {
+
+sweep::NumberReader reader(const Option& option) {
+  return [&option](std::string_view number) { return parse_value(option, number); };
 }
 
-Axis axis_value(const Option& option, std::string_view text) {
-  return sweep::parse_axis(option.name, text, [&option](std::string_view number) {
-    return parse_value(option, number);
-  });
+}  // namespace
+
+Range range_value(const Option& option, std::string_view text) {
+  return sweep::parse_range(option.name, text, reader(option));
+}
+
+Axis axis_value(const Option& option, std::string_view text, Command command) {
+  return sweep::parse_axis(option.name, text, reader(option),
+                           option.takes_range_in(command) ? option.traits.range : RangeEnd::none);
 }
 
 template <class T>
@@ -117,7 +115,7 @@ void Settings::set_number_or_range(const Option& option, std::string_view text) 
   if (colon == std::string_view::npos) {
     return set_number(option, text);
   }
-  values_[option.name] = range_value(option, text.substr(0, colon), text.substr(colon + 1));
+  values_[option.name] = range_value(option, text);
   if (has_unit(text.substr(0, colon)) || has_unit(text.substr(colon + 1))) {
     with_units_[option.name] = text;
   }

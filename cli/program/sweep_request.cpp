@@ -182,12 +182,12 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
 
 void add_design(const Settings& settings, SweepSpec& spec) {
   spec.task.criterion = criterion(settings);
-  spec.task.arrivals = settings.integer("arrivals").value_or(spec.task.arrivals);
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");
   spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
   spec.limits.acceleration_max = settings.number("acceleration-max");
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
+  shape_box(settings, spec.limits);
   spec.parts = catalogue_input(settings, spec.units);
 }
 

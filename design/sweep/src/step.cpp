@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "step.hpp"
 
+#include "problem_of.hpp"
+
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
 
@@ -106,10 +109,24 @@ SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
       one_v0_and_p_(!varies(spec, Quantity::v0) && !varies(spec, Quantity::p)) {}
 
 void SweepStep::operator()(SweepBlock& block) {
+  require_ranges(block);
   if (spec_.units) {
     run_physical(block);
   } else {
     run(block);
+  }
+}
+
+void SweepStep::require_ranges(const SweepBlock& block) const {
+  for (const Quantity input : {v0, p}) {
+    const auto& others = block[*other_end(input)];
+    for (Index i = 0; i < others.size(); ++i) {
+      try {
+        require_in_order(spec_, input, block[input][i], others[i]);
+      } catch (const InputError&) {
+        throw EntryError(i, std::current_exception());
+      }
+    }
   }
 }
 
@@ -256,25 +273,27 @@ void SweepStep::run_design(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const FreeOptions options{.times = times_, .margin = false};
   for_each(block, [&](Index i) {
-    design::Problem problem = spec_.task;
-    problem.v0 = block[v0][i];
-    problem.p = block[p][i];
-    problem.beta = block[beta][i];
+    const design::Problem problem =
+        problem_of(spec_, [&](Quantity input) { return block[input][i]; });
     const std::optional<design::DesignPoint> found = design_of(problem, spec_);
     block[feasible][i] = found ? 1 : 0;
-    block[f][i] = found ? found->f : absent;
-    block[delta][i] = found ? found->delta : absent;
-    block[tolerance][i] = found ? found->tolerance : absent;
-    block[peak_amplitude][i] = absent;
-    block[stop_time][i] = absent;
-    block[peak_absolute_acceleration][i] = absent;
-    if (found) {
-      const Response motion = free_response({.p = problem.p, .f = found->f, .delta = found->delta},
-                                            {.x0 = 0, .v0 = problem.v0}, options);
-      block[peak_amplitude][i] = motion.peak_amplitude;
-      block[stop_time][i] = motion.stop_time.value_or(absent);
-      block[peak_absolute_acceleration][i] = motion.peak_absolute_acceleration;
+    if (!found) {
+      for (const Quantity result : results(spec_.kind).subspan(1)) {
+        block[result][i] = absent;
+      }
+      return;
     }
+    const auto arrived = design::arrival_of(problem, found->f, found->delta);
+    const Response motion = free_response({.p = problem.p, .f = found->f, .delta = found->delta},
+                                          {.x0 = 0, .v0 = problem.v0}, options);
+    block[f][i] = found->f;
+    block[delta][i] = found->delta;
+    block[tolerance][i] = even_tolerance(problem, spec_.limits, *found);
+    block[arrival][i] = arrived ? static_cast<double>(*arrived) : absent;
+    block[peak_amplitude][i] = motion.peak_amplitude;
+    block[stop_position][i] = motion.stop_position.value_or(absent);
+    block[stop_time][i] = motion.stop_time.value_or(absent);
+    block[peak_absolute_acceleration][i] = motion.peak_absolute_acceleration;
   });
 }
 

@@ -432,6 +432,10 @@ Arguments sweep(const Arguments& more) {
   return joined({"sweep", "--v0", "1", "--p", "1"}, more);
 }
 
+Arguments sweep_designs(const char* hits) {
+  return {"sweep", "--v0", hits, "--p", "1", "--beta", "2"};
+}
+
 Wrong axis(const char* name, const char* text, const Texts& says) {
   return {name, sweep({"--delta", "0", "--f", text}), says};
 }
@@ -452,6 +456,47 @@ const std::vector<Wrong> sweeps{
     axis("axis_with_a_negative_end", "0.1:-0.1:3",
          {"stillpoint: f = -0.1: must be a number from 0"}),
     axis("one_negative_value", "-1", {"stillpoint: f = -1: must be a number from 0"}),
+    {"range_of_hits_of_motions",
+     {"sweep", "--v0", "0.9:1.1", "--p", "1", "--f", "0.1", "--delta", "0.1"},
+     {"v0 = 0.9:1.1", "first:last:count", "for designs"}},
+    {"range_the_wrong_way_round", sweep_designs("2:1"), {"v0 = 2:1", "0 <= LOW <= HIGH"}},
+    {"range_in_a_list_of_ranges", sweep_designs("1,3:2"), {"v0 = 3:2", "0 <= LOW <= HIGH"}},
+    {"range_of_no_number", sweep_designs("nan:1"), {"v0 = \"nan\"", "finite number"}},
+    {"range_beyond_a_speed", sweep_designs("1,1e-200:1"), {"v0_low = 1e-200", "from 1e-150"}},
+    {"arrivals_that_are_no_count",
+     sweep({"--beta", "1", "--arrivals", "1:4:3"}),
+     {"arrivals = 2.5", "whole number from 1 to 1000"}},
+    {"arrivals_beyond_counting",
+     sweep({"--beta", "1", "--arrivals", "1e9"}),
+     {"arrivals = 1000000000", "whole number from 1 to 1000"}},
+    {"sweep_of_a_negative_residual",
+     sweep({"--beta", "1", "--residual", "0,-1"}),
+     {"residual = -1", "from 0"}},
+    {"residual_of_motions",
+     sweep({"--f", "1", "--delta", "1", "--residual", "1"}),
+     {"residual is for designs"}},
+    {"range_in_a_list_the_wrong_way_round",
+     {"sweep", "--p", "1", "--beta", "1", "--list", "-"},
+     {"line 2", "v0_low = 2: must be at most v0 = 1"},
+     "v0,v0_low\n1,2\n"},
+    {"range_of_periods_in_a_list_the_wrong_way_round",
+     {"sweep", "--velocity", "1", "--max-displacement", "1", "--list", "-"},
+     {"line 2", "period_low = 3: must be at most period = 2"},
+     "period,period_low\n2,3\n"},
+    {"range_in_a_list_and_as_an_option",
+     {"sweep", "--v0", "0.9:1", "--p", "1", "--beta", "1", "--list", "-"},
+     {"v0 = 0.9:1", "is a column of the list as well"},
+     "v0_low\n1\n"},
+    {"range_in_a_list_of_motions",
+     {"sweep", "--v0", "1", "--p", "1", "--delta", "1", "--list", "-"},
+     {"v0_low", "not an input of a free sweep"},
+     "v0_low,f\n1,1\n"},
+    {"wrong_tolerance_of_one_side",
+     sweep({"--beta", "0.9", "--tolerance-f", "1.1:1.2"}),
+     {"tolerance-f = 1.1:1.2", "LOW <= 1"}},
+    {"trade_off_of_a_sweep",
+     sweep({"--beta", "0.9", "--trade-off", "5"}),
+     {"--trade-off: is not an option of sweep"}},
     {"grid_beyond_counting",
      sweep({"--f", "0:1:1000000000", "--delta", "0:1:10000000"}),
      {"grid", "more than 1000000000000000"}},
