@@ -130,14 +130,19 @@ report::DesignReport design_report(const Settings& settings) {
   }
   report.trade_offs = settings.integer("trade-off");
   if (report.trade_offs) {
-    const auto& [problem, limits, search, pulse] = input.request;
+    const auto& [problem, limits, search, pulse, ranges] = input.request;
     if (pulse) {
       throw UsageError("trade-off and pulse exclude each other: the front is that of a velocity");
     }
     report.trade_off = design::trade_off(problem, limits, *report.trade_offs);
   }
   if (width && report.result.finding) {
-    report.built_notch = built_notch(report.result.request, report.result.finding->point, *width);
+    design::DesignRequest shown = report.result.request;
+    if (const auto& check = report.result.finding->pulse) {
+      shown.pulse = check->pulse;
+      shown.problem.p = check->p;
+    }
+    report.built_notch = built_notch(shown, report.result.finding->point, *width);
   }
   return report;
 }

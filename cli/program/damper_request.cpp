@@ -106,7 +106,8 @@ DesignInput design_input(const Settings& settings) {
   if (algorithm && algorithm->empty()) {
     throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
   }
-  DesignInput input{{given.problem, given.limits, {}, pulse}, given.physical};
+  DesignInput input{{given.problem, given.limits, {}, pulse, pulse_ranges(settings, pulse)},
+                    given.physical};
   input.request.search.objective = objective(settings);
   input.request.search.algorithm = algorithm.value_or("");
   return input;

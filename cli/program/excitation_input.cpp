@@ -166,4 +166,27 @@ std::optional<design::Pulse> pulse_input(const Settings& settings,
   return std::nullopt;
 }
 
+design::PulseRanges pulse_ranges(const Settings& settings,
+                                 const std::optional<design::Pulse>& pulse) {
+  design::PulseRanges ranges;
+  if (!pulse) {
+    return ranges;
+  }
+  if (const auto k = settings.range("k")) {
+    if (k->low == 0) {
+      throw InputError("k", 0,
+                       "must be more than 0: a pulse hardly stronger than f leaves the mass off "
+                       "centre");
+    }
+    ranges.k_low = k->low;
+  }
+  for (const char* const name : {"lambda", "excitation-frequency", "pulse-duration"}) {
+    if (const auto range = settings.range(name)) {
+      require_within(name, range->low, smallest_physical, largest_physical);
+      ranges.lambda_high = design::angular_frequency(*pulse) * (range->high / range->low);
+    }
+  }
+  return ranges;
+}
+
 }  // namespace stillpoint::cli

@@ -41,9 +41,13 @@ struct ExcitationInput {
     const Settings& settings, const Excitation& excitation,
     const std::optional<design::PhysicalInput>& physical);
 
-/// The pulse that gives the initial velocity of a design; empty where none is asked for. Throws
-/// UsageError for its options without it, and InputError for a wrong value.
+/// The pulse that gives the initial velocity of a design, of ranges the strongest and longest;
+/// empty where none is asked for. Throws UsageError for its options without it, and InputError for
+/// a wrong value.
 [[nodiscard]] std::optional<design::Pulse> pulse_input(
     const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+/// The other ends of that pulse's ranges. Throws InputError.
+[[nodiscard]] design::PulseRanges pulse_ranges(const Settings& settings,
+                                               const std::optional<design::Pulse>& pulse);
 
 }  // namespace stillpoint::cli

@@ -83,13 +83,13 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
 OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
   return {.sweeps = true, .rivals = rivals, .units = dimensionless, .range = range};
 }
-OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none) {
-  return {.rivals = rivals, .units = si, .dimension = dimension};
+OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none,
+                   RangeEnd range = RangeEnd::none) {
+  return {.rivals = rivals, .units = si, .dimension = dimension, .range = range};
 }
 OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = RangeEnd::none) {
-  OptionTraits traits = in_si(dimension, rivals);
+  OptionTraits traits = in_si(dimension, rivals, range);
   traits.sweeps = true;
-  traits.range = range;
   return traits;
 }
 /// Of `spectrum` the axis.
@@ -209,17 +209,17 @@ std::vector<Option> rows() {
       row("excitation", text, "TYPE", shaking, "{}", of_excitations,
           {.values = excitation_names()}),
       row("k", number, "K", shaking, "peak of the excitation or pulse in g",
-          design | of_excitations, {.dimension = Dimension::gravities}),
+          design | of_excitations, {.dimension = Dimension::gravities, .range = RangeEnd::high}),
       row("excitation-frequency", number, "HZ", shaking,
           "with physical input: in Hz; of a pulse, that of its sine", in_hertz,
-          in_si(Dimension::frequency, Rivals::frequency)),
+          in_si(Dimension::frequency, Rivals::frequency, RangeEnd::low)),
       row("pulse-duration", number, "S", shaking,
           "with physical input: how long half-sine, full-sine or rectangle last, in s", in_hertz,
-          in_si(Dimension::time, Rivals::frequency)),
+          in_si(Dimension::time, Rivals::frequency, RangeEnd::high)),
       row("lambda", number, "L", shaking,
           "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
           "last pi/L, full-sine 2 pi/L",
-          design | of_excitations, {.rivals = Rivals::frequency}),
+          design | of_excitations, {.rivals = Rivals::frequency, .range = RangeEnd::low}),
       row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
           of_excitations),
       row("excitation-duration", number, "S", shaking,

@@ -15,12 +15,25 @@ using fmt::format;
 
 namespace {
 
-void add_pulse(Section& task, const design::Pulse& pulse, const Physical& physical) {
+void add_pulse(Section& task, const design::DesignRequest& request, const Physical& physical) {
+  const design::Pulse& pulse = *request.pulse;
+  const auto& [k_low, lambda_high] = request.pulse_ranges;
   const double lambda = design::angular_frequency(pulse);
-  task.row("pulse", format("{}, k = {:.6g}, lambda = {}", design::name(pulse),
-                           design::peak_load(pulse), frequency_text(physical, lambda)));
   const double lasts = duration(design::excitation(pulse)).value();
-  task.row("duration", time_text(physical, lasts));
+  const auto to = [](const std::optional<std::string>& end) { return end ? " to " + *end : ""; };
+  const std::string weakest = k_low ? format("{:.6g} to ", *k_low) : "";
+  std::optional<std::string> highest;
+  std::optional<std::string> longest;
+  double shortest = lasts;
+  if (lambda_high) {
+    highest = frequency_text(physical, *lambda_high);
+    longest = time_text(physical, lasts);
+    shortest = lasts * (lambda / *lambda_high);
+  }
+  task.row("pulse",
+           format("{}, k = {}{:.6g}, lambda = {}{}", design::name(pulse), weakest,
+                  design::peak_load(pulse), frequency_text(physical, lambda), to(highest)));
+  task.row("duration", time_text(physical, shortest) + to(longest));
 }
 
 void add_damper(Document& document, const design::DesignResult& result, const Physical& physical) {
@@ -196,9 +209,20 @@ std::string felt(const design::Finding& finding, const Response& response,
                 with_unit(example_m, "m"));
 }
 
+/// Of the ranges of a pulse.
+void add_worst(Section& answer, const design::PulseCheck& check, const Physical& physical) {
+  answer.row("ranges",
+             format("up to {}, {} and {} with any pulse and spring; shown is the largest peak, "
+                    "of lambda = {} and p = {:.6g}; lambda is sampled",
+                    length_shown(physical, check.worst->peak),
+                    acceleration_shown(check.worst->acceleration),
+                    time_shown(physical, check.worst->stop_time),
+                    frequency_text(physical, design::angular_frequency(check.pulse)), check.p));
+}
+
 /// What it does, and how far it can be trusted.
 void add_answer(Section& answer, const design::DesignResult& result, const Physical& physical) {
-  const auto& [problem, limits, search, pulse] = result.request;
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const bool pulsed = pulse.has_value();
@@ -219,7 +243,9 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
                                                        : ""));
   }
   answer.row("acceleration", felt(finding, response, physical));
-  if (problem.p_high) {  // the motion shown is that of the softest spring
+  if (pulsed && finding.pulse->worst) {
+    add_worst(answer, *finding.pulse, physical);
+  } else if (problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
   }
@@ -244,7 +270,7 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
 }  // namespace
 
 Document document(const DesignReport& report) {
-  const auto& [problem, limits, search, pulse] = report.result.request;
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   Physical physical = report.physical;
   design::Problem shown = problem;
   if (pulse) {
@@ -257,7 +283,7 @@ Document document(const DesignReport& report) {
   document.title = "Damper design";
   Section& task = add_problem(document, shown, limits, physical);
   if (pulse) {
-    add_pulse(task, *pulse, physical);
+    add_pulse(task, report.result.request, physical);
   }
   task.row("objective", std::string(name(search.objective)));
   if (pulse) {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,11 +27,13 @@ constexpr int curve_steps = 200;
 constexpr double margin = 1.15;
 
 /// The least Delta over f, in strokes that end where the mass does not return.
-FigureCurve needs(const DrawnPulseRegion& drawn, double last, const FigureUnits& units) {
+using LeastDelta = std::function<std::optional<double>(double)>;
+
+FigureCurve needs(const LeastDelta& least_delta, double last, const FigureUnits& units) {
   FigureCurve curve{"least Δ that stops it", {{}}, Ink::purple};
   for (int i = 1; i <= curve_steps; ++i) {
     const double f = last * i / curve_steps;
-    if (const auto least = design::least_delta(drawn.problem, f)) {
+    if (const auto least = least_delta(f)) {
       curve.strokes.back().push_back({f, *least * units.length});
     } else if (!curve.strokes.back().empty()) {
       curve.strokes.emplace_back();
@@ -42,13 +46,13 @@ FigureCurve needs(const DrawnPulseRegion& drawn, double last, const FigureUnits&
 }
 
 /// From the curve up to `top`.
-std::vector<FigurePoint> above_the_curve(const DrawnPulseRegion& drawn,
+std::vector<FigurePoint> above_the_curve(const LeastDelta& least_delta,
                                          const design::FrictionInterval& interval, double top,
                                          double unit) {
   std::vector<FigurePoint> outline;
   for (int i = 0; i <= curve_steps; ++i) {
     const double f = interval.low + (interval.high - interval.low) * i / curve_steps;
-    const auto least = design::least_delta(drawn.problem, f);
+    const auto least = least_delta(f);
     outline.push_back({f, std::min(least ? *least * unit : 0, top)});
   }
   outline.push_back({interval.high, top});
@@ -73,7 +77,8 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
     right = std::max(right, damper->f * (1 + damper->tolerance));
   }
   right *= margin;
-  FigureCurve curve = needs(drawn, right, units);
+  const LeastDelta least_delta = design::least_delta(problem);
+  FigureCurve curve = needs(least_delta, right, units);
   double top = 0;
   for (const auto& stroke : curve.strokes) {
     for (const FigurePoint& at : stroke) {
@@ -98,7 +103,8 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   const double cap = std::min(top, limits.delta_max.value_or(HUGE_VAL) * unit);
   double from = 0;
   for (const auto& interval : intervals) {
-    figure.areas.push_back({"admissible", above_the_curve(drawn, interval, cap, unit), Ink::sky});
+    figure.areas.push_back(
+        {"admissible", above_the_curve(least_delta, interval, cap, unit), Ink::sky});
     if (interval.low > from) {
       figure.areas.push_back({from == 0 ? "too weak: exceeds " + units.length_words(problem.beta)
                                         : "does not keep the limits",

@@ -10,14 +10,24 @@ namespace {
 
 using nlohmann::ordered_json;
 
-void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse) {
+void add_pulse(ordered_json& task, const design::DesignRequest& request) {
+  const auto& pulse = request.pulse;
+  const auto& [k_low, lambda_high] = request.pulse_ranges;
   task["pulse"] = pulse ? ordered_json(design::name(*pulse)) : ordered_json(nullptr);
   task["k"] = pulse ? number(design::peak_load(*pulse)) : ordered_json(nullptr);
+  task["k_range"] = nullptr;
+  if (k_low) {
+    task["k_range"] = {number(*k_low), task["k"]};
+  }
   task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
+  task["lambda_range"] = nullptr;
+  if (lambda_high) {
+    task["lambda_range"] = {task["lambda"], number(*lambda_high)};
+  }
 }
 
 ordered_json design_point_json(const design::DesignResult& result) {
-  const auto& [problem, limits, search, pulse] = result.request;
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
   const design::Finding& finding = *result.finding;
   const auto needs = delta_needs(result);
   const design::DesignPoint& point = finding.point;
@@ -92,7 +102,16 @@ ordered_json pulse_check_json(const design::PulseCheck& check) {
   for (const design::PulseWarning warning : check.warnings) {
     warnings.push_back(name(warning));
   }
+  ordered_json worst = nullptr;
+  if (check.worst) {
+    worst = {{"peak_amplitude", number(check.worst->peak)},
+             {"peak_absolute_acceleration", number(check.worst->acceleration)},
+             {"stop_time", number(check.worst->stop_time)}};
+  }
   return {
+      {"lambda", number(design::angular_frequency(check.pulse))},
+      {"p", number(check.p)},
+      {"worst", worst},
       {"shortness", number(check.shortness)},
       {"friction_ratio", number(check.friction_ratio)},
       {"equivalent_v0", number(check.start ? std::optional(check.start->speed) : std::nullopt)},
@@ -140,9 +159,9 @@ ordered_json built_notch_json(const DesignReport& report) {
 
 ordered_json json(const DesignReport& report) {
   const design::DesignResult& result = report.result;
-  const auto& [problem, limits, search, pulse] = result.request;
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
   ordered_json task = task_json(problem, limits);
-  add_pulse(task, pulse);
+  add_pulse(task, result.request);
   if (pulse && problem.v0 == 0) {
     task["v0"] = nullptr;  // a full sine leaves none
   }

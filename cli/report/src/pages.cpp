@@ -72,24 +72,24 @@ void add_empty_region(HtmlPage& page, DrawnRegion drawn, const design::RegionVer
 }
 
 /// The design as its pulse moves it, from rest.
-DrawnMotion motion_under(const design::Pulse& pulse, const design::Problem& problem,
-                         const design::Finding& found) {
-  const Excitation shaking = design::excitation(pulse);
+DrawnMotion motion_under(const design::Finding& found, double beta) {
+  const double p = found.pulse->p;
+  const Excitation shaking = design::excitation(found.pulse->pulse);
   const double ends = duration(shaking).value();
   constexpr double periods = 3;  // where it does not stop
   constexpr double behind_the_end = 1.04;
   const double horizon = behind_the_end * found.pulse->response.stop_time.value_or(
-                                              ends + periods * 2 * std::numbers::pi / problem.p);
-  DrawnMotion motion = drawn_forced_motion({problem.p, found.point.f, found.point.delta}, {0, 0},
-                                           shaking, std::max(horizon, ends));
-  motion.beta = problem.beta;
+                                              ends + periods * 2 * std::numbers::pi / p);
+  DrawnMotion motion = drawn_forced_motion({p, found.point.f, found.point.delta}, {0, 0}, shaking,
+                                           std::max(horizon, ends));
+  motion.beta = beta;
   return motion;
 }
 
 /// The answer to a task with a pulse.
 HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits& units) {
-  const auto& [problem, limits, search, pulse] = report.result.request;
-  DrawnPulseRegion drawn{{*pulse, problem.p, problem.beta, problem.criterion},
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
+  DrawnPulseRegion drawn{design::pulse_request(report.result.request).problem,
                          limits,
                          report.result.region,
                          report.result.intervals,
@@ -102,11 +102,11 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
   }
   const design::Finding& found = *report.result.finding;
   drawn.damper = DrawnDamper{"design", found.point.f, found.point.delta, found.point.tolerance};
-  const DrawnMotion motion = motion_under(*pulse, problem, found);
+  const DrawnMotion motion = motion_under(found, problem.beta);
   Figure figure = motion_figure(motion, units);
   figure.id = "pulse";
   figure.title = "Motion under the pulse itself";
-  const double ends = duration(design::excitation(*pulse)).value();
+  const double ends = duration(design::excitation(found.pulse->pulse)).value();
   figure.bands.insert(figure.bands.begin(), {"pulse", 0, ends * units.time, Ink::sky});
   page.figures = {pulse_region_figure(drawn, units), figure, phase_figure(motion, units)};
   return page;
@@ -115,7 +115,7 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
 }  // namespace
 
 HtmlPage page(const DesignReport& report) {
-  const auto& [problem, limits, search, pulse] = report.result.request;
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
   if (pulse) {

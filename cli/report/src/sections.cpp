@@ -129,10 +129,10 @@ Section& add_problem(Document& document, const design::Problem& problem,
   }
   if (problem.p_high) {
     const double period = physical ? 2 * std::numbers::pi * physical->scales.time_s : 0;
-    section.row("springs", format("{} {:.6g} to {:.6g}; the motion shown is the softest's",
-                                  physical ? "periods in s" : "p",
+    section.row("springs", format("{} {:.6g} to {:.6g}{}", physical ? "periods in s" : "p",
                                   physical ? period / *problem.p_high : problem.p,
-                                  physical ? period / problem.p : *problem.p_high));
+                                  physical ? period / problem.p : *problem.p_high,
+                                  problem.v0 != 0 ? "; the motion shown is the softest's" : ""));
   }
   if (problem.residual) {
     section.row("residual",

@@ -31,14 +31,15 @@ void add_pulse_region(Document& document, const design::DesignResult& result,
 }
 
 DeltaNeeds delta_needs(const design::DesignResult& result) {
-  const auto& [problem, limits, search, pulse] = result.request;
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
   const double f = result.finding->point.f;
   if (!pulse) {
     return {design::delta1_published(problem, f), design::delta1_exact(problem, f)};
   }
-  const auto least = [&, of = *pulse, p = problem.p,
-                      beta = problem.beta](design::Criterion criterion) {
-    return design::least_delta({of, p, beta, criterion}, f);
+  const auto least = [&](design::Criterion criterion) {
+    design::PulseProblem task = design::pulse_request(result.request).problem;
+    task.criterion = criterion;
+    return design::least_delta(task, f);
   };
   return {least(design::Criterion::published).value_or(0), least(design::Criterion::exact)};
 }

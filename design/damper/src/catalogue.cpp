@@ -155,7 +155,7 @@ std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
 }
 
 Choice choose(const DesignRequest& request, std::span<const Part> parts) {
-  const auto& [problem, limits, options, pulse] = request;
+  const auto& [problem, limits, options, pulse, ranges] = request;
   if (pulse) {
     throw InputError("catalogue", fmt::format("{} parts", parts.size()),
                      "must be left out with a pulse: parts are chosen for a velocity");

@@ -24,19 +24,25 @@ Finding finding_of(const Problem& problem, const Limits& limits, const SearchRes
   return finding;
 }
 
+PulseRequest pulse_request(const DesignRequest& request) {
+  const auto& [problem, limits, options, pulse, ranges] = request;
+  if (problem.arrivals > 1) {
+    throw InputError("arrivals", fmt::format("{}", problem.arrivals),
+                     "must be 1 with a pulse: a design for a pulse stops at the first arrival");
+  }
+  if (problem.residual || limits.shape != BoxShape{}) {
+    throw InputError("pulse", std::string(name(*pulse)),
+                     "takes neither a residual nor a tolerance of f or delta alone");
+  }
+  return {{*pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high},
+          limits,
+          options};
+}
+
 DesignResult design(const DesignRequest& request) {
-  const auto& [problem, limits, options, pulse] = request;
+  const auto& [problem, limits, options, pulse, ranges] = request;
   if (pulse) {
-    if (problem.arrivals > 1) {
-      throw InputError("arrivals", fmt::format("{}", problem.arrivals),
-                       "must be 1 with a pulse: a design for a pulse stops at the first arrival");
-    }
-    if (!is_plain(problem, limits)) {
-      throw InputError("pulse", std::string(name(*pulse)),
-                       "takes neither ranges nor a residual nor a tolerance of f or delta alone");
-    }
-    return design(
-        PulseRequest{{*pulse, problem.p, problem.beta, problem.criterion}, limits, options});
+    return design(pulse_request(request));
   }
   require_valid(options);
   DesignResult result{{admissible_region(problem, limits)}, request};

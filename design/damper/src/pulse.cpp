@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pulse_profile.hpp"
+#include "worst_return.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
@@ -7,6 +7,8 @@
 #include <stillpoint/design/pulse.hpp>
 
 #include <fmt/format.h>
+
+#include <memory>
 
 namespace stillpoint::design {
 
@@ -18,20 +20,37 @@ constexpr Names warning_names(
 
 }  // namespace
 
-void require_valid(const PulseProblem& problem, const Limits& limits) {
-  require_within("k", peak_load(problem.pulse), smallest_speed, largest_speed);
-  require_within("p", problem.p, smallest_speed, largest_speed);
-  require_valid(excitation(problem.pulse));
-  const double lambda = angular_frequency(problem.pulse);
-  if (!(lambda <= fastest_pulse * problem.p && problem.p <= slowest_pulse * lambda)) {
-    throw InputError("lambda", lambda,
-                     fmt::format("must be from {:g} p to {:g} p (p = {}): a {} pulse cannot be "
-                                 "followed",
-                                 1 / slowest_pulse, fastest_pulse, problem.p,
-                                 lambda < problem.p ? "longer" : "shorter"));
+namespace {
+
+void require_followed(double lambda, double p) {
+  if (!(lambda <= fastest_pulse * p && p <= slowest_pulse * lambda)) {
+    throw InputError(
+        "lambda", lambda,
+        fmt::format("must be from {:g} p to {:g} p (p = {}): a {} pulse cannot be "
+                    "followed",
+                    1 / slowest_pulse, fastest_pulse, p, lambda < p ? "longer" : "shorter"));
   }
-  const double speed = peak_load(problem.pulse) / lambda;
-  require_valid(Problem{speed, problem.p, problem.beta, problem.criterion}, limits);
+}
+
+}  // namespace
+
+void require_valid(const PulseProblem& problem, const Limits& limits) {
+  const double k = peak_load(problem.pulse);
+  const double lambda = angular_frequency(problem.pulse);
+  const double k_low = problem.ranges.k_low.value_or(k);
+  const double lambda_high = problem.ranges.lambda_high.value_or(lambda);
+  const double p_high = problem.p_high.value_or(problem.p);
+  require_within("k", k, smallest_speed, largest_speed);
+  require_within("k", k_low, smallest_speed, k);
+  require_within("p", problem.p, smallest_speed, largest_speed);
+  require_within("p", p_high, problem.p, largest_speed);
+  require_valid(excitation(problem.pulse));
+  require_within("lambda", lambda_high, lambda, largest_speed);
+  require_followed(lambda, problem.p);
+  require_followed(lambda, p_high);
+  require_followed(lambda_high, problem.p);
+  require_valid(Problem{k / lambda, problem.p, problem.beta, problem.criterion}, limits);
+  require_valid(Problem{k_low / lambda_high, p_high, problem.beta, problem.criterion}, limits);
 }
 
 double peak_load(const Pulse& pulse) {
@@ -63,11 +82,19 @@ std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f) {
 }
 
 std::optional<double> least_delta(const PulseProblem& problem, double f) {
-  const double k = peak_load(problem.pulse);
-  const FirstReturn motion = first_return(problem.pulse, problem.p, f / k);
-  return motion.returns
-             ? std::optional(motion.need(problem.criterion) * (k / problem.p) * (k / problem.p))
-             : std::nullopt;
+  return least_delta(problem)(f);
+}
+
+std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem) {
+  const auto worst = problem.has_ranges() ? std::make_shared<const WorstReturn>(problem) : nullptr;
+  return [problem, worst](double f) -> std::optional<double> {
+    const double k = peak_load(problem.pulse);
+    const FirstReturn motion =
+        worst ? worst->at(f / k) : first_return(problem.pulse, problem.p, f / k);
+    return motion.returns
+               ? std::optional(motion.need(problem.criterion) * (k / problem.p) * (k / problem.p))
+               : std::nullopt;
+  };
 }
 
 std::string_view name(PulseWarning warning) noexcept {

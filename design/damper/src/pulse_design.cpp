@@ -16,14 +16,18 @@ namespace {
 
 using fmt::format;
 
-/// The request as the forced motion has it: v0 is the velocity of the reduction, if there is one.
-DesignRequest reduced(const PulseRequest& request, double f) {
+/// The request as the forced motion has it: v0 is the velocity to which the motion shown reduces,
+/// if there is one.
+DesignRequest reduced(const PulseRequest& request, const Pulse& shown, double f) {
   const auto& [problem, limits, options] = request;
-  const auto start = equivalent_start(problem.pulse, f);
-  return {{start ? start->speed : 0, problem.p, problem.beta, problem.criterion},
-          limits,
-          options,
-          problem.pulse};
+  const auto start = equivalent_start(shown, f);
+  DesignRequest reduced{{start ? start->speed : 0, problem.p, problem.beta, problem.criterion},
+                        limits,
+                        options,
+                        problem.pulse,
+                        problem.ranges};
+  reduced.problem.p_high = problem.p_high;
+  return reduced;
 }
 
 /// The last f that returns, and the motion there.
@@ -150,7 +154,7 @@ std::vector<Constraint> constraints_of(const PulseRequest& request, const Design
   };
   const double need = motion.need(problem.criterion) * region.delta_unit();
   std::vector<Constraint> list{
-      below("start", "f", point.f, peak_load(problem.pulse), true),
+      below("start", "f", point.f, problem.ranges.k_low.value_or(peak_load(problem.pulse)), true),
       below("amplitude", "peak", motion.peak * region.length_unit(), problem.beta),
       below("return", "f", point.f, edges.f3),
       {"stop", "delta", ">=", point.delta, need, point.delta - need, point.delta >= need}};
@@ -207,7 +211,7 @@ DesignResult design(const PulseRequest& request) {
   require_valid(problem, limits);
   const PulseRegion region(problem, limits);
   const auto optimum = search(region, options);
-  DesignResult result{{edges_of(region, problem, {})}, reduced(request, 0)};
+  DesignResult result{{edges_of(region, problem, {})}, reduced(request, problem.pulse, 0)};
   for (const Island& island : region.islands()) {
     result.intervals.push_back({island.low * region.f_unit(), island.high * region.f_unit()});
   }
@@ -221,11 +225,18 @@ DesignResult design(const PulseRequest& request) {
   const DesignPoint& unit = optimum->found.point;
   const DesignPoint point{unit.f * region.f_unit(), unit.delta * region.delta_unit(),
                           unit.tolerance};
-  const FirstReturn motion = region.at(unit.f);
-  result.request = reduced(request, point.f);
+  const FirstReturn worst = region.at(unit.f);
+  const PulseProblem shown = region.profile()->largest_peak(problem, unit.f);
+  const FirstReturn motion = first_return(shown.pulse, shown.p, unit.f);
+  result.request = reduced(request, shown.pulse, point.f);
   result.region = edges_of(region, problem, optimum->island);
-  result.finding = finding_under_pulse(problem, limits, {point, optimum->found.record}, motion);
-  result.finding->constraints = constraints_of(request, point, motion, region, result.region);
+  result.finding = finding_under_pulse(shown, limits, {point, optimum->found.record}, motion);
+  result.finding->constraints = constraints_of(request, point, worst, region, result.region);
+  if (problem.has_ranges()) {
+    result.finding->pulse->worst =
+        PulseWorst{worst.peak * region.length_unit(), worst.acceleration * region.f_unit(),
+                   worst.time / problem.p};
+  }
   result.finding->pulse->searched =
       in_units(region, options.objective, problem.p, optimum->searched);
   result.finding->pulse->bracketed =

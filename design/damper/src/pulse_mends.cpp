@@ -23,21 +23,37 @@ constexpr double far = 1e6;
 struct PulseCase {
   PulseProblem problem;
   Limits limits;
-  std::shared_ptr<const PulseProfile> profile;  ///< of lambda and p alone, in units of k
+  /// Of lambda, p and the ranges alone, in units of k.
+  std::shared_ptr<const WorstReturn> profile;
+
+  void set(const PulseProblem& changed) {
+    problem = changed;
+    profile = std::make_shared<WorstReturn>(problem);
+  }
 };
 
 void set_k(PulseCase& now, double k) {
   std::visit([k](auto& kind) { kind.k = k; }, now.problem.pulse);
+  if (now.problem.ranges.k_low) {
+    now.set(now.problem);
+  }
 }
 
 void set_lambda(PulseCase& now, double lambda) {
   std::visit([lambda](auto& kind) { kind.lambda = lambda; }, now.problem.pulse);
-  now.profile = std::make_shared<PulseProfile>(now.problem.pulse, now.problem.p);
+  now.set(now.problem);
 }
 
 void set_p(PulseCase& now, double p) {
   now.problem.p = p;
-  now.profile = std::make_shared<PulseProfile>(now.problem.pulse, p);
+  now.set(now.problem);
+}
+
+/// One end of a range.
+template <class Change>
+void set_end(PulseCase& now, const Change& change) {
+  change(now.problem);
+  now.set(now.problem);
 }
 
 bool fits(const PulseCase& now) {
@@ -78,31 +94,52 @@ std::optional<double> nearest_either_way(const PulseCase& base, double from, dou
 }  // namespace
 
 std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits) {
-  const PulseCase base{problem, limits, std::make_shared<PulseProfile>(problem.pulse, problem.p)};
+  const PulseCase base{problem, limits, std::make_shared<WorstReturn>(problem)};
   std::vector<Mend> list;
   if (fits(base)) {
     return list;
   }
-  // In units of k a weaker pulse is a larger beta and larger limits: it can only help.
+  const auto add = [&](const Input<PulseCase>& input) { add_mend(list, base, fits, input); };
+  const auto& [k_low, lambda_high] = problem.ranges;
+  // In units of k a weaker pulse is a larger beta and larger limits: it can only help. So does a
+  // range that is narrower.
   const double k = peak_load(problem.pulse);
-  add_mend(list, base, fits, Input<PulseCase>{"k", k, k / far, set_k});
+  if (k_low) {
+    add({"k_low", *k_low, k, [](PulseCase& now, double value) {
+           set_end(now, [value](PulseProblem& end) { end.ranges.k_low = value; });
+         }});
+    add({"k_high", k, *k_low, set_k});
+  } else {
+    add({"k", k, k / far, set_k});
+  }
   const double p = problem.p;
   const double lambda = angular_frequency(problem.pulse);
-  if (const auto value = nearest_either_way(
-          base, lambda, std::min(lambda, std::max(lambda / far, p / slowest_mended)),
-          std::min(lambda * far, p * fastest_pulse), set_lambda)) {
+  if (lambda_high) {
+    add({"lambda_low", lambda, *lambda_high, set_lambda});
+    add({"lambda_high", *lambda_high, lambda, [](PulseCase& now, double value) {
+           set_end(now, [value](PulseProblem& end) { end.ranges.lambda_high = value; });
+         }});
+  } else if (const auto value = nearest_either_way(
+                 base, lambda,
+                 std::min(lambda,
+                          std::max(lambda / far, problem.p_high.value_or(p) / slowest_mended)),
+                 std::min(lambda * far, p * fastest_pulse), set_lambda)) {
     list.push_back({"lambda", *value, *value > lambda});
   }
-  if (const auto value =
-          nearest_either_way(base, p, std::max(p / far, lambda / fastest_pulse),
-                             std::max(p, std::min(p * far, lambda * slowest_mended)), set_p)) {
+  if (problem.p_high) {
+    add({"p_low", p, *problem.p_high, set_p});
+    add({"p_high", *problem.p_high, p, [](PulseCase& now, double value) {
+           set_end(now, [value](PulseProblem& end) { end.p_high = value; });
+         }});
+  } else if (const auto value = nearest_either_way(
+                 base, p, std::max(p / far, lambda_high.value_or(lambda) / fastest_pulse),
+                 std::max(p, std::min(p * far, lambda * slowest_mended)), set_p)) {
     list.push_back({"p", *value, *value > p});
   }
-  add_mend(list, base, fits,
-           Input<PulseCase>{"beta", problem.beta, problem.beta * far,
-                            [](PulseCase& now, double value) { now.problem.beta = value; }});
+  add({"beta", problem.beta, problem.beta * far,
+       [](PulseCase& now, double value) { now.problem.beta = value; }});
   for (const Input<PulseCase>& limit : limit_inputs<PulseCase>(limits)) {
-    add_mend(list, base, fits, limit);
+    add(limit);
   }
   return list;
 }

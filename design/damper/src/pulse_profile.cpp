@@ -66,16 +66,20 @@ bool same_kind(const FirstReturn& a, const FirstReturn& b) {
 FirstReturn first_return(const Pulse& pulse, double p, double f) {
   const ForcedResponse motion =
       forced_response({1, f, unpassable}, {}, excitation(unit_pulse(pulse, p)));
+  const double speed = motion.arrival_speed.value_or(0);
   return {f,
           motion.stops_at_zero && motion.half_cycles == 1.0,
           motion.peak_amplitude,
-          motion.arrival_speed.value_or(0),
+          speed,
           motion.stop_time.value_or(0),
           motion.peak_absolute_acceleration,
-          motion.turning_points.value_or(0)};
+          motion.turning_points.value_or(0),
+          speed * speed / 2,
+          (speed * speed + f * f) / 2};
 }
 
-PulseProfile::PulseProfile(const Pulse& pulse, double p) : pulse_(unit_pulse(pulse, p)) {
+PulseProfile::PulseProfile(const Pulse& pulse, double p, bool k_varies)
+    : pulse_(unit_pulse(pulse, p)) {
   std::vector<FirstReturn> coarse;
   for (const double f : first_grid(pulse_)) {
     coarse.push_back(at(f));
@@ -105,63 +109,37 @@ PulseProfile::PulseProfile(const Pulse& pulse, double p) : pulse_(unit_pulse(pul
       samples_.push_back(after);
     }
   }
-  add_maxima();
+  add_maxima(k_varies);
 }
 
 FirstReturn PulseProfile::at(double f) const {
   return first_return(pulse_, 1, f);
 }
 
-void PulseProfile::add_maxima() {
+void PulseProfile::add_maxima(bool k_varies) {
   constexpr int bits = 24;  // the value at a maximum then has all digits
-  for (const Criterion criterion : {Criterion::exact, Criterion::published}) {
+  const auto add = [&](const auto& value) {
     std::vector<FirstReturn> found;
     for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
       const FirstReturn& before = samples_[i - 1];
       const FirstReturn& after = samples_[i + 1];
       const FirstReturn& now = samples_[i];
       if (same_kind(before, now) && same_kind(now, after) && now.returns &&
-          now.need(criterion) >= std::max(before.need(criterion), after.need(criterion))) {
-        const auto less = [&](double f) { return -at(f).need(criterion); };
+          value(now) >= std::max(value(before), value(after))) {
+        const auto less = [&](double f) { return -value(at(f)); };
         found.push_back(
             at(boost::math::tools::brent_find_minima(less, before.f, after.f, bits).first));
       }
     }
     samples_.insert(samples_.end(), found.begin(), found.end());
     std::ranges::sort(samples_, {}, &FirstReturn::f);
+  };
+  for (const Criterion criterion : {Criterion::exact, Criterion::published}) {
+    add([&](const FirstReturn& now) { return now.need(criterion); });
+    if (k_varies) {
+      add([&](const FirstReturn& now) { return now.need(criterion) / now.f / now.f; });
+    }
   }
-}
-
-double PulseProfile::need_between(double low, double high, Criterion criterion) const {
-  return std::max(
-      {at(low).need(criterion), at(high).need(criterion), need_of_samples(low, high, criterion)});
-}
-
-double PulseProfile::rough_need_between(double low, double high, Criterion criterion) const {
-  return std::max({need_near(low, criterion), need_near(high, criterion),
-                   need_of_samples(low, high, criterion)});
-}
-
-double PulseProfile::need_of_samples(double low, double high, Criterion criterion) const {
-  double most = 0;
-  for (auto now = std::ranges::lower_bound(samples_, low, {}, &FirstReturn::f);
-       now != samples_.end() && now->f <= high; ++now) {
-    most = std::max(most, now->need(criterion));
-  }
-  return most;
-}
-
-double PulseProfile::need_near(double f, Criterion criterion) const {
-  const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
-  if (after == samples_.end()) {
-    return samples_.back().need(criterion);
-  }
-  if (after == samples_.begin()) {
-    return after->need(criterion);
-  }
-  const FirstReturn& before = *(after - 1);
-  const double part = (f - before.f) / (after->f - before.f);
-  return before.need(criterion) + part * (after->need(criterion) - before.need(criterion));
 }
 
 }  // namespace stillpoint::design

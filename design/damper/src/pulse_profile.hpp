@@ -22,11 +22,13 @@ struct FirstReturn {
   double time{0};          ///< of the arrival, since the start of the pulse
   double acceleration{0};  ///< the largest transmitted, |W| after the arrival included
   double turns{0};
+  /// Delta >= this stops it there: half the square of the speed, by the published criterion
+  /// f^2/(2 p^2) more, as for a hit.
+  double exact_need{0};
+  double published_need{0};
 
-  /// Delta >= this stops it there, by the exact criterion or by the published one, which is larger
-  /// by f^2/(2 p^2) as for a hit.
   [[nodiscard]] double need(Criterion criterion) const {
-    return (speed * speed + (criterion == Criterion::published ? f * f : 0)) / 2;
+    return criterion == Criterion::exact ? exact_need : published_need;
   }
 };
 
@@ -37,20 +39,14 @@ struct FirstReturn {
 /// kind: there two neighbours differ by a relative 1e-14.
 class PulseProfile {
  public:
-  PulseProfile(const Pulse& pulse, double p);
+  /// With the maxima of need/f^2 as well where k has a range: docs/theory.md section 15.
+  PulseProfile(const Pulse& pulse, double p, bool k_varies = false);
 
   [[nodiscard]] FirstReturn at(double f) const;
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
-  /// The largest need from low to high: of both ends and of the samples between them, which have
-  /// the local maxima.
-  [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;
-  /// The same with the ends linear between samples, without a run.
-  [[nodiscard]] double rough_need_between(double low, double high, Criterion criterion) const;
 
  private:
-  void add_maxima();
-  [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
-  [[nodiscard]] double need_near(double f, Criterion criterion) const;
+  void add_maxima(bool k_varies);
 
   Pulse pulse_;
   std::vector<FirstReturn> samples_;

@@ -21,7 +21,7 @@ double ratio_of_box(double tolerance) {
 
 }  // namespace
 
-PulseRegion::PulseRegion(std::shared_ptr<const PulseProfile> profile, const PulseProblem& problem,
+PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const PulseProblem& problem,
                          const Limits& limits)
     : profile_(std::move(profile)),
       criterion_(problem.criterion),

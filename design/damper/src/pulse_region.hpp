@@ -4,7 +4,7 @@
 // The admissible (f, Delta) of a pulse: the f whose motion returns, stays within beta and keeps the
 // limits, and for each of them every Delta from its need up to delta_max. docs/theory.md section 8.
 
-#include "pulse_profile.hpp"
+#include "worst_return.hpp"
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
@@ -23,15 +23,15 @@ struct Island {
   double high{0};
 };
 
-/// In the units of PulseProfile.
+/// In the units of WorstReturn.
 class PulseRegion {
  public:
   PulseRegion(const PulseProblem& problem, const Limits& limits)
-      : PulseRegion(std::make_shared<PulseProfile>(problem.pulse, problem.p), problem, limits) {}
-  PulseRegion(std::shared_ptr<const PulseProfile> profile, const PulseProblem& problem,
+      : PulseRegion(std::make_shared<WorstReturn>(problem), problem, limits) {}
+  PulseRegion(std::shared_ptr<const WorstReturn> profile, const PulseProblem& problem,
               const Limits& limits);
 
-  [[nodiscard]] const std::shared_ptr<const PulseProfile>& profile() const { return profile_; }
+  [[nodiscard]] const std::shared_ptr<const WorstReturn>& profile() const { return profile_; }
   [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
   [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
   /// The largest need of a box, over what delta_max leaves for it: at most 1 where it fits.
@@ -58,7 +58,7 @@ class PulseRegion {
   void find_islands();
   [[nodiscard]] double widest(const Island& island, double f, double delta_free) const;
 
-  std::shared_ptr<const PulseProfile> profile_;
+  std::shared_ptr<const WorstReturn> profile_;
   std::vector<Island> islands_;
   Criterion criterion_;
   double k_;

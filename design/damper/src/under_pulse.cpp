@@ -90,6 +90,8 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   const auto& [f, delta, tolerance] = found.point;
   const Oscillator oscillator{problem.p, f, delta};
   PulseCheck check;
+  check.pulse = problem.pulse;
+  check.p = problem.p;
   check.shortness = problem.p / angular_frequency(problem.pulse);
   check.friction_ratio = f / peak_load(problem.pulse);
 

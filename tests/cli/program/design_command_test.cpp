@@ -109,7 +109,9 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
                          {"algorithm", "LN_COBYLA"},
                          {"pulse", nullptr},
                          {"k", nullptr},
+                         {"k_range", nullptr},
                          {"lambda", nullptr},
+                         {"lambda_range", nullptr},
                          {"catalogue", nullptr},
                          {"trade_off", nullptr}};
   BOOST_TEST(report["input"] == expected);

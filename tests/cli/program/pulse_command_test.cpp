@@ -46,9 +46,10 @@ BOOST_AUTO_TEST_CASE(report_says_how_the_design_stands_under_its_pulse) {
   BOOST_TEST(report["region"]["by"] == "forced_motion");
   BOOST_TEST(report["region"]["delta2"].is_null());
   const json& pulse = report["pulse"];
-  check_fields(pulse, {"shortness:number", "friction_ratio:number", "equivalent_v0:number",
-                       "equivalent_start:number", "peak_error:number", "stop_time_error:number?",
-                       "warnings:array", "searched:number", "bracketed:number", "response:object"});
+  check_fields(pulse, {"lambda:number", "p:number", "worst:object?", "shortness:number",
+                       "friction_ratio:number", "equivalent_v0:number", "equivalent_start:number",
+                       "peak_error:number", "stop_time_error:number?", "warnings:array",
+                       "searched:number", "bracketed:number", "response:object"});
   check_response_fields(pulse["response"]);
   check_fields(pulse["response"], {"end_time:number", "final_position:number",
                                    "final_velocity:number", "sticks:count", "stick_time:number"});
@@ -99,6 +100,38 @@ BOOST_AUTO_TEST_CASE(a_full_sine_has_no_reduction) {
   BOOST_TEST(report["pulse"]["peak_error"].is_null());
   BOOST_TEST(report["pulse"]["response"]["stops_at_zero"] == true);
   BOOST_TEST(report["cross_check"]["passed"] == true);
+}
+
+// Known by hand, docs/theory.md section 15. The rectangle with the largest peak is the strongest.
+BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
+  const Arguments ranged{"design", "--pulse", "rectangle", "--k", "0.45:0.55",   "--lambda", "1",
+                         "--p",    "1",       "--beta",    "0.9", "--criterion", "exact"};
+  const json report = report_of(*this, ranged);
+  BOOST_TEST(near(report["design"]["tolerance"], 0.125 / 0.325, 1e-8));
+  BOOST_TEST(report["input"]["k"] == 0.55);
+  BOOST_TEST((report["input"]["k_range"] == json{0.45, 0.55}));
+  BOOST_TEST(report["input"]["lambda_range"].is_null());
+  BOOST_TEST(near(report["pulse"]["worst"]["peak_amplitude"], 2 * (0.55 - 0.1625), 1e-8));
+  BOOST_TEST(report["pulse"]["p"] == 1);
+  BOOST_TEST(run(ranged).out.find("\n  ranges ") != std::string::npos);
+}
+
+// In metres and seconds as without them, and every way to say how long the pulse is.
+BOOST_AUTO_TEST_CASE(a_length_of_a_pulse_may_be_given_as_any_range) {
+  const Arguments physical{"design",   "--pulse", "half-sine",          "--k",  "0.45g:0.55g",
+                           "--period", "1.9:2.1", "--max-displacement", "600mm"};
+  const json by_duration = report_of(*this, joined(physical, {"--pulse-duration", "0.5s:0.625s"}));
+  const json by_hertz = report_of(*this, joined(physical, {"--excitation-frequency", "0.8:1"}));
+  const json by_lambda = report_of(
+      *this, joined(physical, {"--lambda", in_full(by_hertz["input"]["lambda_range"][0]) + ":" +
+                                               in_full(by_hertz["input"]["lambda_range"][1])}));
+  const json& f = by_hertz["design"]["f"];
+  BOOST_TEST(near(by_duration["design"]["f"], f.get<double>(), 1e-9));
+  BOOST_TEST(near(by_lambda["design"]["f"], f.get<double>(), 1e-9));
+  // A half-sine of 0.8 Hz lasts 0.625 s, and the longest period is that of the time unit.
+  BOOST_TEST(near(by_hertz["input"]["lambda"], 0.8 * 2.1, 1e-12));
+  BOOST_TEST(near(by_hertz["input"]["lambda_range"][1], 1.0 * 2.1, 1e-12));
+  BOOST_TEST(near(by_hertz["input"]["p_range"][1], 2.1 / 1.9, 1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(plain_design_has_no_pulse) {
@@ -192,6 +225,18 @@ const std::vector<Wrong> wrong_pulses{
     {"lambda_missing", without(asked, "--lambda"), {"lambda is missing", "--lambda"}},
     {"k_zero", joined(without(asked, "--k"), {"--k", "0"}), {"k = 0"}},
     {"k_negative", joined(without(asked, "--k"), {"--k", "-1"}), {"k = -1"}},
+    {"k_upside_down", joined(without(asked, "--k"), {"--k", "2:1"}), {"k = 2:1", "LOW <= HIGH"}},
+    {"k_from_zero", joined(without(asked, "--k"), {"--k", "0:1"}), {"k = 0", "more than 0"}},
+    {"k_from_nan", joined(without(asked, "--k"), {"--k", "nan:1"}), {"k = ", "finite number"}},
+    {"k_from_below_zero", joined(without(asked, "--k"), {"--k", "-1:1"}), {"k = -1:1"}},
+    {"k_of_three", joined(without(asked, "--k"), {"--k", "1:2:3"}), {"k = 1:2:3", "LOW:HIGH"}},
+    {"lambda_upside_down",
+     joined(without(asked, "--lambda"), {"--lambda", "2:1"}),
+     {"lambda = 2:1", "LOW <= HIGH"}},
+    {"lambda_from_zero", joined(without(asked, "--lambda"), {"--lambda", "0:1"}), {"lambda = 0"}},
+    {"lambda_to_too_large",
+     joined(without(asked, "--lambda"), {"--lambda", "1:1e13"}),
+     {"lambda = 1", "a shorter pulse cannot be followed"}},
     {"lambda_too_small",
      joined(without(asked, "--lambda"), {"--lambda", "0.0099"}),
      {"lambda = 0.0099", "from 0.01 p to", "a longer pulse cannot be followed"}},

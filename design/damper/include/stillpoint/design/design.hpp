@@ -19,6 +19,7 @@ struct DesignRequest {
   Limits limits{};
   SearchOptions search{};
   std::optional<Pulse> pulse{};  ///< in place of problem.v0; see PulseRequest
+  PulseRanges pulse_ranges{};
 };
 
 /// The design found for an admissible region.
@@ -61,6 +62,8 @@ struct PulseRequest {
   Limits limits{};
   SearchOptions search{};
 };
+/// That of a request with a pulse. Throws InputError for what a pulse does not take.
+[[nodiscard]] PulseRequest pulse_request(const DesignRequest& request);
 
 /// The answer for a mass that a pulse moves from rest. The region is that of the forced motion
 /// itself: docs/theory.md section 8. In it f2 and f3 are the ends of the f that stay within beta

@@ -6,6 +6,7 @@
 #include <stillpoint/core/pulse_speed.hpp>
 #include <stillpoint/design/problem.hpp>
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -15,12 +16,25 @@ namespace stillpoint::design {
 
 using Pulse = std::variant<HalfSine, FullSine, Rectangle>;
 
+/// With these, every requirement holds for each k from k_low to that of the pulse and for each
+/// lambda from that of the pulse to lambda_high.
+struct PulseRanges {
+  std::optional<double> k_low{};
+  std::optional<double> lambda_high{};
+};
+
 /// A problem where a pulse moves the mass from rest, instead of an initial velocity.
 struct PulseProblem {
   Pulse pulse;
   double p{1};
   double beta{1};
   Criterion criterion{Criterion::published};
+  PulseRanges ranges{};
+  std::optional<double> p_high{};  ///< as that of Problem
+
+  [[nodiscard]] bool has_ranges() const {
+    return ranges.k_low.has_value() || ranges.lambda_high.has_value() || p_high.has_value();
+  }
 };
 
 /// lambda / p is at most the first, as far as a forced run reaches, and p / lambda the second: a
@@ -29,7 +43,8 @@ inline constexpr double fastest_pulse = 1e12;
 inline constexpr double slowest_pulse = 100;
 
 /// Throws InputError, naming the field, unless k > 0, lambda / p is from 0.01 to 1e12, and the
-/// problem of the velocity k / lambda is valid (problem.hpp).
+/// problem of the velocity k / lambda is valid (problem.hpp); at both ends of each range, the low
+/// one not above the high one.
 void require_valid(const PulseProblem& problem, const Limits& limits = {});
 
 [[nodiscard]] double peak_load(const Pulse& pulse);          ///< k
@@ -40,8 +55,11 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 [[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f);
 
 /// Delta >= this stops the mass at its first return under friction f: half the square of the
-/// arrival speed, by the published criterion f^2/(2 p^2) more. Empty where it does not return.
+/// arrival speed, by the published criterion f^2/(2 p^2) more; of ranges the largest. Empty where
+/// it does not return.
 [[nodiscard]] std::optional<double> least_delta(const PulseProblem& problem, double f);
+/// The same as a function of f, for many of them.
+[[nodiscard]] std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem);
 
 /// An interval of f whose motion returns, stays within beta and keeps the limits.
 struct FrictionInterval {
@@ -60,11 +78,22 @@ enum class PulseWarning {
 /// The warning of that name; empty where there is none.
 [[nodiscard]] std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept;
 
+/// The largest of any pulse with any spring of the ranges: docs/theory.md section 15.
+struct PulseWorst {
+  double peak{0};
+  double acceleration{0};  ///< transmitted
+  double stop_time{0};
+};
+
 /// The design under its pulse, followed from rest by the exact forced motion, and how far the
 /// reduction to an initial velocity would be off.
 struct PulseCheck {
-  double shortness{0};       ///< p / lambda, the paper's eps for p = 1
-  double friction_ratio{0};  ///< f / k
+  /// Of the ranges those of the motion shown, which has the largest peak.
+  Pulse pulse;
+  double p{0};
+  std::optional<PulseWorst> worst;  ///< of the ranges
+  double shortness{0};              ///< p / lambda, the paper's eps for p = 1
+  double friction_ratio{0};         ///< f / k
   ForcedResponse response;
   std::optional<EquivalentStart> start;  ///< of the reduction; these three not for a full sine
   std::optional<double> peak_error;      ///< of the reduced motion's peak, relative to the true one

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "worst_return.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// What grows with k and falls with p, and what else is bounded from above.
+constexpr std::array figures{&FirstReturn::peak,       &FirstReturn::speed,
+                             &FirstReturn::time,       &FirstReturn::acceleration,
+                             &FirstReturn::exact_need, &FirstReturn::published_need};
+
+void take_worse(FirstReturn& worst, const FirstReturn& other) {
+  worst.returns = worst.returns && other.returns;
+  for (const auto figure : figures) {
+    worst.*figure = std::max(worst.*figure, other.*figure);
+  }
+}
+
+/// A motion of the unit pulse on the unit spring as that of the load k on the spring p, both over
+/// the units: (60) of docs/theory.md.
+FirstReturn scaled(FirstReturn motion, double k, double p) {
+  if (k == 1 && p == 1) {
+    return motion;
+  }
+  const double length = k / p / p;
+  motion.f *= k;
+  motion.peak *= length;
+  motion.speed *= length * p;
+  motion.time /= p;
+  motion.acceleration *= k;
+  motion.exact_need *= length * k;
+  motion.published_need *= length * k;
+  return motion;
+}
+
+Pulse with(Pulse pulse, double k, double lambda) {
+  std::visit(
+      [&](auto& kind) {
+        kind.k = k;
+        kind.lambda = lambda;
+      },
+      pulse);
+  return pulse;
+}
+
+/// A value at a place.
+struct Placed {
+  double at;
+  double value;
+};
+
+/// The top of the parabola through three values, where it is between them; else the largest.
+double top_of(const Placed& before, const Placed& now, const Placed& after) {
+  const double largest = std::max({before.value, now.value, after.value});
+  const double left = now.at - before.at;
+  const double right = after.at - now.at;
+  const double down_left = (now.value - before.value) / left;
+  const double down_right = (now.value - after.value) / right;
+  const double curvature = (down_left + down_right) / (left + right);
+  const double slope = (down_left * right - down_right * left) / (left + right);
+  if (!(curvature > 0) || slope < -2 * curvature * left || slope > 2 * curvature * right) {
+    return largest;
+  }
+  return std::max(largest, now.value + slope * slope / (4 * curvature));
+}
+
+}  // namespace
+
+WorstReturn::WorstReturn(const PulseProblem& problem)
+    : weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
+  const double lambda = angular_frequency(problem.pulse) / problem.p;
+  const double shortest =
+      problem.ranges.lambda_high.value_or(angular_frequency(problem.pulse)) / problem.p;
+  const double stiffest = problem.p_high.value_or(problem.p) / problem.p;
+  const Pulse unit = with(problem.pulse, 1, lambda);
+  add_leg(unit, lambda, stiffest, lambda, 1);
+  corner_ = cases_.size();
+  add_leg(unit, lambda, 1, shortest, 1);
+  cases_.push_back({shortest, 1, PulseProfile(with(unit, 1, shortest), 1, weakest_ < 1)});
+  add_samples();
+}
+
+/// Without its end. The ratio lambda/p grows along it.
+void WorstReturn::add_leg(const Pulse& unit, double lambda, double p, double to_lambda,
+                          double to_p) {
+  const double ratio = (to_lambda / lambda) * (p / to_p);
+  if (!(ratio > 1)) {
+    return;
+  }
+  // In steps of lambda/p by a tenth, and of the pulse's length by a third of a radian of the
+  // spring.
+  constexpr double part = 0.1;
+  constexpr double turn = 0.3;
+  constexpr double most = 64;
+  const double turned = *duration(excitation(with(unit, 1, lambda))) * p -
+                        *duration(excitation(with(unit, 1, to_lambda))) * to_p;
+  const double steps =
+      std::clamp(std::ceil(std::max(std::log(ratio) / part, turned / turn)), 2.0, most);
+  const auto count = static_cast<std::size_t>(steps);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    const double now = lambda * std::pow(to_lambda / lambda, share);
+    const double spring = p * std::pow(to_p / p, share);
+    cases_.push_back({now, spring, PulseProfile(with(unit, 1, now), spring, weakest_ < 1)});
+  }
+}
+
+void WorstReturn::add_samples() {
+  if (cases_.size() == 1 && weakest_ == 1) {
+    samples_ = cases_.front().profile.samples();
+    return;
+  }
+  std::vector<double> grid;
+  for (const Case& one : cases_) {
+    for (const FirstReturn& now : one.profile.samples()) {
+      grid.push_back(now.f);
+      grid.push_back(now.f * weakest_);
+    }
+  }
+  std::ranges::sort(grid);
+  const auto repeated = std::ranges::unique(grid);
+  grid.erase(repeated.begin(), repeated.end());
+  samples_.reserve(grid.size());
+  for (const double f : grid) {
+    samples_.push_back(at(f));
+  }
+}
+
+/// At f/k for every k: as f/k grows from f/k_high to f/k_low.
+FirstReturn WorstReturn::worst_of(const Case& one, double f) const {
+  FirstReturn worst = scaled(one.profile.at(f), 1, one.p);
+  if (weakest_ < 1) {
+    const double most = f / weakest_;
+    take_worse(worst, scaled(one.profile.at(most), weakest_, one.p));
+    const auto& all = one.profile.samples();
+    for (auto now = std::ranges::upper_bound(all, f, {}, &FirstReturn::f);
+         now != all.end() && now->f < most; ++now) {
+      take_worse(worst, scaled(*now, f / now->f, one.p));
+    }
+  }
+  return worst;
+}
+
+FirstReturn WorstReturn::at(double f) const {
+  FirstReturn worst = worst_of(cases_.front(), f);
+  if (cases_.size() == 1) {
+    return worst;
+  }
+  std::vector<FirstReturn> each{worst};
+  each.reserve(cases_.size());
+  for (std::size_t i = 1; i < cases_.size(); ++i) {
+    each.push_back(worst_of(cases_[i], f));
+    take_worse(worst, each.back());
+  }
+  // Between the cases it may be more. What the parabola has more than its three is counted twice.
+  const auto placed = [&](std::size_t i, const auto figure) {
+    return Placed{std::log(cases_[i].lambda / cases_[i].p), each[i].*figure};
+  };
+  for (std::size_t i = 1; worst.returns && i + 1 < each.size(); ++i) {
+    if (i == corner_) {
+      continue;
+    }
+    for (const auto figure : figures) {
+      const Placed before = placed(i - 1, figure);
+      const Placed now = placed(i, figure);
+      const Placed after = placed(i + 1, figure);
+      const double largest = std::max({before.value, now.value, after.value});
+      worst.*figure = std::max(worst.*figure, 2 * top_of(before, now, after) - largest);
+    }
+  }
+  return worst;
+}
+
+PulseProblem WorstReturn::largest_peak(PulseProblem problem, double f) const {
+  const auto peak = [&](const Case& one) { return one.profile.at(f).peak / one.p / one.p; };
+  const Case& worst =
+      cases_.size() == 1 ? cases_.front() : *std::ranges::max_element(cases_, {}, peak);
+  if (cases_.size() > 1) {
+    problem.pulse = with(problem.pulse, peak_load(problem.pulse), worst.lambda * problem.p);
+    problem.p *= worst.p;
+  }
+  problem.ranges = {};
+  problem.p_high = std::nullopt;
+  return problem;
+}
+
+double WorstReturn::need_between(double low, double high, Criterion criterion) const {
+  return std::max(
+      {at(low).need(criterion), at(high).need(criterion), need_of_samples(low, high, criterion)});
+}
+
+double WorstReturn::rough_need_between(double low, double high, Criterion criterion) const {
+  return std::max({need_near(low, criterion), need_near(high, criterion),
+                   need_of_samples(low, high, criterion)});
+}
+
+double WorstReturn::need_of_samples(double low, double high, Criterion criterion) const {
+  double most = 0;
+  for (auto now = std::ranges::lower_bound(samples_, low, {}, &FirstReturn::f);
+       now != samples_.end() && now->f <= high; ++now) {
+    most = std::max(most, now->need(criterion));
+  }
+  return most;
+}
+
+double WorstReturn::need_near(double f, Criterion criterion) const {
+  const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
+  if (after == samples_.end()) {
+    return samples_.back().need(criterion);
+  }
+  if (after == samples_.begin()) {
+    return after->need(criterion);
+  }
+  const FirstReturn& before = *(after - 1);
+  const double part = (f - before.f) / (after->f - before.f);
+  return before.need(criterion) + part * (after->need(criterion) - before.need(criterion));
+}
+
+}  // namespace stillpoint::design

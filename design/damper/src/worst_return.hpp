@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The worst of a first return over the ranges of k, lambda and p, for every f: docs/theory.md
+// section 15. In units of the strongest pulse, k, and of the softest spring, p.
+
+#include "pulse_profile.hpp"
+
+#include <stillpoint/design/pulse.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// For one pulse and one spring it is their PulseProfile. Over ranges every figure of a motion is
+/// the largest of any pulse with any spring, and it returns if all do.
+class WorstReturn {
+ public:
+  explicit WorstReturn(const PulseProblem& problem);
+
+  [[nodiscard]] FirstReturn at(double f) const;
+  [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
+  /// The largest need from low to high: of both ends and of the samples between them, which have
+  /// the local maxima.
+  [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;
+  /// The same with the ends linear between samples, without a run.
+  [[nodiscard]] double rough_need_between(double low, double high, Criterion criterion) const;
+  /// Of the problem that this is of, the one pulse and spring with the largest peak at f.
+  [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
+
+ private:
+  /// A lambda with the softest p that goes with it, over p of the unit.
+  struct Case {
+    double lambda;
+    double p;
+    PulseProfile profile;
+  };
+
+  void add_leg(const Pulse& unit, double lambda, double p, double to_lambda, double to_p);
+  void add_samples();
+  [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;
+  [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
+  [[nodiscard]] double need_near(double f, Criterion criterion) const;
+
+  double weakest_{1};  ///< k_low / k
+  std::vector<Case> cases_;
+  std::size_t corner_{0};  ///< the case where p has reached its low end and lambda sets out
+  std::vector<FirstReturn> samples_;
+};
+
+}  // namespace stillpoint::design

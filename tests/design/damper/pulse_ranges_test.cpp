@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "random_source.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/design.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(pulse_ranges_test)
+
+// Designs for ranges of k, lambda and p under a pulse, held against simulations of single pulses.
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// A design stays a relative 1e-9 inside of its edges.
+constexpr double inset = 1e-8;
+/// The scan misses what is between its points, and the design keeps a reserve between two lambdas:
+/// docs/theory.md section 15.
+constexpr double sampled = 0.01;
+/// A tolerance beyond this is not looked for.
+constexpr double widest = 0.995;
+
+Pulse pulse_of(int kind, double k, double lambda) {
+  switch (kind) {
+    case 0:
+      return HalfSine{k, lambda};
+    case 1:
+      return Rectangle{k, lambda};
+    default:
+      return FullSine{k, lambda};
+  }
+}
+
+/// One pulse with one spring, by its own run.
+struct Single {
+  double f{0};
+  bool holds{false};
+  double need{0};
+};
+
+Single run(const PulseRequest& request, int kind, double k, double lambda, double p, double f) {
+  const auto& [problem, limits, search] = request;
+  constexpr double unpassable = 1e200;
+  const ForcedResponse motion =
+      forced_response({p, f, unpassable}, {}, excitation(pulse_of(kind, k, lambda)));
+  const double w = motion.arrival_speed.value_or(0);
+  const double phi = problem.criterion == Criterion::published ? f / p : 0;
+  return {f,
+          motion.stops_at_zero && motion.half_cycles == 1.0 &&
+              motion.peak_amplitude <= problem.beta && f <= limits.f_max.value_or(HUGE_VAL) &&
+              motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL),
+          (w * w + phi * phi) / 2};
+}
+
+struct Ends {
+  double low{1};
+  double high{1};
+
+  [[nodiscard]] double at(double part) const { return low + (high - low) * part; }
+};
+
+struct Task {
+  int kind{0};
+  PulseRequest request;
+  Ends k, lambda, p;
+};
+
+/// The worst of a grid of pulses and springs.
+Single worst(const Task& task, double f) {
+  constexpr double steps = 4;
+  Single worst{f, true, 0};
+  for (int i = 0; i <= 2 && worst.holds; ++i) {
+    for (int j = 0; j <= 4 && worst.holds; ++j) {
+      for (int n = 0; n <= 2; ++n) {
+        const Single now = run(task.request, task.kind, task.k.at(i / 2.0),
+                               task.lambda.at(j / steps), task.p.at(n / 2.0), f);
+        worst.holds = worst.holds && now.holds;
+        worst.need = std::max(worst.need, now.need);
+      }
+    }
+  }
+  return worst;
+}
+
+/// The largest tolerance of a box with its ends on a grid of f; negative without any.
+double scanned_tolerance(const Task& task) {
+  const auto& [problem, limits, search] = task.request;
+  constexpr int steps = 60;
+  constexpr double least = 1e-3;
+  const double far = std::min(task.k.low, 4 * task.k.high * task.p.high / task.lambda.low);
+  std::vector<Single> points;
+  points.reserve(steps + 1);
+  for (int i = 0; i <= steps; ++i) {
+    points.push_back(worst(task, far * std::pow(least, 1 - static_cast<double>(i) / steps)));
+  }
+  double best = -1;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double need = 0;
+    for (std::size_t j = i; j < points.size() && points[j].holds; ++j) {
+      need = std::max(need, points[j].need);
+      const double tolerance = (points[j].f - points[i].f) / (points[j].f + points[i].f);
+      if (need * (1 + tolerance) <= limits.delta_max.value_or(HUGE_VAL) * (1 - tolerance)) {
+        best = std::max(best, tolerance);
+      }
+    }
+  }
+  return best;
+}
+
+Task random_task(RandomSource& random) {
+  Task task;
+  task.kind = random.pick(3);
+  const double p = random.log_uniform(1e-2, 1e2);
+  const double k = random.log_uniform(1e-2, 1e2);
+  const double lambda = p / random.log_uniform(0.02, 4);
+  const auto ends = [&](double low) -> Ends {
+    return {low, random.pick(3) == 0 ? low : low * (1 + random.uniform(0, 0.25))};
+  };
+  task.k = ends(k);
+  task.lambda = ends(lambda);
+  task.p = ends(p);
+  PulseProblem& problem = task.request.problem;
+  problem = {pulse_of(task.kind, task.k.high, task.lambda.low), task.p.low, 1,
+             random.pick(2) == 0 ? Criterion::published : Criterion::exact};
+  problem.ranges = {task.k.low, task.lambda.high};
+  problem.p_high = task.p.high;
+  const ForcedResponse free = forced_response({p, 1e-3 * k, 1e200}, {}, excitation(problem.pulse));
+  problem.beta = random.uniform(0.6, 1.4) * free.peak_amplitude;
+  Limits& limits = task.request.limits;
+  if (random.pick(4) == 0) {
+    limits.tolerance = random.uniform(0, 0.1);
+  }
+  if (random.pick(3) == 0) {
+    const double w = free.arrival_speed.value_or(0);
+    limits.delta_max = random.uniform(0.5, 2) * w * w / 2;
+  }
+  if (random.pick(4) == 0) {
+    limits.acceleration_max = random.uniform(1, 1.5) * free.peak_absolute_acceleration;
+  }
+  return task;
+}
+
+std::string context_of(const Task& task) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "kind " << task.kind << ", k " << task.k.low << ":" << task.k.high << ", lambda "
+       << task.lambda.low << ":" << task.lambda.high << ", p " << task.p.low << ":" << task.p.high
+       << ", beta " << task.request.problem.beta << ", " << name(task.request.problem.criterion);
+  return text.str();
+}
+
+/// How many of the points that are simulated in the box and in the ranges are not admissible.
+int outside(const Task& task, const DesignPoint& point, int points, RandomSource& random) {
+  const auto part = [&](int i) {
+    return i % 3 == 0 ? random.pick(2) : random.uniform(0, 1);  // corners as well
+  };
+  int bad = 0;
+  for (int i = 0; i < points; ++i) {
+    const double r = point.tolerance * (1 - inset);
+    const double f = point.f * (1 + r * (2 * part(i) - 1));
+    const double delta = point.delta * (1 + r * (2 * part(i) - 1));
+    const Single now = run(task.request, task.kind, task.k.at(part(i)), task.lambda.at(part(i)),
+                           task.p.at(part(i)), f);
+    bad +=
+        !now.holds || now.need > delta || delta > task.request.limits.delta_max.value_or(HUGE_VAL);
+  }
+  return bad;
+}
+
+}  // namespace
+
+// Known by hand, docs/theory.md section 8: with lambda = p a rectangle returns for f <= k/2 with
+// the peak 2 (k - f). For every k from 0.45 to 0.55 that leaves f from 0.55 - 0.9/2 to 0.45/2.
+BOOST_AUTO_TEST_CASE(a_range_of_k_has_the_design_that_is_known) {
+  PulseRequest request;
+  request.problem = {Rectangle{0.55, 1}, 1, 0.9, Criterion::exact, {.k_low = 0.45}};
+  const DesignResult result = stillpoint::design::design(request);
+  const auto close = boost::test_tools::tolerance(inset);
+  const DesignPoint& point = result.finding.value().point;
+  BOOST_TEST(result.region.f2 == 0.1, close);
+  BOOST_TEST(result.region.f3 == 0.225, close);
+  BOOST_TEST(point.f == 0.1625, close);
+  BOOST_TEST(point.tolerance == 0.125 / 0.325, close);
+  BOOST_TEST(result.region.beta_min == 2 * (0.55 - 0.225), close);
+  // From the peak A = 2 (k - f) the mass comes back with A (A - 2 f).
+  BOOST_TEST(least_delta(request.problem, 0.2).value() == 0.7 * (0.7 - 0.4) / 2, close);
+}
+
+// The same by hand with beta = 0.64, which needs k_high - 0.32 <= k_low/2.
+BOOST_AUTO_TEST_CASE(ends_of_a_range_of_k_are_mended_to_what_is_known) {
+  PulseRequest request;
+  request.problem = {Rectangle{0.55, 1}, 1, 0.64, Criterion::exact, {.k_low = 0.45}};
+  const DesignResult result = stillpoint::design::design(request);
+  BOOST_TEST(!result.finding.has_value());
+  std::vector<std::string_view> fields;
+  for (const Mend& mend : result.mends) {
+    fields.push_back(mend.field);
+    const double known = mend.field == "k_low"    ? 0.46
+                         : mend.field == "k_high" ? 0.545
+                         : mend.field == "beta"   ? 0.65
+                                                  : mend.value;
+    BOOST_TEST(mend.value == known, boost::test_tools::tolerance(inset));
+  }
+  BOOST_TEST(fields == (std::vector<std::string_view>{"k_low", "k_high", "lambda", "p", "beta"}),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(ranges_are_refused_upside_down) {
+  const auto refused = [](const PulseProblem& problem, std::string_view field) {
+    BOOST_CHECK_EXCEPTION(require_valid(problem), InputError,
+                          [&](const InputError& error) { return error.field() == field; });
+  };
+  const PulseProblem valid{HalfSine{1, 1}, 1, 1, Criterion::exact, {0.9, 1.1}, 1.2};
+  BOOST_CHECK_NO_THROW(require_valid(valid));
+  PulseProblem wrong = valid;
+  for (const double value : {1.1, 0.0, -1.0, std::nan("")}) {
+    wrong.ranges = {value, 1.1};
+    refused(wrong, "k");
+  }
+  for (const double value : {0.9, 1e13, std::nan("")}) {
+    wrong.ranges = {0.9, value};
+    refused(wrong, "lambda");
+  }
+  wrong = valid;
+  for (const double value : {0.9, std::nan("")}) {
+    wrong.p_high = value;
+    refused(wrong, "p");
+  }
+  wrong.p_high = 101;  // the longest pulse is more than a hundred p long
+  refused(wrong, "lambda");
+}
+
+BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
+  RandomSource random(20261122);
+  constexpr int tasks = 20;
+  const char* const asked = std::getenv("STILLPOINT_POINTS");
+  const int points = asked == nullptr ? 400 : std::atoi(asked) / tasks;
+  int found = 0;
+  for (int i = 0; i < tasks; ++i) {
+    const Task task = random_task(random);
+    const DesignResult result = stillpoint::design::design(task.request);
+    BOOST_TEST_CONTEXT("task " << i << ": " << context_of(task)) {
+      const double scanned = scanned_tolerance(task);
+      if (!result.finding) {
+        BOOST_TEST(scanned <= task.request.limits.tolerance + sampled);
+        continue;
+      }
+      ++found;
+      const DesignPoint& point = result.finding->point;
+      BOOST_TEST(outside(task, point, points, random) == 0);
+      BOOST_TEST(result.finding->cross_check.passed);
+      BOOST_TEST(point.tolerance >= std::min(scanned, widest) - sampled);
+    }
+  }
+  BOOST_TEST(found >= 14);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
