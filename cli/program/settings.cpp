@@ -57,6 +57,14 @@ std::optional<double> Settings::number(std::string_view name) const {
   if (const auto both = range(name)) {
     return find_option(name)->traits.range == RangeEnd::low ? both->low : both->high;
   }
+  if (const auto found = values_.find(name);
+      found != values_.end() && std::holds_alternative<Axis>(found->second)) {
+    const Axis& axis = std::get<Axis>(found->second);
+    if (axis.size() > 1 || axis.has_ranges()) {
+      throw InputError(std::string(name), axis.text(), "must be one number for motions");
+    }
+    return axis[0];
+  }
   return get<double>(name);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "excitation_input.hpp"
+#include "excitation_kinds.hpp"
 #include "motion_input.hpp"
 #include "request.hpp"
 #include "surface_input.hpp"
@@ -82,6 +83,11 @@ std::optional<SweepUnits> units(const Settings& settings) {
   } else if (settings.has("natural-frequency")) {
     units.restoring = sweep::Restoring::natural_frequency;
   }
+  if (const auto pulse = settings.known("pulse")) {
+    units.pulse_angle = find_excitation_kind(*pulse)->angle;
+    units.pulse_clock =
+        settings.has("pulse-duration") ? sweep::PulseClock::duration : sweep::PulseClock::frequency;
+  }
   return units;
 }
 
@@ -144,7 +150,8 @@ InputError of_physical_option(const InputError& error, const Settings& settings)
   const Option* const plain = find_option(field);
   for (const Option* option :
        plain == nullptr ? std::vector<const Option*>() : physical_rivals(*plain)) {
-    if (settings.has(option->name) && !option->traits.sweeps) {
+    const bool of_entries = option->traits.sweeps && option->traits.rivals != Rivals::frequency;
+    if (settings.has(option->name) && !of_entries) {
       const auto unit = records::units_of(option->traits.dimension).front().name;
       return {std::string(option->name), fmt::format("{} {}", *settings.number(option->name), unit),
               fmt::format("makes {}", error.what())};
@@ -181,6 +188,15 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
 }
 
 void add_design(const Settings& settings, SweepSpec& spec) {
+  if (const auto pulse = settings.known("pulse")) {
+    spec.pulse = find_excitation_kind(*pulse)->pulse({});
+  } else {
+    for (const std::string_view name : pulse_options) {
+      if (settings.has(name)) {
+        throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", name));
+      }
+    }
+  }
   spec.task.criterion = criterion(settings);
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");

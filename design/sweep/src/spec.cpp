@@ -19,7 +19,8 @@ namespace {
 using enum Quantity;
 
 constexpr std::array motion_inputs{v0, p, x0, f, delta, hold, notch_width};
-constexpr std::array design_inputs{v0, v0_low, p, p_high, beta, residual, arrivals};
+constexpr std::array design_inputs{v0,     v0_low,      p,    p_high,   k,       k_low,
+                                   lambda, lambda_high, beta, residual, arrivals};
 
 constexpr std::array free_results{peak_amplitude, half_cycles, outcome,
                                   stop_position,  stop_time,   peak_absolute_acceleration};

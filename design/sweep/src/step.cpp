@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "step.hpp"
 
-#include "problem_of.hpp"
+#include "request_of.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_batch.hpp>
@@ -85,17 +85,45 @@ bool writes(const SweepSpec& spec, Quantity column) {
   return std::ranges::find(spec.columns, column) != spec.columns.end();
 }
 
+/// The damper of an entry and the motion that is shown.
+struct Designed {
+  design::DesignPoint point;
+  std::optional<std::int64_t> arrival;
+  Response motion;
+};
+
 /// The best damper of all, or of the parts; empty if none is admissible.
-std::optional<design::DesignPoint> design_of(const design::Problem& problem,
-                                             const SweepSpec& spec) {
-  if (spec.parts.empty()) {
-    const auto found = design::search(problem, spec.limits, spec.search);
+std::optional<design::DesignPoint> point_of(const design::DesignRequest& request,
+                                            const std::vector<design::Part>& parts) {
+  const auto& [problem, limits, options, pulse, ranges] = request;
+  if (parts.empty()) {
+    const auto found = design::search(problem, limits, options);
     return found ? std::optional(found->point) : std::nullopt;
   }
   const auto [part, admissible, tolerance, violated] =
-      design::ranked(problem, spec.limits, spec.search.objective, spec.parts).front();
+      design::ranked(problem, limits, options.objective, parts).front();
   return admissible ? std::optional(design::DesignPoint{part.f, part.delta, tolerance.value_or(0)})
                     : std::nullopt;
+}
+
+std::optional<Designed> designed(const design::DesignRequest& request,
+                                 const std::vector<design::Part>& parts,
+                                 const FreeOptions& options) {
+  if (request.pulse) {
+    const auto result = parts.empty() ? design::design(request) : choose(request, parts).result;
+    return result.finding ? std::optional(Designed{result.finding->point, result.finding->arrival,
+                                                   result.finding->pulse->response})
+                          : std::nullopt;
+  }
+  const auto found = point_of(request, parts);
+  if (!found) {
+    return std::nullopt;
+  }
+  const design::Problem& problem = request.problem;
+  return Designed{{found->f, found->delta, even_tolerance(problem, request.limits, *found)},
+                  design::arrival_of(problem, found->f, found->delta),
+                  free_response({.p = problem.p, .f = found->f, .delta = found->delta},
+                                {.x0 = 0, .v0 = problem.v0}, options)};
 }
 
 }  // namespace
@@ -118,7 +146,7 @@ void SweepStep::operator()(SweepBlock& block) {
 }
 
 void SweepStep::require_ranges(const SweepBlock& block) const {
-  for (const Quantity input : {v0, p}) {
+  for (const Quantity input : {v0, p, k, lambda}) {
     const auto& others = block[*other_end(input)];
     for (Index i = 0; i < others.size(); ++i) {
       try {
@@ -273,9 +301,8 @@ void SweepStep::run_design(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const FreeOptions options{.times = times_, .margin = false};
   for_each(block, [&](Index i) {
-    const design::Problem problem =
-        problem_of(spec_, [&](Quantity input) { return block[input][i]; });
-    const std::optional<design::DesignPoint> found = design_of(problem, spec_);
+    const auto found = designed(request_of(spec_, [&](Quantity input) { return block[input][i]; }),
+                                spec_.parts, options);
     block[feasible][i] = found ? 1 : 0;
     if (!found) {
       for (const Quantity result : results(spec_.kind).subspan(1)) {
@@ -283,17 +310,14 @@ void SweepStep::run_design(SweepBlock& block) const {
       }
       return;
     }
-    const auto arrived = design::arrival_of(problem, found->f, found->delta);
-    const Response motion = free_response({.p = problem.p, .f = found->f, .delta = found->delta},
-                                          {.x0 = 0, .v0 = problem.v0}, options);
-    block[f][i] = found->f;
-    block[delta][i] = found->delta;
-    block[tolerance][i] = even_tolerance(problem, spec_.limits, *found);
-    block[arrival][i] = arrived ? static_cast<double>(*arrived) : absent;
-    block[peak_amplitude][i] = motion.peak_amplitude;
-    block[stop_position][i] = motion.stop_position.value_or(absent);
-    block[stop_time][i] = motion.stop_time.value_or(absent);
-    block[peak_absolute_acceleration][i] = motion.peak_absolute_acceleration;
+    block[f][i] = found->point.f;
+    block[delta][i] = found->point.delta;
+    block[tolerance][i] = found->point.tolerance;
+    block[arrival][i] = found->arrival ? static_cast<double>(*found->arrival) : absent;
+    block[peak_amplitude][i] = found->motion.peak_amplitude;
+    block[stop_position][i] = found->motion.stop_position.value_or(absent);
+    block[stop_time][i] = found->motion.stop_time.value_or(absent);
+    block[peak_absolute_acceleration][i] = found->motion.peak_absolute_acceleration;
   });
 }
 

@@ -53,10 +53,23 @@ PhysicalForm restoring_form(Quantity quantity, Restoring restoring) {
   return {};
 }
 
+/// Of lambda or lambda_high.
+PhysicalForm pulse_form(Quantity quantity, PulseClock clock) {
+  const bool range = quantity == Quantity::lambda_high;
+  return clock == PulseClock::duration
+             ? PhysicalForm{quantity, range ? "pulse_duration_low" : "pulse_duration",
+                            Dimension::time}
+             : PhysicalForm{quantity, range ? "excitation_frequency_high" : "excitation_frequency",
+                            Dimension::frequency};
+}
+
 /// Dimensionless where there are no units.
 PhysicalForm form_of(Quantity quantity, const std::optional<SweepUnits>& units) {
   if (units && (quantity == Quantity::p || quantity == Quantity::p_high)) {
     return restoring_form(quantity, units->restoring);
+  }
+  if (units && (quantity == Quantity::lambda || quantity == Quantity::lambda_high)) {
+    return pulse_form(quantity, units->pulse_clock);
   }
   const auto* const found = std::ranges::find(physical_forms, quantity, &PhysicalForm::quantity);
   return units && found != physical_forms.end()
@@ -95,6 +108,10 @@ double SweepUnits::plain(Quantity input, double value) const {
     case Quantity::p:
     case Quantity::p_high:
       return omega(restoring, value, mass_kg) * time_s();
+    case Quantity::lambda:
+    case Quantity::lambda_high:
+      return pulse_clock == PulseClock::duration ? pulse_angle * time_s() / value
+                                                 : 2 * std::numbers::pi * value * time_s();
     default:
       return value;  // a length, or without a unit
   }

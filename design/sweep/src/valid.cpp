@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/spec.hpp>
 
-#include "problem_of.hpp"
+#include "request_of.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -54,8 +54,14 @@ void require_in_units(const SweepSpec& spec) {
   }
 }
 
-constexpr std::array may_be_left_out{Quantity::v0_low,   Quantity::p_high, Quantity::residual,
-                                     Quantity::arrivals, Quantity::hold,   Quantity::notch_width};
+/// A pulse takes the place of v0.
+bool may_be_left_out(const SweepSpec& spec, Quantity input) {
+  constexpr std::array always{Quantity::v0_low,      Quantity::p_high,     Quantity::k_low,
+                              Quantity::lambda_high, Quantity::residual,   Quantity::arrivals,
+                              Quantity::hold,        Quantity::notch_width};
+  const bool of_pulse = input == Quantity::k || input == Quantity::lambda;
+  return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
+}
 
 /// Each input has one axis, or is a column of the list.
 void require_inputs(const SweepSpec& spec) {
@@ -67,6 +73,12 @@ void require_inputs(const SweepSpec& spec) {
             fmt::format("must be left out: it is not an input of a {} sweep", name(spec.kind)));
       }
     }
+  }
+  const Quantity rival = spec.pulse ? Quantity::v0 : Quantity::k;
+  if (spec.kind == SweepKind::design && given(spec, rival)) {
+    throw InputError(option_name(rival, spec.units), "an input",
+                     spec.pulse ? "must be left out with a pulse, which is the hit"
+                                : "must be left out without a pulse");
   }
   for (const SweepAxis& swept : spec.axes) {
     const std::string field = option_name(swept.quantity, spec.units);
@@ -92,7 +104,7 @@ void require_inputs(const SweepSpec& spec) {
     }
   }
   for (const Quantity input : inputs(spec.kind)) {
-    if (!contains(may_be_left_out, input) && !given(spec, input)) {
+    if (!may_be_left_out(spec, input) && !given(spec, input)) {
       throw InputError::missing(
           option_name(input, spec.units),
           fmt::format("give a number, a range first:last:count, or numbers a,b,c{}",
@@ -122,7 +134,12 @@ using Corner = std::array<double, quantity_count>;
 void check(const Corner& corner, const SweepSpec& spec) {
   const auto at = [&corner](Quantity quantity) { return corner[index(quantity)]; };
   if (spec.kind == SweepKind::design) {
-    require_valid(problem_of(spec, at), spec.limits);
+    const design::DesignRequest request = request_of(spec, at);
+    if (request.pulse) {
+      const design::PulseRequest pulse = pulse_request(request);
+      return require_valid(pulse.problem, pulse.limits);
+    }
+    require_valid(request.problem, request.limits);
     return;
   }
   Oscillator oscillator{.p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)};

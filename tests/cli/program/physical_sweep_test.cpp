@@ -146,6 +146,29 @@ BOOST_FIXTURE_TEST_CASE(ranges_of_hits_and_springs_are_those_of_design, Sandbox)
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(pulses_of_designs_are_in_hertz_and_seconds, Sandbox) {
+  constexpr double search_tolerance = 1e-6;
+  using Clock = std::pair<Arguments, std::string>;
+  for (const auto& [clock, column] :
+       {Clock{{"--pulse", "full-sine", "--pulse-duration", "0.9s,600ms"}, "pulse_duration"},
+        Clock{{"--pulse", "half-sine", "--excitation-frequency", "0.5Hz,1.25"},
+              "excitation_frequency"}}) {
+    const Arguments task{"--k", "0.2", "--period", "2.8s", "--max-displacement", "0.4"};
+    const SweepTable table = rows(*this, joined(clock, task));
+    BOOST_TEST_REQUIRE(table.rows.size() == 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string option =
+          column == "pulse_duration" ? "--pulse-duration" : "--excitation-frequency";
+      const json report = report_of(
+          *this, joined({"design", "--pulse", clock[1], option, table.at(i, column)}, task));
+      BOOST_TEST_REQUIRE(table.at(i, "feasible") == "true");
+      BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "delta_m"), report["physical"]["delta_m"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "peak_m"), report["physical"]["peak_m"], search_tolerance));
+    }
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(loads_are_in_hertz_and_seconds, Sandbox) {
   write("record.csv", "0 0\n0.3 0.2\n0.9 -0.15\n1.4 0\n");
   const std::vector<std::string> columns{"peak_m", "stop_position_m", "end_time_s",

@@ -254,6 +254,33 @@ BOOST_AUTO_TEST_CASE(columns_of_a_list_are_the_ends_of_ranges) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(of_problems_takes_a_pulse_in_place_of_the_velocity) {
+  const Arguments task{"--pulse", "half-sine", "--p", "1", "--beta", "0.6", "--tolerance", "0.1"};
+  const SweepTable table = table_of(
+      run(joined({"sweep", "--k", "0.2,0.4:0.5,1.5", "--lambda", "2,1.8:2.2", "--times"}, task)));
+  BOOST_TEST_REQUIRE(table.rows.size() == 6U);
+  int designs = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const Arguments pulse{"--k", table.at(row, "k_low") + ":" + table.at(row, "k"), "--lambda",
+                          table.at(row, "lambda") + ":" + table.at(row, "lambda_high")};
+    const json report = run(joined(joined({"design", "--json"}, pulse), task)).json();
+    BOOST_TEST((table.at(row, "feasible") == "true") == report.at("design").is_object());
+    if (report.at("design").is_object()) {
+      ++designs;
+      check_row(table, row, report.at("design"), {"f", "delta", "tolerance"});
+      check_row(table, row, report.at("response"),
+                {"peak_amplitude", "stop_time", "peak_absolute_acceleration"});
+    }
+  }
+  BOOST_TEST((designs > 0 && designs < 6));
+  write("pulses.csv", "k,lambda,lambda_high\n0.2,1.8,2.2\n");
+  const SweepTable listed = table_of(
+      run(joined({"sweep", "--list", "pulses.csv", "--columns", "f,delta,tolerance"}, task)));
+  for (const std::string& column : listed.columns) {
+    BOOST_TEST(listed.at(0, column) == table.at(1, column));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(scenes_have_axes_of_ranges) {
   write("scene.json", R"({"v0": [1, [0.9, 1.1], "0:1"], "p": "0.95:1.05", "beta": 2,
                           "tolerance_f": [0.8, 1.2], "residual": [0, 0.1]})");

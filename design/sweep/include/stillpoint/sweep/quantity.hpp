@@ -19,6 +19,10 @@ enum class Quantity : std::uint8_t {
   p,
   p_high,
   x0,
+  k,
+  k_low,
+  lambda,
+  lambda_high,
   beta,
   residual,
   arrivals,
@@ -61,6 +65,10 @@ inline constexpr std::array quantity_forms{
     QuantityForm{Quantity::p, "p"},
     QuantityForm{Quantity::p_high, "p_high"},
     QuantityForm{Quantity::x0, "x0"},
+    QuantityForm{Quantity::k, "k"},
+    QuantityForm{Quantity::k_low, "k_low"},
+    QuantityForm{Quantity::lambda, "lambda"},
+    QuantityForm{Quantity::lambda_high, "lambda_high"},
     QuantityForm{Quantity::beta, "beta"},
     QuantityForm{Quantity::residual, "residual"},
     QuantityForm{Quantity::arrivals, "arrivals"},
@@ -98,9 +106,18 @@ constexpr Form form(Quantity quantity) {
 
 /// Where a range is an input, the quantity of the end that does not stand for it.
 constexpr std::optional<Quantity> other_end(Quantity quantity) {
-  return quantity == Quantity::v0  ? std::optional(Quantity::v0_low)
-         : quantity == Quantity::p ? std::optional(Quantity::p_high)
-                                   : std::nullopt;
+  switch (quantity) {
+    case Quantity::v0:
+      return Quantity::v0_low;
+    case Quantity::p:
+      return Quantity::p_high;
+    case Quantity::k:
+      return Quantity::k_low;
+    case Quantity::lambda:
+      return Quantity::lambda_high;
+    default:
+      return std::nullopt;
+  }
 }
 
 /// '-' and '_' are the same.

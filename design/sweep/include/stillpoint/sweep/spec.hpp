@@ -5,6 +5,7 @@
 #include <stillpoint/core/surface.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/list.hpp>
@@ -40,8 +41,8 @@ struct SweepSpec {
   std::optional<SweepUnits> units{};
   /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has
   /// one value and stands for an input that is not a column. Without hold or notch_width the notch
-  /// is the paper's. v0_low and p_high are the other ends of an axis of ranges, or columns of the
-  /// list.
+  /// is the paper's. v0_low, p_high and the like are the other ends of an axis of ranges, or
+  /// columns of the list.
   std::vector<SweepAxis> axes;
   std::shared_ptr<List> list;     ///< empty for a grid; it is read once, from its beginning
   std::vector<Quantity> columns;  ///< of the output; see default_columns
@@ -53,6 +54,7 @@ struct SweepSpec {
   std::optional<double> t_end;             ///< required if the excitation never ends
 
   design::Problem task;  ///< of design problems, less the inputs that are given; as are
+  std::optional<design::Pulse> pulse;  ///< in place of v0: one of its kind, less k and lambda
   design::Limits limits;
   design::SearchOptions search;
   std::vector<design::Part> parts;  ///< if any, a design is the best of these
@@ -93,7 +95,8 @@ void require_in_units(const SweepSpec& spec, Quantity input, double value);
 void require_in_order(const SweepSpec& spec, Quantity input, double value, double other);
 
 /// What an entry is made of, in the order of the columns. Of motions, hold and notch_width may be
-/// left out, of designs v0_low, p_high, residual and arrivals.
+/// left out, of designs the other ends of ranges, residual and arrivals; k and lambda are those of
+/// a pulse.
 [[nodiscard]] std::span<const Quantity> inputs(SweepKind kind);
 
 /// What is computed of an entry, in the order of the columns.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problem_of.hpp"
+#include "request_of.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <variant>
 
 namespace stillpoint::sweep {
 
@@ -19,12 +20,13 @@ std::int64_t whole_arrivals(double value) {
   return static_cast<std::int64_t>(value);
 }
 
-design::Problem problem_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
+design::DesignRequest request_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
   const auto if_given = [&](Quantity input) {
     return given(spec, input) ? std::optional(at(input)) : std::nullopt;
   };
-  design::Problem problem = spec.task;
-  problem.v0 = at(Quantity::v0);
+  design::DesignRequest request{spec.task, spec.limits, spec.search, spec.pulse};
+  design::Problem& problem = request.problem;
+  problem.v0 = if_given(Quantity::v0).value_or(0);
   problem.v0_low = if_given(Quantity::v0_low);
   problem.p = at(Quantity::p);
   problem.p_high = if_given(Quantity::p_high);
@@ -33,7 +35,16 @@ design::Problem problem_of(const SweepSpec& spec, const std::function<double(Qua
   if (const auto arrivals = if_given(Quantity::arrivals)) {
     problem.arrivals = whole_arrivals(*arrivals);
   }
-  return problem;
+  if (request.pulse) {
+    std::visit(
+        [&](auto& pulse) {
+          pulse.k = at(Quantity::k);
+          pulse.lambda = at(Quantity::lambda);
+        },
+        *request.pulse);
+    request.pulse_ranges = {if_given(Quantity::k_low), if_given(Quantity::lambda_high)};
+  }
+  return request;
 }
 
 }  // namespace stillpoint::sweep
