@@ -63,6 +63,21 @@ bool may_be_left_out(const SweepSpec& spec, Quantity input) {
   return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
 }
 
+/// Of designs, the inputs of the hit that the entries do not have.
+void require_one_hit(const SweepSpec& spec) {
+  constexpr std::array of_velocity{Quantity::v0, Quantity::v0_low};
+  constexpr std::array of_pulse{Quantity::k, Quantity::k_low, Quantity::lambda,
+                                Quantity::lambda_high};
+  const auto others = spec.pulse ? std::span<const Quantity>(of_velocity) : of_pulse;
+  for (const Quantity other : others) {
+    if (given(spec, other)) {
+      throw InputError(option_name(other, spec.units), "an input",
+                       spec.pulse ? "must be left out with a pulse, which is the hit"
+                                  : "must be left out without a pulse");
+    }
+  }
+}
+
 /// Each input has one axis, or is a column of the list.
 void require_inputs(const SweepSpec& spec) {
   if (spec.list) {
@@ -74,11 +89,8 @@ void require_inputs(const SweepSpec& spec) {
       }
     }
   }
-  const Quantity rival = spec.pulse ? Quantity::v0 : Quantity::k;
-  if (spec.kind == SweepKind::design && given(spec, rival)) {
-    throw InputError(option_name(rival, spec.units), "an input",
-                     spec.pulse ? "must be left out with a pulse, which is the hit"
-                                : "must be left out without a pulse");
+  if (spec.kind == SweepKind::design) {
+    require_one_hit(spec);
   }
   for (const SweepAxis& swept : spec.axes) {
     const std::string field = option_name(swept.quantity, spec.units);
