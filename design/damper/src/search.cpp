@@ -272,7 +272,7 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
       ways.push_back(way);
       return true;
     });
-    std::ranges::stable_partition(ways, [](const Way& way) { return way.n == 0; });
+    std::stable_partition(ways.begin(), ways.end(), [](const Way& way) { return way.n == 0; });
     std::ranges::for_each(ways, visit);
   } else {
     for_each_way(problem, limits, visit);

@@ -46,13 +46,13 @@ Ends scanned_f(const Way& way, const Ends& all) {
 }
 
 /// No f between these two has any room; shown of each of its parts.
-bool no_room_in_parts(const Way& way, double a_low, double a_high, int halvings) {
+bool no_room_in_parts(const Way& way, double a_low, double a_high, int deeper) {
   if (no_room_between(way, a_low, a_high, way.limits.tolerance)) {
     return true;
   }
   const double middle = std::midpoint(a_low, a_high);
-  return halvings > 0 && no_room_in_parts(way, a_low, middle, halvings - 1) &&
-         no_room_in_parts(way, middle, a_high, halvings - 1);
+  return deeper > 0 && no_room_in_parts(way, a_low, middle, deeper - 1) &&
+         no_room_in_parts(way, middle, a_high, deeper - 1);
 }
 
 /// The f with the most room for Delta, or with enough.
@@ -71,13 +71,13 @@ double roomiest_f(const Way& way, const Ends& f) {
 }  // namespace
 
 bool clearly_empty(const Way& way) {
-  constexpr int halvings = 4;
+  constexpr int times_halved = 4;
   const auto all = within_f(way, way.limits.tolerance);
   if (!all) {
     return true;
   }
   const Ends f = scanned_f(way, *all);
-  return no_room_in_parts(way, way.scaled(f.low), way.scaled(f.high), halvings);
+  return no_room_in_parts(way, way.scaled(f.low), way.scaled(f.high), times_halved);
 }
 
 std::optional<WayPoint> any_point(const Way& way) {
