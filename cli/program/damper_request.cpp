@@ -136,9 +136,6 @@ std::optional<std::vector<design::Part>> catalogue_input(
   if (!settings.has("catalogue")) {
     return std::nullopt;
   }
-  if (settings.has("pulse")) {
-    throw UsageError("catalogue and pulse exclude each other: parts are chosen for a velocity");
-  }
   sweep::CatalogueUnits units;
   units.p = p;
   if (physical) {

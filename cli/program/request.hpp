@@ -40,8 +40,8 @@ struct SimulateInput {
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
 [[nodiscard]] DesignInput design_input(const Settings& settings);
 [[nodiscard]] RegionInput region_input(const Settings& settings);
-/// The parts of --catalogue, in the units of the task; empty without. Throws UsageError with a
-/// pulse and records::FileError for a wrong file.
+/// The parts of --catalogue, in the units of the task; empty without. Throws records::FileError for
+/// a wrong file.
 [[nodiscard]] std::optional<std::vector<design::Part>> catalogue_input(
     const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical);
 /// The same for a sweep; the unit of length is a metre.

@@ -98,6 +98,9 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
   if (!report.result.finding) {
     drawn.mend = mend_title(page, report.result, report.physical);
     page.figures = {pulse_region_figure(drawn, units)};
+    if (report.catalogue) {
+      add_parts(page.figures.front(), *report.catalogue, units);
+    }
     return page;
   }
   const design::Finding& found = *report.result.finding;
@@ -109,6 +112,9 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
   const double ends = duration(design::excitation(found.pulse->pulse)).value();
   figure.bands.insert(figure.bands.begin(), {"pulse", 0, ends * units.time, Ink::sky});
   page.figures = {pulse_region_figure(drawn, units), figure, phase_figure(motion, units)};
+  if (report.catalogue) {
+    add_parts(page.figures.front(), *report.catalogue, units);
+  }
   return page;
 }
 

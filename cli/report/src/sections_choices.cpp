@@ -29,9 +29,9 @@ std::string consequence(const design::Constraint& violated, const PartTask& task
   if (name == "acceleration") {
     return "exceeds " + acceleration_shown(task.limits.acceleration_max.value_or(0));
   }
-  return name == "start"       ? "the notch holds it"
-         : name == "return"    ? "rests off centre"
-         : name == "stop"      ? "passes x = 0"
+  return name == "start"    ? violated.variable == "f" ? "friction holds it" : "the notch holds it"
+         : name == "return" ? "rests off centre"
+         : name == "stop"   ? "passes x = 0"
          : name == "dead_zone" ? "dead zone too wide"
          : name == "residual"  ? "rests too far out"
                                : "above " + std::string(name);

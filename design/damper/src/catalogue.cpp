@@ -2,6 +2,7 @@
 #include <stillpoint/design/catalogue.hpp>
 
 #include "finding.hpp"
+#include "ranking.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -42,9 +43,7 @@ double miss_of(const std::vector<Constraint>& violated) {
 }
 
 RatedPart rated(const Problem& problem, const Limits& limits, const Part& part) {
-  require_within("f", part.f, 0, largest_part_value);
-  require_within("delta", part.delta, 0, largest_part_value);
-  require_valid(Oscillator{problem.p, part.f, part.delta});
+  require_valid(part, problem.p);
   RatedPart rated{part,
                   admissible(problem, limits, part.f, part.delta),
                   largest_tolerance(problem, limits, part.f, part.delta),
@@ -73,17 +72,23 @@ struct Loosened {
 
 }  // namespace
 
-std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits, Objective objective,
-                              std::span<const Part> parts) {
-  require_valid(problem, limits);
-  std::vector<RatedPart> all;
+void require_valid(const Part& part, double p) {
+  require_within("f", part.f, 0, largest_part_value);
+  require_within("delta", part.delta, 0, largest_part_value);
+  require_valid(Oscillator{p, part.f, part.delta});
+}
+
+std::string none_admissible(std::size_t parts) {
+  return fmt::format("none of the {} parts of the catalogue is admissible", parts);
+}
+
+std::vector<RatedPart> best_first(std::vector<RatedPart> all,
+                                  const std::function<double(const RatedPart&)>& cost) {
   std::vector<std::tuple<int, double, double>> keys;
-  all.reserve(parts.size());
-  keys.reserve(parts.size());
-  for (const Part& part : parts) {
-    const RatedPart& now = all.emplace_back(rated(problem, limits, part));
+  keys.reserve(all.size());
+  for (const RatedPart& now : all) {
     const double tolerance = now.tolerance.value_or(0);
-    keys.push_back(now.admissible  ? std::tuple(0, cost_of(problem, objective, now), -tolerance)
+    keys.push_back(now.admissible  ? std::tuple(0, cost(now), -tolerance)
                    : now.tolerance ? std::tuple(1, -tolerance, 0.0)
                                    : std::tuple(2, miss_of(now.violated), 0.0));
   }
@@ -96,6 +101,18 @@ std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits, Obje
     sorted.push_back(std::move(all[i]));
   }
   return sorted;
+}
+
+std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits, Objective objective,
+                              std::span<const Part> parts) {
+  require_valid(problem, limits);
+  std::vector<RatedPart> all;
+  all.reserve(parts.size());
+  for (const Part& part : parts) {
+    all.push_back(rated(problem, limits, part));
+  }
+  return best_first(std::move(all),
+                    [&](const RatedPart& now) { return cost_of(problem, objective, now); });
 }
 
 std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
@@ -156,12 +173,11 @@ std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
 
 Choice choose(const DesignRequest& request, std::span<const Part> parts) {
   const auto& [problem, limits, options, pulse, ranges] = request;
-  if (pulse) {
-    throw InputError("catalogue", fmt::format("{} parts", parts.size()),
-                     "must be left out with a pulse: parts are chosen for a velocity");
-  }
   if (parts.empty()) {
     throw InputError::missing("catalogue", "there must be at least one part");
+  }
+  if (pulse) {
+    return choose_under_pulse(pulse_request(request), parts);
   }
   require_valid(options);
   Choice choice{{{admissible_region(problem, limits)}, request},
@@ -174,10 +190,8 @@ Choice choose(const DesignRequest& request, std::span<const Part> parts) {
     result.finding->works_for = works_for(problem, limits, f, delta);
     return choice;
   }
-  result.reason =
-      result.region.feasible
-          ? fmt::format("none of the {} parts of the catalogue is admissible", parts.size())
-          : design::reason(result.region, problem, limits);
+  result.reason = result.region.feasible ? none_admissible(parts.size())
+                                         : design::reason(result.region, problem, limits);
   result.mends = part_mends(problem, limits, parts);
   return choice;
 }

@@ -167,7 +167,17 @@ std::optional<double> PulseRegion::tolerance_of(double f, double delta) const {
       return widest(island, f, delta);
     }
   }
-  return std::nullopt;
+  // Below every sample nothing but the need changes.
+  const auto fits = [&](double tolerance) {
+    const FirstReturn worst = profile_->between(f * (1 - tolerance), f * (1 + tolerance));
+    return holds(worst) && f * (1 + tolerance) <= f_max_ && delta * (1 + tolerance) <= delta_max_ &&
+           worst.need(criterion_) <= delta * (1 - tolerance);
+  };
+  if (!(f < profile_->samples().front().f && fits(0))) {
+    return std::nullopt;
+  }
+  const double most = std::max(widest_tolerance, asked_);
+  return fits(most) ? most : last_that_holds(0.0, most, fits);
 }
 
 }  // namespace stillpoint::design

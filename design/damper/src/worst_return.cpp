@@ -11,20 +11,20 @@ namespace stillpoint::design {
 namespace {
 
 /// What grows with k and falls with p, and what else is bounded from above.
-constexpr std::array figures{&FirstReturn::peak,       &FirstReturn::speed,
-                             &FirstReturn::time,       &FirstReturn::acceleration,
-                             &FirstReturn::exact_need, &FirstReturn::published_need};
+constexpr std::array bounded_figures{&FirstReturn::peak,       &FirstReturn::speed,
+                                     &FirstReturn::time,       &FirstReturn::acceleration,
+                                     &FirstReturn::exact_need, &FirstReturn::published_need};
 
 void take_worse(FirstReturn& worst, const FirstReturn& other) {
   worst.returns = worst.returns && other.returns;
-  for (const auto figure : figures) {
+  for (const auto figure : bounded_figures) {
     worst.*figure = std::max(worst.*figure, other.*figure);
   }
 }
 
 /// A motion of the unit pulse on the unit spring as that of the load k on the spring p, both over
 /// the units: (60) of docs/theory.md.
-FirstReturn scaled(FirstReturn motion, double k, double p) {
+FirstReturn rescaled(FirstReturn motion, double k, double p) {
   if (k == 1 && p == 1) {
     return motion;
   }
@@ -39,7 +39,7 @@ FirstReturn scaled(FirstReturn motion, double k, double p) {
   return motion;
 }
 
-Pulse with(Pulse pulse, double k, double lambda) {
+Pulse with_wave(Pulse pulse, double k, double lambda) {
   std::visit(
       [&](auto& kind) {
         kind.k = k;
@@ -74,16 +74,21 @@ double top_of(const Placed& before, const Placed& now, const Placed& after) {
 
 WorstReturn::WorstReturn(const PulseProblem& problem)
     : weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
+  add_cases(problem);
+  add_samples();
+}
+
+/// The two legs of (61).
+void WorstReturn::add_cases(const PulseProblem& problem) {
   const double lambda = angular_frequency(problem.pulse) / problem.p;
   const double shortest =
       problem.ranges.lambda_high.value_or(angular_frequency(problem.pulse)) / problem.p;
   const double stiffest = problem.p_high.value_or(problem.p) / problem.p;
-  const Pulse unit = with(problem.pulse, 1, lambda);
+  const Pulse unit = with_wave(problem.pulse, 1, lambda);
   add_leg(unit, lambda, stiffest, lambda, 1);
   corner_ = cases_.size();
   add_leg(unit, lambda, 1, shortest, 1);
-  cases_.push_back({shortest, 1, PulseProfile(with(unit, 1, shortest), 1, weakest_ < 1)});
-  add_samples();
+  cases_.push_back({shortest, 1, PulseProfile(with_wave(unit, 1, shortest), 1, weakest_ < 1)});
 }
 
 /// Without its end. The ratio lambda/p grows along it.
@@ -98,8 +103,8 @@ void WorstReturn::add_leg(const Pulse& unit, double lambda, double p, double to_
   constexpr double part = 0.1;
   constexpr double turn = 0.3;
   constexpr double most = 64;
-  const double turned = *duration(excitation(with(unit, 1, lambda))) * p -
-                        *duration(excitation(with(unit, 1, to_lambda))) * to_p;
+  const double turned = *duration(excitation(with_wave(unit, 1, lambda))) * p -
+                        *duration(excitation(with_wave(unit, 1, to_lambda))) * to_p;
   const double steps =
       std::clamp(std::ceil(std::max(std::log(ratio) / part, turned / turn)), 2.0, most);
   const auto count = static_cast<std::size_t>(steps);
@@ -107,7 +112,7 @@ void WorstReturn::add_leg(const Pulse& unit, double lambda, double p, double to_
     const double share = static_cast<double>(i) / steps;
     const double now = lambda * std::pow(to_lambda / lambda, share);
     const double spring = p * std::pow(to_p / p, share);
-    cases_.push_back({now, spring, PulseProfile(with(unit, 1, now), spring, weakest_ < 1)});
+    cases_.push_back({now, spring, PulseProfile(with_wave(unit, 1, now), spring, weakest_ < 1)});
   }
 }
 
@@ -124,8 +129,7 @@ void WorstReturn::add_samples() {
     }
   }
   std::ranges::sort(grid);
-  const auto repeated = std::ranges::unique(grid);
-  grid.erase(repeated.begin(), repeated.end());
+  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   samples_.reserve(grid.size());
   for (const double f : grid) {
     samples_.push_back(at(f));
@@ -134,14 +138,14 @@ void WorstReturn::add_samples() {
 
 /// At f/k for every k: as f/k grows from f/k_high to f/k_low.
 FirstReturn WorstReturn::worst_of(const Case& one, double f) const {
-  FirstReturn worst = scaled(one.profile.at(f), 1, one.p);
+  FirstReturn worst = rescaled(one.profile.at(f), 1, one.p);
   if (weakest_ < 1) {
     const double most = f / weakest_;
-    take_worse(worst, scaled(one.profile.at(most), weakest_, one.p));
+    take_worse(worst, rescaled(one.profile.at(most), weakest_, one.p));
     const auto& all = one.profile.samples();
     for (auto now = std::ranges::upper_bound(all, f, {}, &FirstReturn::f);
          now != all.end() && now->f < most; ++now) {
-      take_worse(worst, scaled(*now, f / now->f, one.p));
+      take_worse(worst, rescaled(*now, f / now->f, one.p));
     }
   }
   return worst;
@@ -166,7 +170,7 @@ FirstReturn WorstReturn::at(double f) const {
     if (i == corner_) {
       continue;
     }
-    for (const auto figure : figures) {
+    for (const auto figure : bounded_figures) {
       const Placed before = placed(i - 1, figure);
       const Placed now = placed(i, figure);
       const Placed after = placed(i + 1, figure);
@@ -182,12 +186,22 @@ PulseProblem WorstReturn::largest_peak(PulseProblem problem, double f) const {
   const Case& worst =
       cases_.size() == 1 ? cases_.front() : *std::ranges::max_element(cases_, {}, peak);
   if (cases_.size() > 1) {
-    problem.pulse = with(problem.pulse, peak_load(problem.pulse), worst.lambda * problem.p);
+    problem.pulse = with_wave(problem.pulse, peak_load(problem.pulse), worst.lambda * problem.p);
     problem.p *= worst.p;
   }
   problem.ranges = {};
   problem.p_high = std::nullopt;
   return problem;
+}
+
+FirstReturn WorstReturn::between(double low, double high) const {
+  FirstReturn worst = at(low);
+  take_worse(worst, at(high));
+  for (auto now = std::ranges::lower_bound(samples_, low, {}, &FirstReturn::f);
+       now != samples_.end() && now->f <= high; ++now) {
+    take_worse(worst, *now);
+  }
+  return worst;
 }
 
 double WorstReturn::need_between(double low, double high, Criterion criterion) const {

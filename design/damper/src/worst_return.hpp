@@ -21,6 +21,8 @@ class WorstReturn {
 
   [[nodiscard]] FirstReturn at(double f) const;
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
+  /// The worst from low to high, as far as both ends and the samples between them know.
+  [[nodiscard]] FirstReturn between(double low, double high) const;
   /// The largest need from low to high: of both ends and of the samples between them, which have
   /// the local maxima.
   [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;
@@ -37,6 +39,7 @@ class WorstReturn {
     PulseProfile profile;
   };
 
+  void add_cases(const PulseProblem& problem);
   void add_leg(const Pulse& unit, double lambda, double p, double to_lambda, double to_p);
   void add_samples();
   [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;

@@ -91,11 +91,6 @@ const std::vector<Wrong> wrong_uses{
      design({"--catalogue", "nowhere.csv"}),
      {"catalogue nowhere.csv", "cannot be read", "No such file"}},
     {"a_directory", design({"--catalogue", "."}), {"catalogue .", "cannot be read"}},
-    {"with_a_pulse",
-     {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--p", "1", "--beta",
-      "0.05", "--catalogue", "-"},
-     {"catalogue and pulse exclude each other"},
-     few},
     {"trade_off_with_a_pulse",
      {"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20", "--p", "1", "--beta",
       "0.05", "--trade-off", "5"},
@@ -138,6 +133,26 @@ BOOST_AUTO_TEST_CASE(of_100_MB_is_refused_before_it_is_read_to_its_end) {
   std::filesystem::resize_file(path("one_line.csv"), 100'000'000);
   check_refusal(run(design({"--catalogue", "one_line.csv"})),
                 {"catalogue one_line.csv", "line 2", "65536 bytes"});
+}
+
+// docs/theory.md section 8: under this rectangle the mass returns for f <= 0.25 and its peak is
+// 1 - 2 f, so that "weak" exceeds beta and "strong" rests off centre.
+BOOST_AUTO_TEST_CASE(serves_a_pulse) {
+  write("few.csv", few);
+  const Arguments pulse{"design", "--pulse", "rectangle",   "--k",   "0.5",         "--lambda", "1",
+                        "--p",    "1",       "--criterion", "exact", "--catalogue", "few.csv"};
+  const json report = report_of(*this, joined(pulse, {"--beta", "0.8"}));
+  BOOST_TEST(
+      (names(report["catalogue"]) == std::vector<std::string>{"fair", "good", "weak", "strong"}));
+  BOOST_TEST(report["design"]["name"] == "fair");
+  BOOST_TEST(std::abs(report["design"]["tolerance"].get<double>() - 0.25) < 1e-9);
+  BOOST_TEST(report["pulse"]["response"]["stops_at_zero"] == true);
+  BOOST_TEST(report["search"].is_null());
+  BOOST_TEST(report["region"]["by"] == "forced_motion");
+  const ProgramRun none = run(joined(pulse, {"--beta", "0.5", "--json"}));
+  BOOST_TEST(none.exit_code == 3);
+  BOOST_TEST(none.json()["design"].is_null());
+  BOOST_TEST(none.json()["region"]["mends"][0]["input"] == "beta");
 }
 
 BOOST_AUTO_TEST_CASE(may_be_spelled_in_many_ways) {

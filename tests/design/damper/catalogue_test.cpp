@@ -277,9 +277,6 @@ BOOST_AUTO_TEST_CASE(without_a_part_that_fits_the_reason_says_so) {
 BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_judge) {
   const std::vector<Part> one{{"one", 0.2, 0.45}};
   BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, {}), InputError);
-  DesignRequest pulse{{0, 1, 0.9}};
-  pulse.pulse = HalfSine{0.5, 20};
-  BOOST_CHECK_THROW((void)choose(pulse, one), InputError);
   const std::vector<Part> negative{{"negative", -0.2, 0.45}};
   BOOST_CHECK_THROW((void)choose({{1, 1, 0.9}}, negative), InputError);
   const std::vector<Part> strong{{"strong", 1e200, 0.45}};

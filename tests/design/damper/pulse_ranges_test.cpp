@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "pulse_region.hpp"
 #include "random_source.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -163,6 +164,45 @@ std::string context_of(const Task& task) {
   return text.str();
 }
 
+PulseRequest mended(PulseRequest request, std::string_view field, double value) {
+  PulseProblem& problem = request.problem;
+  const auto set = [&](auto change) { std::visit(change, problem.pulse); };
+  if (field == "k_low") {
+    problem.ranges.k_low = value;
+  } else if (field == "k" || field == "k_high") {
+    set([&](auto& kind) { kind.k = value; });
+  } else if (field == "lambda" || field == "lambda_low") {
+    set([&](auto& kind) { kind.lambda = value; });
+  } else if (field == "lambda_high") {
+    problem.ranges.lambda_high = value;
+  } else if (field == "p" || field == "p_low") {
+    problem.p = value;
+  } else {
+    BOOST_REQUIRE(field == "p_high");
+    problem.p_high = value;
+  }
+  return request;
+}
+
+bool has_design(const PulseRequest& request) {
+  return PulseRegion(request.problem, request.limits).feasible();
+}
+
+/// Each end that is moved makes it feasible, and a little less does not.
+void check_ends(const PulseRequest& request, const std::vector<Mend>& mends) {
+  constexpr double part = 1e-4;  // the cases of lambda move with the ends
+  for (const Mend& mend : mends) {
+    if (mend.field == "beta") {
+      continue;
+    }
+    BOOST_TEST_CONTEXT(mend.field << " = " << mend.value) {
+      const double less = mend.value * (mend.upwards ? 1 - part : 1 + part);
+      BOOST_TEST(has_design(mended(request, mend.field, mend.value)));
+      BOOST_TEST(!has_design(mended(request, mend.field, less)));
+    }
+  }
+}
+
 /// How many of the points that are simulated in the box and in the ranges are not admissible.
 int outside(const Task& task, const DesignPoint& point, int points, RandomSource& random) {
   const auto part = [&](int i) {
@@ -219,6 +259,26 @@ BOOST_AUTO_TEST_CASE(ends_of_a_range_of_k_are_mended_to_what_is_known) {
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(an_end_that_is_mended_is_moved_as_little_as_possible) {
+  for (const int kind : {0, 2}) {
+    PulseRequest request;
+    request.problem = {pulse_of(kind, 0.55, 0.9), 1, 1e9, Criterion::exact};
+    if (kind == 0) {
+      request.problem.ranges.k_low = 0.5;
+      request.problem.p_high = 1.1;
+    } else {
+      request.problem.ranges.lambda_high = 1;
+    }
+    request.problem.beta = 0.97 * stillpoint::design::design(request).region.beta_min;
+    const DesignResult result = stillpoint::design::design(request);
+    BOOST_TEST_CONTEXT("kind " << kind) {
+      BOOST_TEST(!result.finding.has_value());
+      BOOST_TEST(result.mends.size() >= 2U);
+      check_ends(request, result.mends);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(ranges_are_refused_upside_down) {
   const auto refused = [](const PulseProblem& problem, std::string_view field) {
     BOOST_CHECK_EXCEPTION(require_valid(problem), InputError,
@@ -246,19 +306,20 @@ BOOST_AUTO_TEST_CASE(ranges_are_refused_upside_down) {
 
 BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
   RandomSource random(20261122);
-  constexpr int tasks = 20;
+  constexpr int tasks = 14;
   const char* const asked = std::getenv("STILLPOINT_POINTS");
   const int points = asked == nullptr ? 400 : std::atoi(asked) / tasks;
   int found = 0;
   for (int i = 0; i < tasks; ++i) {
     const Task task = random_task(random);
-    const DesignResult result = stillpoint::design::design(task.request);
     BOOST_TEST_CONTEXT("task " << i << ": " << context_of(task)) {
       const double scanned = scanned_tolerance(task);
-      if (!result.finding) {
+      if (!has_design(task.request)) {  // whose mends would take a while
         BOOST_TEST(scanned <= task.request.limits.tolerance + sampled);
         continue;
       }
+      const DesignResult result = stillpoint::design::design(task.request);
+      BOOST_TEST_REQUIRE(result.finding.has_value());
       ++found;
       const DesignPoint& point = result.finding->point;
       BOOST_TEST(outside(task, point, points, random) == 0);
@@ -266,7 +327,7 @@ BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
       BOOST_TEST(point.tolerance >= std::min(scanned, widest) - sampled);
     }
   }
-  BOOST_TEST(found >= 14);
+  BOOST_TEST(found >= 9);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -19,11 +19,11 @@ namespace {
 
 using namespace stillpoint;
 using namespace stillpoint::design;
-using design_test::metre;
-using design_test::recorded;
-using design_test::short_records;
-using design_test::three_samples;
-using design_test::two_records;
+using stillpoint::design_test::metre;
+using stillpoint::design_test::recorded;
+using stillpoint::design_test::short_records;
+using stillpoint::design_test::three_samples;
+using stillpoint::design_test::two_records;
 
 /// Of an optimum, relative: what the docs promise against a dense scan.
 constexpr double optimum_tolerance = 1e-4;

@@ -23,7 +23,7 @@ namespace {
 
 using namespace stillpoint;
 using namespace stillpoint::design;
-using design_test::RandomSource;
+using stillpoint::design_test::RandomSource;
 
 /// Of closed forms: some roundings of sines.
 constexpr double closed_form_tolerance = 1e-13;

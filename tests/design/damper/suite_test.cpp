@@ -20,10 +20,10 @@ namespace {
 
 using namespace stillpoint;
 using namespace stillpoint::design;
-using design_test::metre;
-using design_test::RandomSource;
-using design_test::three_samples;
-using design_test::two_records;
+using stillpoint::design_test::metre;
+using stillpoint::design_test::RandomSource;
+using stillpoint::design_test::three_samples;
+using stillpoint::design_test::two_records;
 
 /// That of the check of a design: Runge-Kutta's 5e-12 a radian, over some 100, and what a decision
 /// at a margin of 1e-6 enlarges.

@@ -50,7 +50,8 @@ struct Choice {
   std::vector<RatedPart> parts;  ///< all of them, best first
 };
 
-/// Throws InputError for wrong input, for no parts and for a pulse.
+/// Throws InputError for wrong input and for no parts. Under a pulse a part is judged by the run of
+/// its own f.
 [[nodiscard]] Choice choose(const DesignRequest& request, std::span<const Part> parts);
 
 }  // namespace stillpoint::design

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "pulse_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+using fmt::format;
+
+/// The last f that returns, and the motion there.
+FirstReturn last_return(const PulseRegion& region) {
+  FirstReturn last;
+  for (const FirstReturn& now : region.profile()->samples()) {
+    last = now.returns ? now : last;
+  }
+  return last;
+}
+
+/// A task with some of its requirements alone.
+bool feasible(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
+  if (!beta) {
+    problem.beta = HUGE_VAL;
+  }
+  return PulseRegion(region.profile(), problem, limits).feasible();
+}
+
+/// Without an island the edges are those of all f.
+Region edges_of(const PulseRegion& region, const PulseProblem& problem,
+                const std::optional<Island>& within) {
+  Region edges;
+  const FirstReturn last = last_return(region);
+  double least_peak = last.peak;
+  const FirstReturn* weakest = nullptr;
+  for (const FirstReturn& now : region.profile()->samples()) {
+    if (now.returns) {
+      least_peak = std::min(least_peak, now.peak);
+      weakest = weakest == nullptr ? &now : weakest;
+    }
+  }
+  edges.f1 = problem.beta * problem.p * problem.p;
+  edges.f3 = last.f * region.f_unit();
+  edges.delta2 = HUGE_VAL;
+  edges.beta_min = least_peak * region.length_unit();
+  if (within) {
+    edges.feasible = true;
+    const bool binds = weakest != nullptr && within->low > weakest->f * (1 + 1e-9);
+    edges.f2 = binds ? within->low * region.f_unit() : 0;
+    edges.f_lower = within->low / (1 - region.asked()) * region.f_unit();
+    edges.f_upper = within->high / (1 + region.asked()) * region.f_unit();
+    edges.f_lower = std::min(*edges.f_lower, *edges.f_upper);
+  }
+  return edges;
+}
+
+/// The first requirement that leaves nothing, in the order of the sentences of `reason_of`.
+Conflict conflict_of(const PulseRegion& region, const PulseProblem& problem, const Limits& limits) {
+  const double tolerance = limits.tolerance;
+  const auto fits = [&](const Limits& some, bool beta = true) {
+    return feasible(region, problem, some, beta);
+  };
+  if (!fits({.tolerance = tolerance})) {
+    return Conflict::amplitude_against_return;
+  }
+  if (!fits({.f_max = limits.f_max, .tolerance = tolerance})) {
+    return Conflict::amplitude_against_f_max;
+  }
+  if (!fits({.tolerance = tolerance, .acceleration_max = limits.acceleration_max}, false)) {
+    return Conflict::acceleration_alone;
+  }
+  if (!fits({.f_max = limits.f_max,
+             .tolerance = tolerance,
+             .acceleration_max = limits.acceleration_max})) {
+    return Conflict::amplitude_against_acceleration;
+  }
+  return Conflict::stop_against_delta_max;
+}
+
+std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseProblem& problem,
+                      const Limits& limits) {
+  const std::string box =
+      limits.tolerance > 0 ? format(", with a tolerance of {:g}", limits.tolerance) : "";
+  const PulseRegion amplitude(region.profile(), problem, {});
+  const double k = region.f_unit();
+  const FirstReturn last = last_return(region);
+  switch (conflict) {
+    case Conflict::amplitude_against_return:
+      if (amplitude.islands().empty()) {
+        return format(
+            "amplitude and return exclude each other: coming back to x = 0 needs f <= {:.6g}, and "
+            "with that the peak is {:.6g} at least, beyond beta = {:.6g}",
+            last.f * k, last.peak * region.length_unit(), problem.beta);
+      }
+      return format(
+          "amplitude and return exclude each other: a peak within beta needs f >= {:.6g}, coming "
+          "back to x = 0 needs f <= {:.6g}{}",
+          amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
+    case Conflict::amplitude_against_f_max:
+      return format(
+          "amplitude and f_max exclude each other: a peak within beta needs f >= {:.6g}, f_max is "
+          "{:.6g}{}",
+          amplitude.islands().front().low * k, *limits.f_max, box);
+    case Conflict::acceleration_alone:
+      return format("no f that returns keeps the transmitted acceleration within {:.6g} g{}",
+                    *limits.acceleration_max, box);
+    case Conflict::amplitude_against_acceleration:
+      return format(
+          "amplitude and acceleration exclude each other: no f that returns keeps both the peak "
+          "within beta and the transmitted acceleration within {:.6g} g{}",
+          *limits.acceleration_max, box);
+    default:
+      return format(
+          "stop and delta_max exclude each other: no f that keeps the other requirements arrives "
+          "slowly enough for delta <= {:.6g}{}",
+          *limits.delta_max, box);
+  }
+}
+
+/// Of an f between two intervals that return the nearer end of either.
+Constraint return_of(const PulseRegion& region, const FirstReturn& motion, double f) {
+  const double last = last_return(region).f * region.f_unit();
+  Constraint back{"return", "f", "<=", f, last, last - f, motion.returns};
+  if (motion.returns || f > last) {
+    return back;
+  }
+  double below = 0;
+  double above = last;
+  for (const FirstReturn& now : region.profile()->samples()) {
+    const double here = now.f * region.f_unit();
+    if (now.returns) {
+      below = here <= f ? std::max(below, here) : below;
+      above = here > f ? std::min(above, here) : above;
+    }
+  }
+  if (below > 0 && f / below < above / f) {
+    back.limit = below;
+    back.slack = below - f;
+  } else {
+    back.relation = ">=";
+    back.limit = above;
+    back.slack = f - above;
+  }
+  return back;
+}
+
+}  // namespace
+
+DesignRequest reduced(const PulseRequest& request, const Pulse& shown, double f) {
+  const auto& [problem, limits, options] = request;
+  const auto start = equivalent_start(shown, f);
+  DesignRequest reduced{{start ? start->speed : 0, problem.p, problem.beta, problem.criterion},
+                        limits,
+                        options,
+                        problem.pulse,
+                        problem.ranges};
+  reduced.problem.p_high = problem.p_high;
+  return reduced;
+}
+
+DesignResult without_finding(const PulseRequest& request, const PulseRegion& region,
+                             const std::optional<Island>& within) {
+  const auto& [problem, limits, options] = request;
+  DesignResult result{{edges_of(region, problem, within)}, reduced(request, problem.pulse, 0)};
+  for (const Island& island : region.islands()) {
+    result.intervals.push_back({island.low * region.f_unit(), island.high * region.f_unit()});
+  }
+  if (!within) {
+    result.region.conflict = conflict_of(region, problem, limits);
+    result.reason = reason_of(result.region.conflict, region, problem, limits);
+  }
+  return result;
+}
+
+std::vector<Constraint> constraints_of(const PulseRequest& request, const DesignPoint& point,
+                                       const FirstReturn& motion, const PulseRegion& region) {
+  const auto& [problem, limits, options] = request;
+  const auto below = [](std::string_view name, std::string_view variable, double value,
+                        double limit, bool strict = false) {
+    return Constraint{name,
+                      variable,
+                      strict ? "<" : "<=",
+                      value,
+                      limit,
+                      limit - value,
+                      strict ? value < limit : value <= limit};
+  };
+  const double need = motion.need(problem.criterion) * region.delta_unit();
+  std::vector<Constraint> list{
+      below("start", "f", point.f, problem.ranges.k_low.value_or(peak_load(problem.pulse)), true),
+      below("amplitude", "peak", motion.peak * region.length_unit(), problem.beta),
+      return_of(region, motion, point.f),
+      {"stop", "delta", ">=", point.delta, need, point.delta - need, point.delta >= need}};
+  if (limits.f_max) {
+    list.push_back(below("f_max", "f", point.f, *limits.f_max));
+  }
+  if (limits.delta_max) {
+    list.push_back(below("delta_max", "delta", point.delta, *limits.delta_max));
+  }
+  if (limits.acceleration_max) {
+    list.push_back(below("acceleration", "acceleration", motion.acceleration * region.f_unit(),
+                         *limits.acceleration_max));
+  }
+  return list;
+}
+
+}  // namespace stillpoint::design

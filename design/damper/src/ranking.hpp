@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/catalogue.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// Best first: those that are admissible by what `cost` gives for them, then by tolerance; behind
+/// them those that lack tolerance, then the others by their worst miss.
+[[nodiscard]] std::vector<RatedPart> best_first(
+    std::vector<RatedPart> all, const std::function<double(const RatedPart&)>& cost);
+
+/// Throws InputError unless f and delta are those of a part that an oscillator with that p takes.
+void require_valid(const Part& part, double p);
+
+/// "none of the 30 parts of the catalogue is admissible"
+[[nodiscard]] std::string none_admissible(std::size_t parts);
+
+/// `choose` for a pulse.
+[[nodiscard]] Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts);
+
+}  // namespace stillpoint::design
