@@ -33,8 +33,12 @@ ordered_json type_of(const Option& option) {
         {"type", {"number", "string", "array"}}, {"items", {{"type", "number"}}}, {"minItems", 2}};
   }
   if (option.traits.sweeps) {
-    return {{"type", {"number", "string", "array"}},
-            {"items", number_type(option.traits.dimension)},
+    const bool whole = option.kind == OptionKind::integer;
+    const bool ranges = option.traits.range != RangeEnd::none;
+    return {{"type", {whole ? "integer" : "number", "string", "array"}},
+            {"items", whole    ? ordered_json{{"type", "integer"}}
+                      : ranges ? ordered_json{{"type", {"number", "string", "array"}}}
+                               : number_type(option.traits.dimension)},
             {"minItems", 1}};
   }
   switch (option.kind) {
@@ -79,8 +83,11 @@ ordered_json described(const Option& option) {
       (option.traits.axis_of_spectrum ? "; only a sweep and a spectrum take an axis"
        : option.traits.sweeps         ? "; only a sweep takes an axis"
                                       : "") +
-      (option.traits.range != RangeEnd::none ? "; design and region also take a range [LOW, HIGH]"
-                                             : "") +
+      (option.traits.range == RangeEnd::none ? ""
+       : option.traits.sweeps
+           ? "; design and region also take a range [LOW, HIGH], a sweep over designs "
+             "[[LOW, HIGH], ...]"
+           : "; also takes a range [LOW, HIGH]") +
       units_text(option);
   return entry;
 }

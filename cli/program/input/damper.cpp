@@ -37,7 +37,7 @@ double stroke(const Settings& settings, MotionInput& motion) {
   return displacement / motion.physical->scales.length_m;
 }
 
-/// R, or LOW:HIGH as factors.
+/// The spread of f or Delta: R, or LOW:HIGH as factors.
 std::optional<design::Spread> spread(const Settings& settings, const char* name) {
   if (const auto range = settings.range(name)) {
     return design::spread_of_factors(name, range->low, range->high);
@@ -63,7 +63,7 @@ Task task(const Settings& settings, Command command, bool pulse) {
   task.problem.v0_low = motion.v0_low;
   task.problem.p_high = motion.p_high;
   task.problem.residual = point_friction(settings, "residual", "residual-m", motion.physical);
-  shape_box(task.limits, spread(settings, "tolerance-f"), spread(settings, "tolerance-delta"));
+  shape_box(settings, task.limits);
   return task;
 }
 
@@ -75,6 +75,10 @@ std::vector<design::Part> read_parts(const Settings& settings, sweep::CatalogueU
 }
 
 }  // namespace
+
+void shape_box(const Settings& settings, design::Limits& limits) {
+  shape_box(limits, spread(settings, "tolerance-f"), spread(settings, "tolerance-delta"));
+}
 
 design::Criterion criterion(const Settings& settings) {
   const auto wanted = settings.known("criterion");

@@ -24,12 +24,10 @@ std::optional<design::SearchRange> search_range(const Settings& settings, const 
   if (!text) {
     return std::nullopt;
   }
-  const std::size_t colon = text->find(':');
-  if (colon == std::string::npos) {
+  if (text->find(':') == std::string::npos) {
     throw InputError(name, *text, "must be LOW:HIGH");
   }
-  const auto [low, high] =
-      range_value(*find_option(name), text->substr(0, colon), text->substr(colon + 1));
+  const auto [low, high] = range_value(*find_option(name), *text);
   require_within(name, high, low, largest_physical);
   return design::SearchRange{low, high};
 }

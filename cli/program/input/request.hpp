@@ -69,6 +69,10 @@ void resolve_part(Settings& settings);
 /// Opens the list and reads its header; of a part, all of it. The part must be resolved.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
 
+/// The box of --tolerance-f and --tolerance-delta around the tolerance of `limits`. Throws
+/// InputError.
+void shape_box(const Settings& settings, design::Limits& limits);
+
 /// The options of those names, or their defaults. Throw InputError.
 [[nodiscard]] design::Criterion criterion(const Settings& settings);
 [[nodiscard]] design::Objective objective(const Settings& settings);

@@ -2,6 +2,7 @@
 #include "input/excitation.hpp"
 #include "input/motion.hpp"
 #include "input/request.hpp"
+#include "options/excitation_kinds.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -96,6 +97,11 @@ std::optional<SweepUnits> units(const Settings& settings) {
   } else if (settings.has("natural-frequency")) {
     units.restoring = sweep::Restoring::natural_frequency;
   }
+  if (const auto pulse = settings.known("pulse")) {
+    units.pulse_angle = find_excitation_kind(*pulse)->angle;
+    units.pulse_clock =
+        settings.has("pulse-duration") ? sweep::PulseClock::duration : sweep::PulseClock::frequency;
+  }
   return units;
 }
 
@@ -158,7 +164,8 @@ InputError of_physical_option(const InputError& error, const Settings& settings)
   const Option* const plain = find_option(field);
   for (const Option* option :
        plain == nullptr ? std::vector<const Option*>() : physical_rivals(*plain)) {
-    if (settings.has(option->name) && !option->traits.sweeps) {
+    const bool of_entries = option->traits.sweeps && option->traits.rivals != Rivals::frequency;
+    if (settings.has(option->name) && !of_entries) {
       const auto unit = records::units_of(option->traits.dimension).front().name;
       return {std::string(option->name), fmt::format("{} {}", *settings.number(option->name), unit),
               fmt::format("makes {}", error.what())};
@@ -195,13 +202,22 @@ void add_motion(const Settings& settings, SweepSpec& spec) {
 }
 
 void add_design(const Settings& settings, SweepSpec& spec) {
+  if (const auto pulse = settings.known("pulse")) {
+    spec.pulse = find_excitation_kind(*pulse)->pulse({});
+  } else {
+    for (const std::string_view name : pulse_options) {
+      if (settings.has(name)) {
+        throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", name));
+      }
+    }
+  }
   spec.task.criterion = criterion(settings);
-  spec.task.arrivals = settings.integer("arrivals").value_or(spec.task.arrivals);
   spec.search.objective = objective(settings);
   spec.limits.f_max = settings.number("f-max");
   spec.limits.delta_max = settings.number(spec.units ? "delta-max-m" : "delta-max");
   spec.limits.acceleration_max = settings.number("acceleration-max");
   spec.limits.tolerance = settings.number("tolerance").value_or(0);
+  shape_box(settings, spec.limits);
   spec.parts = catalogue_input(settings, spec.units);
 }
 

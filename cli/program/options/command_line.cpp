@@ -120,7 +120,7 @@ void refuse_extras(const CLI::App& app, Command command) {
 void set_typed(Settings& settings, const Option& option, const std::string& text, Command command) {
   switch (option.kind_in(command)) {
     case OptionKind::axis:
-      return settings.set(option, axis_value(option, text));
+      return settings.set(option, axis_value(option, text, command));
     case OptionKind::number:
       return option.takes_range_in(command) ? settings.set_number_or_range(option, text)
                                             : settings.set_number(option, text);

@@ -5,6 +5,7 @@
 
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
+#include <stillpoint/sweep/axis.hpp>
 
 #include <optional>
 #include <span>
@@ -79,8 +80,7 @@ using records::suggestion;
 /// A task is given either dimensionless or in metres and seconds, not in both.
 enum class Units { any, dimensionless, physical };
 
-/// Which end of a range stands for it, for example as the motion that is shown.
-enum class RangeEnd { none, low, high };
+using sweep::RangeEnd;
 
 enum class FileUse { none, read, written, directory };
 
@@ -99,7 +99,7 @@ struct OptionTraits {
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
   bool repeats{false};             ///< may be given several times; a file to what takes a suite
-  RangeEnd range{RangeEnd::none};  ///< LOW:HIGH is a value as well, of design and region
+  RangeEnd range{RangeEnd::none};  ///< LOW:HIGH is a value as well, of designs
   DesignFor design{DesignFor::both};
   Load load{Load::none};
 };
@@ -128,7 +128,7 @@ struct Option {
   }
   [[nodiscard]] bool takes_range_in(Command command) const {
     return traits.range != RangeEnd::none &&
-           (command == Command::design || command == Command::region);
+           (command == Command::design || command == Command::region || command == Command::sweep);
   }
   [[nodiscard]] bool shapes(Load load) const {
     return traits.load != Load::none &&

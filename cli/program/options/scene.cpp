@@ -36,15 +36,49 @@ std::string hyphened(std::string key) {
   return key;
 }
 
-/// A number, a text "first:last:count" or an array of numbers.
-Axis axis(const Option& option, const nlohmann::json& value) {
+/// "LOW:HIGH" of [LOW, HIGH], as the command line has it.
+std::string range_text(const Option& option, const nlohmann::json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  const auto end = [&](const nlohmann::json& number) {
+    if (!number.is_number() && !number.is_string()) {
+      throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+    }
+    return number.is_string() ? number.get<std::string>() : fmt::format("{}", number.get<double>());
+  };
+  if (value.size() != 2) {
+    throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+  }
+  return fmt::format("{}:{}", end(value[0]), end(value[1]));
+}
+
+bool is_text_of(const nlohmann::json& value, char character) {
+  return value.is_string() && value.get<std::string>().find(character) != std::string::npos;
+}
+
+/// A number, a text "first:last:count" or an array of numbers, which may be ranges where the option
+/// takes one.
+Axis axis(const Option& option, const nlohmann::json& value, Command command) {
   const std::string field(option.name);
   const auto wrong = [&] {
     return InputError(field, value.dump(),
                       "must be a number, a range \"first:last:count\" or an array of numbers");
   };
   if (value.is_string()) {
-    return axis_value(option, value.get<std::string>());
+    return axis_value(option, value.get<std::string>(), command);
+  }
+  const auto is_range = [&](const nlohmann::json& entry) {
+    return option.takes_range_in(command) && (entry.is_array() || is_text_of(entry, ':'));
+  };
+  if (value.is_array() && std::ranges::any_of(value, is_range)) {
+    std::string text;
+    for (const nlohmann::json& entry : value) {
+      text +=
+          (text.empty() ? "" : ",") +
+          (entry.is_number() ? fmt::format("{}", entry.get<double>()) : range_text(option, entry));
+    }
+    return axis_value(option, text, command);
   }
   std::vector<double> values;
   for (const nlohmann::json& entry : value.is_array() ? value : nlohmann::json::array({value})) {
@@ -85,7 +119,7 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
   };
   switch (option.kind_in(command)) {
     case OptionKind::axis:
-      return axis(option, value);
+      return axis(option, value, command);
     case OptionKind::number:
       if (!value.is_number()) {
         throw wrong_type(option.traits.dimension == Dimension::none
@@ -122,23 +156,6 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
   return value.get<bool>();
 }
 
-/// "LOW:HIGH" of [LOW, HIGH], as the command line has it.
-std::string range_text(const Option& option, const nlohmann::json& value) {
-  if (value.is_string()) {
-    return value.get<std::string>();
-  }
-  const auto end = [&](const nlohmann::json& number) {
-    if (!number.is_number() && !number.is_string()) {
-      throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
-    }
-    return number.is_string() ? number.get<std::string>() : fmt::format("{}", number.get<double>());
-  };
-  if (value.size() != 2) {
-    throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
-  }
-  return fmt::format("{}:{}", end(value[0]), end(value[1]));
-}
-
 void add_key(Settings& settings, const std::string& key, const nlohmann::json& value,
              const Option* option, Command command) {
   if (option == nullptr) {
@@ -149,10 +166,9 @@ void add_key(Settings& settings, const std::string& key, const nlohmann::json& v
     throw UsageError(
         fmt::format("{} is set twice in the scene: a key can stand only once", shown(key)));
   }
-  const bool is_range =
-      value.is_array() ||
-      (value.is_string() && value.get<std::string>().find(':') != std::string::npos);
-  if (option->takes_range_in(command) && is_range) {
+  const bool is_range = value.is_array() || is_text_of(value, ':');
+  if (option->takes_range_in(command) && option->kind_in(command) == OptionKind::number &&
+      is_range) {
     return settings.set_number_or_range(*option, range_text(*option, value));
   }
   const bool may_have_unit =

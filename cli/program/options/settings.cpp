@@ -30,23 +30,21 @@ double parse_value(const Option& option, std::string_view text) {
                               dimension == Dimension::none ? with_a_unit(option) : "");
 }
 
-Range range_value(const Option& option, std::string_view low, std::string_view high) {
-  if (high.find(':') != std::string_view::npos) {
-    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
-                     "must be a number, or a range LOW:HIGH");
-  }
-  const Range range{parse_value(option, low), parse_value(option, high)};
-  if (!(range.low <= range.high && range.low >= 0)) {
-    throw InputError(std::string(option.name), fmt::format("{}:{}", low, high),
-                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH");
-  }
-  return range;
+namespace {
+
+sweep::NumberReader reader(const Option& option) {
+  return [&option](std::string_view number) { return parse_value(option, number); };
 }
 
-Axis axis_value(const Option& option, std::string_view text) {
-  return sweep::parse_axis(option.name, text, [&option](std::string_view number) {
-    return parse_value(option, number);
-  });
+}  // namespace
+
+Range range_value(const Option& option, std::string_view text) {
+  return sweep::parse_range(option.name, text, reader(option));
+}
+
+Axis axis_value(const Option& option, std::string_view text, Command command) {
+  return sweep::parse_axis(option.name, text, reader(option),
+                           option.takes_range_in(command) ? option.traits.range : RangeEnd::none);
 }
 
 template <class T>
@@ -58,6 +56,14 @@ std::optional<T> Settings::get(std::string_view name) const {
 std::optional<double> Settings::number(std::string_view name) const {
   if (const auto both = range(name)) {
     return find_option(name)->traits.range == RangeEnd::low ? both->low : both->high;
+  }
+  if (const auto found = values_.find(name);
+      found != values_.end() && std::holds_alternative<Axis>(found->second)) {
+    const Axis& axis = std::get<Axis>(found->second);
+    if (axis.size() > 1 || axis.has_ranges()) {
+      throw InputError(std::string(name), axis.text(), "must be one number for motions");
+    }
+    return axis[0];
   }
   return get<double>(name);
 }
@@ -117,10 +123,8 @@ void Settings::set_number_or_range(const Option& option, std::string_view text) 
   if (colon == std::string_view::npos) {
     return set_number(option, text);
   }
-  const std::string_view low = text.substr(0, colon);
-  const std::string_view high = text.substr(colon + 1);
-  values_[option.name] = range_value(option, low, high);
-  if (has_unit(low) || has_unit(high)) {
+  values_[option.name] = range_value(option, text);
+  if (has_unit(text.substr(0, colon)) || has_unit(text.substr(colon + 1))) {
     with_units_[option.name] = text;
   }
 }

@@ -30,19 +30,15 @@ using records::has_unit;
 using records::parse_integer;
 using records::parse_number;
 using sweep::Axis;
+using sweep::Range;
 
 /// The value of an option, in its SI unit, and each number of an axis, "100mm:200mm:5"; see
 /// records/units.hpp. Throws InputError.
 [[nodiscard]] double parse_value(const Option& option, std::string_view text);
-[[nodiscard]] Axis axis_value(const Option& option, std::string_view text);
+[[nodiscard]] Axis axis_value(const Option& option, std::string_view text, Command command);
 
-/// LOW:HIGH, with LOW <= HIGH.
-struct Range {
-  double low{0};
-  double high{0};
-};
-/// Of the texts of its ends. Throws InputError.
-[[nodiscard]] Range range_value(const Option& option, std::string_view low, std::string_view high);
+/// LOW:HIGH. Throws InputError.
+[[nodiscard]] Range range_value(const Option& option, std::string_view text);
 
 /// What was set, by a flag or by a scene; keys are option names.
 class Settings {

@@ -24,7 +24,7 @@ using records::split;
 /// Below 2^53, so a double counts them exactly.
 constexpr std::int64_t most_values = 1'000'000'000'000'000;
 
-Axis parse_range(std::string_view field, std::string_view text, const NumberReader& number) {
+Axis parse_steps(std::string_view field, std::string_view text, const NumberReader& number) {
   const auto wrong = [&](std::string_view bound) {
     return InputError(std::string(field), std::string(text), std::string(bound));
   };
@@ -53,21 +53,32 @@ Axis parse_range(std::string_view field, std::string_view text, const NumberRead
 }  // namespace
 
 Axis::Axis(std::vector<double> values)
-    : values_(std::move(values)), size_(static_cast<std::int64_t>(values_.size())), range_(false) {
+    : values_(std::move(values)), size_(static_cast<std::int64_t>(values_.size())), steps_(false) {
   assert(!values_.empty());
 }
 
+Axis::Axis(const std::vector<Range>& ranges, RangeEnd standing) : size_(0), steps_(false) {
+  assert(!ranges.empty() && standing != RangeEnd::none);
+  values_.reserve(ranges.size());
+  others_.reserve(ranges.size());
+  for (const auto& [low, high] : ranges) {
+    values_.push_back(standing == RangeEnd::low ? low : high);
+    others_.push_back(standing == RangeEnd::low ? high : low);
+  }
+  size_ = static_cast<std::int64_t>(values_.size());
+}
+
 Axis::Axis(double first, double last, std::int64_t count, Spacing spacing)
-    : values_{first, last}, size_(count), range_(true), spacing_(spacing) {
+    : values_{first, last}, size_(count), steps_(true), spacing_(spacing) {
   assert(count >= 1);
 }
 
 std::optional<Axis::Spacing> Axis::spacing() const {
-  return range_ ? std::optional(spacing_) : std::nullopt;
+  return steps_ ? std::optional(spacing_) : std::nullopt;
 }
 
 double Axis::operator[](std::int64_t i) const {
-  if (!range_) {
+  if (!steps_) {
     return values_[static_cast<std::size_t>(i)];
   }
   const double first = values_[0];
@@ -94,7 +105,15 @@ std::pair<double, double> Axis::ends() const {
 }
 
 std::string Axis::text() const {
-  if (!range_) {
+  if (has_ranges()) {
+    std::string text;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const auto [low, high] = std::minmax(values_[i], others_[i]);
+      text += fmt::format("{}{}:{}", text.empty() ? "" : ",", low, high);
+    }
+    return text;
+  }
+  if (!steps_) {
     return fmt::format("{}", fmt::join(values_, ","));
   }
   return fmt::format("{}:{}:{}{}", values_[0], values_[1], size_,
@@ -106,15 +125,47 @@ Axis parse_axis(std::string_view field, std::string_view text) {
                     [field](std::string_view value) { return parse_number(field, value); });
 }
 
-Axis parse_axis(std::string_view field, std::string_view text, const NumberReader& number) {
-  if (text.find(':') != std::string_view::npos) {
-    return parse_range(field, text, number);
+Axis parse_axis(std::string_view field, std::string_view text, const NumberReader& number,
+                RangeEnd standing) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  const bool colons = text.find(':') != std::string_view::npos;
+  const auto at_most_one = [](std::string_view part) { return std::ranges::count(part, ':') <= 1; };
+  if (colons && standing != RangeEnd::none && std::ranges::all_of(parts, at_most_one)) {
+    std::vector<Range> ranges;
+    ranges.reserve(parts.size());
+    for (const std::string_view part : parts) {
+      if (part.find(':') == std::string_view::npos) {
+        const double value = number(part);
+        ranges.push_back({value, value});
+      } else {
+        ranges.push_back(parse_range(field, part, number));
+      }
+    }
+    return {ranges, standing};
+  }
+  if (colons) {
+    return parse_steps(field, text, number);
   }
   std::vector<double> values;
-  for (const std::string_view part : split(text, ',')) {
+  values.reserve(parts.size());
+  for (const std::string_view part : parts) {
     values.push_back(number(part));
   }
   return Axis(std::move(values));
+}
+
+Range parse_range(std::string_view field, std::string_view text, const NumberReader& number) {
+  const std::vector<std::string_view> ends = split(text, ':');
+  if (ends.size() != 2) {
+    throw InputError(std::string(field), std::string(text),
+                     "must be a number, or a range LOW:HIGH");
+  }
+  const Range range{number(ends[0]), number(ends[1])};
+  if (!(range.low <= range.high && range.low >= 0)) {
+    throw InputError(std::string(field), std::string(text),
+                     "must be a range LOW:HIGH with 0 <= LOW <= HIGH");
+  }
+  return range;
 }
 
 }  // namespace stillpoint::sweep

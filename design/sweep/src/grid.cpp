@@ -67,6 +67,9 @@ class GridSource : public SweepSource {
     std::ranges::sort(axes, std::greater(), &SweepAxis::quantity);
     for (SweepAxis& swept : axes) {
       const std::int64_t size = swept.axis.size();
+      if (swept.axis.has_ranges()) {
+        axes_.emplace_back(SweepAxis{*other_end(swept.quantity), swept.axis.other_ends()}, total_);
+      }
       axes_.emplace_back(std::move(swept), total_);
       total_ *= size;
     }

@@ -28,7 +28,9 @@ constexpr Names list_formats(std::to_array<Named<ListFormat>>({{ListFormat::csv,
                                                                {ListFormat::jsonl, "jsonl"}}));
 
 using enum Quantity;
-constexpr std::array listed_inputs{v0, p, x0, beta, f, delta, hold, notch_width};
+constexpr std::array listed_inputs{v0,    v0_low, p,           p_high,     x0,       k,
+                                   k_low, lambda, lambda_high, beta,       residual, arrivals,
+                                   f,     delta,  hold,        notch_width};
 
 /// The input of that name; '-' and '_' are the same.
 std::optional<Quantity> find_input(std::string_view written,

@@ -25,6 +25,9 @@ class ListSource : public SweepSource {
     read(block, most);
     for (const SweepAxis& one : fixed_) {
       block[one.quantity].setConstant(block.size, one.axis[0]);
+      if (one.axis.has_ranges()) {
+        block[*other_end(one.quantity)].setConstant(block.size, one.axis.other_ends()[0]);
+      }
     }
   }
 

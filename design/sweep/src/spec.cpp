@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <iterator>
 #include <string>
 
 namespace stillpoint::sweep {
@@ -24,7 +25,8 @@ constexpr Names row_formats(std::to_array<Named<RowFormat>>({{RowFormat::csv, "c
 using enum Quantity;
 
 constexpr std::array motion_inputs{v0, p, x0, f, delta, hold, notch_width};
-constexpr std::array design_inputs{v0, p, beta};
+constexpr std::array design_inputs{v0,     v0_low,      p,    p_high,   k,       k_low,
+                                   lambda, lambda_high, beta, residual, arrivals};
 
 constexpr std::array free_results{peak_amplitude, half_cycles, outcome,
                                   stop_position,  stop_time,   peak_absolute_acceleration};
@@ -39,13 +41,15 @@ constexpr std::array forced_results{peak_amplitude,
                                     sticks,
                                     stick_time,
                                     peak_absolute_acceleration};
-constexpr std::array design_results{
-    feasible, f, delta, tolerance, peak_amplitude, stop_time, peak_absolute_acceleration};
+constexpr std::array design_results{feasible,      f,         delta,
+                                    tolerance,     arrival,   peak_amplitude,
+                                    stop_position, stop_time, peak_absolute_acceleration};
 
 std::vector<Quantity> all_columns(SweepKind kind) {
-  const auto given = inputs(kind);
-  std::vector<Quantity> all(given.begin(), given.end());
-  all.insert(all.end(), results(kind).begin(), results(kind).end());
+  std::vector<Quantity> all;
+  all.reserve(inputs(kind).size() + results(kind).size());
+  std::ranges::copy(inputs(kind), std::back_inserter(all));
+  std::ranges::copy(results(kind), std::back_inserter(all));
   return all;
 }
 
@@ -116,16 +120,25 @@ OwnEntries own_entries(const SweepSpec& spec) {
   return {range.first, range.count};
 }
 
+namespace {
+
+/// The values of the input; size 0 where no axis has them.
+std::int64_t count_in_axes(const SweepSpec& spec, Quantity input) {
+  const auto found = std::ranges::find_if(spec.axes, [input](const SweepAxis& swept) {
+    return swept.quantity == input ||
+           (swept.axis.has_ranges() && other_end(swept.quantity) == input);
+  });
+  return found == spec.axes.end() ? 0 : found->axis.size();
+}
+
+}  // namespace
+
 bool given(const SweepSpec& spec, Quantity input) {
-  return (spec.list && spec.list->has(input)) ||
-         std::ranges::find(spec.axes, input, &SweepAxis::quantity) != spec.axes.end();
+  return (spec.list && spec.list->has(input)) || count_in_axes(spec, input) > 0;
 }
 
 bool varies(const SweepSpec& spec, Quantity input) {
-  return (spec.list && spec.list->has(input)) ||
-         std::ranges::any_of(spec.axes, [input](const SweepAxis& swept) {
-           return swept.quantity == input && swept.axis.size() > 1;
-         });
+  return (spec.list && spec.list->has(input)) || count_in_axes(spec, input) > 1;
 }
 
 bool from_zero(const SweepSpec& spec) {
@@ -158,12 +171,17 @@ std::vector<Quantity> default_columns(const SweepSpec& spec, bool times) {
   std::vector<Quantity> columns = all_columns(spec.kind);
   const std::size_t inputs_end = inputs(spec.kind).size();
   std::size_t i = 0;
-  const auto costs_more = [&](Quantity result) {
-    return (result == stop_time && !times) || (result == peak_absolute_acceleration &&
-                                               spec.kind == SweepKind::free && plain_surface(spec));
+  const bool design = spec.kind == SweepKind::design;
+  const bool may_rest_off_centre = given(spec, residual);
+  const auto left_out = [&](Quantity result) {
+    return (result == stop_time && !times) ||
+           (result == peak_absolute_acceleration && spec.kind == SweepKind::free &&
+            plain_surface(spec)) ||
+           (result == arrival && !may_rest_off_centre && !varies(spec, arrivals)) ||
+           (result == stop_position && design && !may_rest_off_centre);
   };
   std::erase_if(columns, [&](Quantity column) {
-    return i++ < inputs_end ? !varies(spec, column) : costs_more(column);
+    return i++ < inputs_end ? !varies(spec, column) : left_out(column);
   });
   return columns;
 }

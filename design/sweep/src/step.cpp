@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "step.hpp"
 
+#include "request_of.hpp"
+
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
 
@@ -82,17 +85,45 @@ bool writes(const SweepSpec& spec, Quantity column) {
   return std::ranges::find(spec.columns, column) != spec.columns.end();
 }
 
+/// The damper of an entry and the motion that is shown.
+struct Designed {
+  design::DesignPoint point;
+  std::optional<std::int64_t> arrival;
+  Response motion;
+};
+
 /// The best damper of all, or of the parts; empty if none is admissible.
-std::optional<design::DesignPoint> design_of(const design::Problem& problem,
-                                             const SweepSpec& spec) {
-  if (spec.parts.empty()) {
-    const auto found = design::search(problem, spec.limits, spec.search);
+std::optional<design::DesignPoint> point_of(const design::DesignRequest& request,
+                                            const std::vector<design::Part>& parts) {
+  const auto& [problem, limits, options, pulse, ranges] = request;
+  if (parts.empty()) {
+    const auto found = design::search(problem, limits, options);
     return found ? std::optional(found->point) : std::nullopt;
   }
   const auto [part, admissible, tolerance, violated] =
-      design::ranked(problem, spec.limits, spec.search.objective, spec.parts).front();
+      design::ranked(problem, limits, options.objective, parts).front();
   return admissible ? std::optional(design::DesignPoint{part.f, part.delta, tolerance.value_or(0)})
                     : std::nullopt;
+}
+
+std::optional<Designed> designed(const design::DesignRequest& request,
+                                 const std::vector<design::Part>& parts,
+                                 const FreeOptions& options) {
+  if (request.pulse) {
+    const auto result = parts.empty() ? design::design(request) : choose(request, parts).result;
+    return result.finding ? std::optional(Designed{result.finding->point, result.finding->arrival,
+                                                   result.finding->pulse->response})
+                          : std::nullopt;
+  }
+  const auto found = point_of(request, parts);
+  if (!found) {
+    return std::nullopt;
+  }
+  const design::Problem& problem = request.problem;
+  return Designed{{found->f, found->delta, even_tolerance(problem, request.limits, *found)},
+                  design::arrival_of(problem, found->f, found->delta),
+                  free_response({.p = problem.p, .f = found->f, .delta = found->delta},
+                                {.x0 = 0, .v0 = problem.v0}, options)};
 }
 
 }  // namespace
@@ -106,10 +137,24 @@ SweepStep::SweepStep(const SweepSpec& spec, std::stop_token stop)
       one_v0_and_p_(!varies(spec, Quantity::v0) && !varies(spec, Quantity::p)) {}
 
 void SweepStep::operator()(SweepBlock& block) {
+  require_ranges(block);
   if (spec_.units) {
     run_physical(block);
   } else {
     run(block);
+  }
+}
+
+void SweepStep::require_ranges(const SweepBlock& block) const {
+  for (const Quantity input : {v0, p, k, lambda}) {
+    const auto& others = block[*other_end(input)];
+    for (Index i = 0; i < others.size(); ++i) {
+      try {
+        require_in_order(spec_, input, block[input][i], others[i]);
+      } catch (const InputError&) {
+        throw EntryError(i, std::current_exception());
+      }
+    }
   }
 }
 
@@ -256,25 +301,23 @@ void SweepStep::run_design(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const FreeOptions options{.times = times_, .margin = false};
   for_each(block, [&](Index i) {
-    design::Problem problem = spec_.task;
-    problem.v0 = block[v0][i];
-    problem.p = block[p][i];
-    problem.beta = block[beta][i];
-    const std::optional<design::DesignPoint> found = design_of(problem, spec_);
+    const auto found = designed(request_of(spec_, [&](Quantity input) { return block[input][i]; }),
+                                spec_.parts, options);
     block[feasible][i] = found ? 1 : 0;
-    block[f][i] = found ? found->f : absent;
-    block[delta][i] = found ? found->delta : absent;
-    block[tolerance][i] = found ? found->tolerance : absent;
-    block[peak_amplitude][i] = absent;
-    block[stop_time][i] = absent;
-    block[peak_absolute_acceleration][i] = absent;
-    if (found) {
-      const Response motion = free_response({.p = problem.p, .f = found->f, .delta = found->delta},
-                                            {.x0 = 0, .v0 = problem.v0}, options);
-      block[peak_amplitude][i] = motion.peak_amplitude;
-      block[stop_time][i] = motion.stop_time.value_or(absent);
-      block[peak_absolute_acceleration][i] = motion.peak_absolute_acceleration;
+    if (!found) {
+      for (const Quantity result : results(spec_.kind).subspan(1)) {
+        block[result][i] = absent;
+      }
+      return;
     }
+    block[f][i] = found->point.f;
+    block[delta][i] = found->point.delta;
+    block[tolerance][i] = found->point.tolerance;
+    block[arrival][i] = found->arrival ? static_cast<double>(*found->arrival) : absent;
+    block[peak_amplitude][i] = found->motion.peak_amplitude;
+    block[stop_position][i] = found->motion.stop_position.value_or(absent);
+    block[stop_time][i] = found->motion.stop_time.value_or(absent);
+    block[peak_absolute_acceleration][i] = found->motion.peak_absolute_acceleration;
   });
 }
 

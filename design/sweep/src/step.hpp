@@ -24,6 +24,7 @@ class SweepStep {
   void operator()(SweepBlock& block);
 
  private:
+  void require_ranges(const SweepBlock& block) const;
   void run(SweepBlock& block);
   void run_physical(SweepBlock& block);
   void run_free(SweepBlock& block);

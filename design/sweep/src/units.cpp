@@ -22,8 +22,10 @@ struct PhysicalForm {
 
 constexpr std::array physical_forms{
     PhysicalForm{Quantity::v0, "velocity", Dimension::velocity},
+    PhysicalForm{Quantity::v0_low, "velocity_low", Dimension::velocity},
     PhysicalForm{Quantity::x0, "x0_m", Dimension::length},
     PhysicalForm{Quantity::beta, "max_displacement", Dimension::length},
+    PhysicalForm{Quantity::residual, "residual_m", Dimension::length},
     PhysicalForm{Quantity::delta, "delta_m", Dimension::length},
     PhysicalForm{Quantity::notch_width, "notch_width_m", Dimension::length},
     PhysicalForm{Quantity::peak_amplitude, "peak_m", Dimension::length},
@@ -35,23 +37,39 @@ constexpr std::array physical_forms{
     PhysicalForm{Quantity::stick_time, "stick_time_s", Dimension::time},
 };
 
-PhysicalForm restoring_form(Restoring restoring) {
+/// Of p or p_high.
+PhysicalForm restoring_form(Quantity quantity, Restoring restoring) {
+  const bool range = quantity == Quantity::p_high;
   switch (restoring) {
     case Restoring::period:
-      return {Quantity::p, "period", Dimension::time};
+      return {quantity, range ? "period_low" : "period", Dimension::time};
     case Restoring::natural_frequency:
-      return {Quantity::p, "natural_frequency", Dimension::frequency};
+      return {quantity, range ? "natural_frequency_high" : "natural_frequency",
+              Dimension::frequency};
     case Restoring::stiffness:
-      return {Quantity::p, "stiffness", Dimension::stiffness};
+      return {quantity, range ? "stiffness_high" : "stiffness", Dimension::stiffness};
   }
   assert(false && "a Restoring outside its enumeration");
   return {};
 }
 
+/// Of lambda or lambda_high.
+PhysicalForm pulse_form(Quantity quantity, PulseClock clock) {
+  const bool range = quantity == Quantity::lambda_high;
+  return clock == PulseClock::duration
+             ? PhysicalForm{quantity, range ? "pulse_duration_low" : "pulse_duration",
+                            Dimension::time}
+             : PhysicalForm{quantity, range ? "excitation_frequency_high" : "excitation_frequency",
+                            Dimension::frequency};
+}
+
 /// Dimensionless where there are no units.
 PhysicalForm form_of(Quantity quantity, const std::optional<SweepUnits>& units) {
-  if (units && quantity == Quantity::p) {
-    return restoring_form(units->restoring);
+  if (units && (quantity == Quantity::p || quantity == Quantity::p_high)) {
+    return restoring_form(quantity, units->restoring);
+  }
+  if (units && (quantity == Quantity::lambda || quantity == Quantity::lambda_high)) {
+    return pulse_form(quantity, units->pulse_clock);
   }
   const auto* const found = std::ranges::find(physical_forms, quantity, &PhysicalForm::quantity);
   return units && found != physical_forms.end()
@@ -85,9 +103,15 @@ double SweepUnits::velocity_m_per_s() const {
 double SweepUnits::plain(Quantity input, double value) const {
   switch (input) {
     case Quantity::v0:
+    case Quantity::v0_low:
       return value / velocity_m_per_s();
     case Quantity::p:
+    case Quantity::p_high:
       return omega(restoring, value, mass_kg) * time_s();
+    case Quantity::lambda:
+    case Quantity::lambda_high:
+      return pulse_clock == PulseClock::duration ? pulse_angle * time_s() / value
+                                                 : 2 * std::numbers::pi * value * time_s();
     default:
       return value;  // a length, or without a unit
   }

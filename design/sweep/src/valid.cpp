@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/spec.hpp>
 
+#include "request_of.hpp"
+
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -35,10 +37,16 @@ void require_in_units(const std::string& field, records::Dimension dimension, do
 }
 
 void require_in_units(const SweepSpec& spec) {
+  const auto require_ends = [&](Quantity input, const Axis& axis) {
+    const auto [least, most] = axis.ends();
+    require_in_units(spec, input, least);
+    require_in_units(spec, input, most);
+  };
   for (const SweepAxis& swept : spec.axes) {
-    const auto [least, most] = swept.axis.ends();
-    require_in_units(spec, swept.quantity, least);
-    require_in_units(spec, swept.quantity, most);
+    require_ends(swept.quantity, swept.axis);
+    if (swept.axis.has_ranges() && contains(inputs(spec.kind), *other_end(swept.quantity))) {
+      require_ends(*other_end(swept.quantity), swept.axis.other_ends());
+    }
   }
   if (spec.units && spec.limits.delta_max) {
     require_in_units("delta-max-m", records::Dimension::length, *spec.limits.delta_max,
@@ -46,8 +54,44 @@ void require_in_units(const SweepSpec& spec) {
   }
 }
 
+/// A pulse takes the place of v0.
+bool may_be_left_out(const SweepSpec& spec, Quantity input) {
+  constexpr std::array always{Quantity::v0_low,      Quantity::p_high,     Quantity::k_low,
+                              Quantity::lambda_high, Quantity::residual,   Quantity::arrivals,
+                              Quantity::hold,        Quantity::notch_width};
+  const bool of_pulse = input == Quantity::k || input == Quantity::lambda;
+  return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
+}
+
+/// Of designs, the inputs of the hit that the entries do not have.
+void require_one_hit(const SweepSpec& spec) {
+  constexpr std::array of_velocity{Quantity::v0, Quantity::v0_low};
+  constexpr std::array of_pulse{Quantity::k, Quantity::k_low, Quantity::lambda,
+                                Quantity::lambda_high};
+  const auto others = spec.pulse ? std::span<const Quantity>(of_velocity) : of_pulse;
+  for (const Quantity other : others) {
+    if (given(spec, other)) {
+      throw InputError(option_name(other, spec.units), "an input",
+                       spec.pulse ? "must be left out with a pulse, which is the hit"
+                                  : "must be left out without a pulse");
+    }
+  }
+}
+
 /// Each input has one axis, or is a column of the list.
 void require_inputs(const SweepSpec& spec) {
+  if (spec.list) {
+    for (const Quantity column : spec.list->columns()) {
+      if (!contains(inputs(spec.kind), column)) {
+        throw InputError(
+            std::string(name(column, spec.units)), "a column of the list",
+            fmt::format("must be left out: it is not an input of a {} sweep", name(spec.kind)));
+      }
+    }
+  }
+  if (spec.kind == SweepKind::design) {
+    require_one_hit(spec);
+  }
   for (const SweepAxis& swept : spec.axes) {
     const std::string field = option_name(swept.quantity, spec.units);
     const auto refuse = [&](const std::string& bound) {
@@ -59,7 +103,12 @@ void require_inputs(const SweepSpec& spec) {
     if (std::ranges::count(spec.axes, swept.quantity, &SweepAxis::quantity) > 1) {
       refuse("must not be given twice");
     }
-    if (spec.list && spec.list->has(swept.quantity)) {
+    const auto other =
+        swept.axis.has_ranges() ? other_end(swept.quantity) : std::optional<Quantity>();
+    if (other && !contains(inputs(spec.kind), *other)) {
+      refuse("must be first:last:count or numbers: a range LOW:HIGH is for designs");
+    }
+    if (spec.list && (spec.list->has(swept.quantity) || (other && spec.list->has(*other)))) {
       refuse("is a column of the list as well: give only one of them");
     }
     if (spec.list && swept.axis.size() > 1) {
@@ -67,8 +116,7 @@ void require_inputs(const SweepSpec& spec) {
     }
   }
   for (const Quantity input : inputs(spec.kind)) {
-    const bool may_be_left_out = input == Quantity::hold || input == Quantity::notch_width;
-    if (!may_be_left_out && !given(spec, input)) {
+    if (!may_be_left_out(spec, input) && !given(spec, input)) {
       throw InputError::missing(
           option_name(input, spec.units),
           fmt::format("give a number, a range first:last:count, or numbers a,b,c{}",
@@ -98,11 +146,12 @@ using Corner = std::array<double, quantity_count>;
 void check(const Corner& corner, const SweepSpec& spec) {
   const auto at = [&corner](Quantity quantity) { return corner[index(quantity)]; };
   if (spec.kind == SweepKind::design) {
-    design::Problem problem = spec.task;
-    problem.v0 = at(Quantity::v0);
-    problem.p = at(Quantity::p);
-    problem.beta = at(Quantity::beta);
-    require_valid(problem, spec.limits);
+    const design::DesignRequest request = request_of(spec, at);
+    if (request.pulse) {
+      const design::PulseRequest pulse = pulse_request(request);
+      return require_valid(pulse.problem, pulse.limits);
+    }
+    require_valid(request.problem, request.limits);
     return;
   }
   Oscillator oscillator{.p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)};
@@ -122,29 +171,61 @@ void check(const Corner& corner, const SweepSpec& spec) {
   require_valid(oscillator, surface);
 }
 
-void check_corners(const SweepSpec& spec) {
-  const std::size_t corners = std::size_t{1} << spec.axes.size();
-  for (std::size_t chosen = 0; chosen < corners; ++chosen) {
-    Corner corner{};
-    for (std::size_t i = 0; i < spec.axes.size(); ++i) {
-      const auto [least, most] = spec.axes[i].axis.ends();
-      const Quantity input = spec.axes[i].quantity;
-      const double value = (chosen >> i & 1U) != 0 ? most : least;
-      corner[index(input)] = spec.units ? spec.units->plain(input, value) : value;
+/// There are no more of them than the largest: every value of a sensible axis is looked at.
+void check_arrivals(const SweepSpec& spec) {
+  const auto found = std::ranges::find(spec.axes, Quantity::arrivals, &SweepAxis::quantity);
+  const std::int64_t count = found == spec.axes.end() ? 0 : found->axis.size();
+  for (std::int64_t i = 0; i < std::min(count, design::most_arrivals); ++i) {
+    static_cast<void>(whole_arrivals(found->axis[i]));
+  }
+}
+
+/// Of `corner` the axes before `next` are set. Of an axis without ranges the ends are corners, of
+/// one with ranges all values: each has two ends.
+void check_corners(const SweepSpec& spec, Corner& corner, std::size_t next = 0) {
+  if (next == spec.axes.size()) {
+    return check(corner, spec);
+  }
+  const auto set = [&](Quantity input, double value) {
+    corner[index(input)] = spec.units ? spec.units->plain(input, value) : value;
+  };
+  const auto& [input, axis] = spec.axes[next];
+  if (axis.has_ranges()) {
+    const Axis others = axis.other_ends();
+    for (std::int64_t i = 0; i < axis.size(); ++i) {
+      set(input, axis[i]);
+      set(*other_end(input), others[i]);
+      check_corners(spec, corner, next + 1);
     }
-    check(corner, spec);
+    return;
+  }
+  const auto [least, most] = axis.ends();
+  for (const double end : {least, most}) {
+    set(input, end);
+    check_corners(spec, corner, next + 1);
   }
 }
 
 }  // namespace
 
+void require_in_order(const SweepSpec& spec, Quantity input, double value, double other) {
+  const std::string_view field = name(*other_end(input), spec.units);
+  const bool low = field.ends_with("_low");
+  if (low ? !(other <= value) : !(other >= value)) {
+    throw InputError(std::string(field), other,
+                     fmt::format("must be at {} {} = {}", low ? "most" : "least",
+                                 name(input, spec.units), value));
+  }
+}
+
 void require_in_units(const SweepSpec& spec, Quantity input, double value) {
+  constexpr std::array may_be_zero{Quantity::delta, Quantity::v0_low, Quantity::residual};
   const bool may_be_negative =
       input == Quantity::x0 || (input == Quantity::v0 && spec.kind != SweepKind::design);
   require_in_units(option_name(input, spec.units), dimension(input, spec.units), value,
-                   may_be_negative            ? -design::largest_physical
-                   : input == Quantity::delta ? 0
-                                              : design::smallest_physical);
+                   may_be_negative                ? -design::largest_physical
+                   : contains(may_be_zero, input) ? 0
+                                                  : design::smallest_physical);
 }
 
 void require_valid(const SweepSpec& spec) {
@@ -160,8 +241,10 @@ void require_valid(const SweepSpec& spec) {
   if (spec.part && spec.list && !spec.listed) {
     throw InputError("part", text(*spec.part), "needs to know how many entries the list has");
   }
+  check_arrivals(spec);
   if (entries(spec)) {
-    check_corners(spec);
+    Corner corner{};
+    check_corners(spec, corner);
   }
 }
 

@@ -115,6 +115,60 @@ BOOST_FIXTURE_TEST_CASE(designs_are_those_of_design, Sandbox) {
   BOOST_TEST(table.at(2, "feasible") == "true");
 }
 
+BOOST_FIXTURE_TEST_CASE(ranges_of_hits_and_springs_are_those_of_design, Sandbox) {
+  // Of one optimum; see designs_are_those_of_design.
+  constexpr double search_tolerance = 1e-6;
+  using Spring = std::pair<Arguments, std::string>;
+  for (const auto& [spring, column] :
+       {Spring{{"--period", "2660ms:2.94s"}, "period"},
+        Spring{{"--natural-frequency", "340mHz:0.37"}, "natural_frequency"},
+        Spring{{"--stiffness", "5.5MN/m:6.5MN/m", "--mass", "1200t"}, "stiffness"}}) {
+    const Arguments task = joined(spring, {"--max-displacement", "170mm", "--arrivals", "2"});
+    const SweepTable table =
+        rows(*this, joined(task, {"--velocity", "0.4,360mm/s:0.44", "--residual-m", "0,5mm"}));
+    BOOST_TEST_REQUIRE(table.rows.size() == 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const json report = report_of(
+          *this, joined(joined({"design"}, task),
+                        {"--velocity", table.at(i, "velocity_low") + ":" + table.at(i, "velocity"),
+                         "--residual-m", table.at(i, "residual_m")}));
+      BOOST_TEST(
+          near(table.number(i, "tolerance"), report["design"]["tolerance"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "delta_m"), report["physical"]["delta_m"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "peak_m"), report["physical"]["peak_m"], search_tolerance));
+    }
+    const std::string other = column == "period" ? "period_low" : column + "_high";
+    const SweepTable ends =
+        rows(*this, joined(task, {"--velocity", "0.4", "--columns", column + "," + other}));
+    BOOST_TEST((column == "period" ? ends.number(0, other) < ends.number(0, column)
+                                   : ends.number(0, other) > ends.number(0, column)));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(pulses_of_designs_are_in_hertz_and_seconds, Sandbox) {
+  constexpr double search_tolerance = 1e-6;
+  using Clock = std::pair<Arguments, std::string>;
+  for (const auto& [clock, column] :
+       {Clock{{"--pulse", "full-sine", "--pulse-duration", "0.9s,600ms"}, "pulse_duration"},
+        Clock{{"--pulse", "half-sine", "--excitation-frequency", "0.5Hz,1.25"},
+              "excitation_frequency"}}) {
+    const Arguments task{"--k", "0.2", "--period", "2.8s", "--max-displacement", "0.4"};
+    const SweepTable table = rows(*this, joined(clock, task));
+    BOOST_TEST_REQUIRE(table.rows.size() == 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string option =
+          column == "pulse_duration" ? "--pulse-duration" : "--excitation-frequency";
+      const json report = report_of(
+          *this, joined({"design", "--pulse", clock[1], option, table.at(i, column)}, task));
+      BOOST_TEST_REQUIRE(table.at(i, "feasible") == "true");
+      BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "delta_m"), report["physical"]["delta_m"], search_tolerance));
+      BOOST_TEST(near(table.number(i, "peak_m"), report["physical"]["peak_m"], search_tolerance));
+    }
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(loads_are_in_hertz_and_seconds, Sandbox) {
   write("record.csv", "0 0\n0.3 0.2\n0.9 -0.15\n1.4 0\n");
   const std::vector<std::string> columns{"peak_m", "stop_position_m", "end_time_s",
@@ -154,10 +208,9 @@ BOOST_FIXTURE_TEST_CASE(lists_are_in_metres_and_seconds, Sandbox) {
   write("plain.csv", "f,delta\n0.02,0.001\n");
   const ProgramRun mixed = run(joined({"sweep", "--list", "plain.csv"}, motion));
   BOOST_TEST(mixed.exit_code == 2);
-  BOOST_TEST(
-      mixed.err.find("\"delta\" is not a column of a list, which may have velocity, period") !=
-          std::string::npos,
-      mixed.err);
+  BOOST_TEST(mixed.err.find("\"delta\" is not a column of a list, which may have velocity, "
+                            "velocity_low, period") != std::string::npos,
+             mixed.err);
 }
 
 BOOST_FIXTURE_TEST_CASE(real_notches_are_in_metres, Sandbox) {

@@ -47,6 +47,20 @@ void check_row(const SweepTable& table, std::size_t row, const json& reported,
   }
 }
 
+/// Asserts that a row has what `design` reports with these options; true if that is a damper.
+bool check_design(const SweepTable& table, std::size_t row, const json& report) {
+  const bool found = report.at("design").is_object();
+  BOOST_TEST((table.at(row, "feasible") == "true") == found);
+  if (found) {
+    check_row(table, row, report.at("design"), {"f", "delta", "tolerance", "arrival"});
+    check_row(table, row, report.at("response"),
+              {"peak_amplitude", "stop_position", "stop_time", "peak_absolute_acceleration"});
+  } else {
+    BOOST_TEST((table.at(row, "f").empty() && table.at(row, "arrival").empty()));
+  }
+  return found;
+}
+
 const Arguments free_columns{"peak_amplitude", "half_cycles", "outcome", "stop_position",
                              "stop_time"};
 
@@ -172,6 +186,124 @@ BOOST_AUTO_TEST_CASE(of_problems_takes_arrivals_and_a_catalogue) {
       }
     }
     BOOST_TEST((designs > 0 && designs < 4));
+  }
+}
+
+const std::string design_columns =
+    "feasible,f,delta,tolerance,arrival,peak_amplitude,stop_position,stop_time,"
+    "peak_absolute_acceleration";
+
+BOOST_AUTO_TEST_CASE(of_problems_takes_ranges_a_residual_and_tolerances_of_each_side) {
+  write("parts.csv", "name,f,delta\na,0.25,0.33\nb,0.05,0.2\n");
+  const Arguments hit{"--v0", "1", "--p", "1"};
+  const Arguments hits{"--v0", "0.9:1.1", "--p", "0.95:1.05", "--criterion", "exact"};
+  for (const Arguments& task : std::vector<Arguments>{
+           hits,
+           joined(hits, {"--arrivals", "2", "--residual", "0.05"}),
+           {"--v0", "0:1", "--p", "1", "--criterion", "exact"},
+           joined(hits, {"--catalogue", "parts.csv", "--residual", "0.05"}),
+           joined(hit, {"--residual", "0.1", "--arrivals", "4", "--objective", "time"}),
+           joined(hit, {"--tolerance-f", "0.8:1.3", "--tolerance-delta", "0.05"}),
+           joined(hit, {"--tolerance", "0.1", "--tolerance-delta", "0.95:1"})}) {
+    const SweepTable table =
+        table_of(run(joined(joined({"sweep", "--beta", "0.6,0.85,0.95,1.3"}, task),
+                            {"--columns", "beta," + design_columns})));
+    BOOST_TEST_REQUIRE(table.rows.size() == 4U);
+    int designs = 0;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      const Arguments alone{"design", "--beta", table.at(row, "beta"), "--json"};
+      designs += check_design(table, row, run(joined(alone, task)).json()) ? 1 : 0;
+    }
+    BOOST_TEST((designs > 0 && designs < 4));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ranges_residuals_and_arrivals_are_axes) {
+  const SweepTable table = table_of(
+      run({"sweep", "--v0", "1,0.9:1.1,0:1", "--p", "1:1,0.9:1.1", "--beta", "1", "--residual",
+           "0:0.1:2", "--arrivals", "1,3", "--criterion", "exact", "--times"}));
+  BOOST_TEST_REQUIRE(table.rows.size() == 24U);
+  const Arguments inputs{"v0", "v0_low", "p", "p_high", "residual", "arrivals"};
+  BOOST_TEST((Arguments(table.columns.begin(), table.columns.begin() + 6) == inputs));
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const json report = run({"design", "--v0", table.at(row, "v0_low") + ":" + table.at(row, "v0"),
+                             "--p", table.at(row, "p") + ":" + table.at(row, "p_high"), "--beta",
+                             "1", "--residual", table.at(row, "residual"), "--arrivals",
+                             table.at(row, "arrivals"), "--criterion", "exact", "--json"})
+                            .json();
+    check_design(table, row, report);
+  }
+  BOOST_TEST((table.at(23, "v0") == "1" && table.at(23, "v0_low") == "0"));
+}
+
+BOOST_AUTO_TEST_CASE(columns_of_a_list_are_the_ends_of_ranges) {
+  write("hits.csv", "v0_low,v0,p_high,residual,arrivals\n0.9,1.1,1.05,0.05,1\n0,1,1,0,2\n");
+  write("hits.jsonl",
+        R"({"v0_low": 0.9, "v0": 1.1, "p_high": 1.05, "residual": 0.05, "arrivals": 1}
+{"v0_low": 0, "v0": 1, "p_high": 1, "residual": 0, "arrivals": 2})");
+  const Arguments fixed{"--p", "1", "--beta", "2", "--criterion", "exact"};
+  for (const char* const list : {"hits.csv", "hits.jsonl"}) {
+    const SweepTable table =
+        table_of(run(joined({"sweep", "--list", list, "--columns", design_columns}, fixed)));
+    BOOST_TEST_REQUIRE(table.rows.size() == 2U);
+    const Arguments first{"--v0", "0.9:1.1", "--p", "1:1.05", "--residual", "0.05"};
+    const Arguments second{"--v0", "0:1", "--p", "1", "--residual", "0", "--arrivals", "2"};
+    const Arguments rest{"--beta", "2", "--criterion", "exact", "--json"};
+    BOOST_TEST(check_design(table, 0, run(joined(joined({"design"}, first), rest)).json()));
+    BOOST_TEST(check_design(table, 1, run(joined(joined({"design"}, second), rest)).json()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_problems_takes_a_pulse_in_place_of_the_velocity) {
+  const Arguments task{"--pulse", "half-sine", "--p", "1", "--beta", "0.6", "--tolerance", "0.1"};
+  const SweepTable table = table_of(
+      run(joined({"sweep", "--k", "0.2,0.4:0.5,1.5", "--lambda", "2,1.8:2.2", "--times"}, task)));
+  BOOST_TEST_REQUIRE(table.rows.size() == 6U);
+  int designs = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const Arguments pulse{"--k", table.at(row, "k_low") + ":" + table.at(row, "k"), "--lambda",
+                          table.at(row, "lambda") + ":" + table.at(row, "lambda_high")};
+    const json report = run(joined(joined({"design", "--json"}, pulse), task)).json();
+    BOOST_TEST((table.at(row, "feasible") == "true") == report.at("design").is_object());
+    if (report.at("design").is_object()) {
+      ++designs;
+      check_row(table, row, report.at("design"), {"f", "delta", "tolerance"});
+      check_row(table, row, report.at("response"),
+                {"peak_amplitude", "stop_time", "peak_absolute_acceleration"});
+    }
+  }
+  BOOST_TEST((designs > 0 && designs < 6));
+  write("pulses.csv", "k,lambda,lambda_high\n0.2,1.8,2.2\n");
+  const SweepTable listed = table_of(
+      run(joined({"sweep", "--list", "pulses.csv", "--columns", "f,delta,tolerance"}, task)));
+  for (const std::string& column : listed.columns) {
+    BOOST_TEST(listed.at(0, column) == table.at(1, column));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(scenes_have_axes_of_ranges) {
+  write("scene.json", R"({"v0": [1, [0.9, 1.1], "0:1"], "p": "0.95:1.05", "beta": 2,
+                          "tolerance_f": [0.8, 1.2], "residual": [0, 0.1]})");
+  const ProgramRun flags = run({"sweep", "--v0", "1,0.9:1.1,0:1", "--p", "0.95:1.05", "--beta", "2",
+                                "--tolerance-f", "0.8:1.2", "--residual", "0,0.1"});
+  BOOST_TEST_REQUIRE(flags.exit_code == 0, flags.err);
+  BOOST_TEST(run({"sweep", "scene.json"}).out == flags.out);
+}
+
+BOOST_AUTO_TEST_CASE(ranges_are_columns_of_npy) {
+  const Arguments task{"sweep",  "--v0", "0.9:1.1,0:1", "--p", "1",
+                       "--beta", "2",    "--residual",  "0.05"};
+  const SweepTable csv = table_of(run(task));
+  BOOST_TEST(run(joined(task, {"--output", "d.npy"})).exit_code == 0);
+  const NpyFile npy = read_npy(read("d.npy"));
+  BOOST_TEST_REQUIRE(npy.count == 2);
+  BOOST_TEST_REQUIRE(npy.fields.size() == csv.columns.size());
+  for (std::int64_t row = 0; row < 2; ++row) {
+    for (const std::string& column : csv.columns) {
+      if (column != "feasible") {
+        BOOST_TEST(npy.number(row, column) == csv.number(static_cast<std::size_t>(row), column));
+      }
+    }
   }
 }
 

@@ -252,6 +252,48 @@ BOOST_AUTO_TEST_CASE(a_residual_and_later_arrivals_combine) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_soonest_stop_with_a_residual_is_on_the_edge_of_the_first_arrival) {
+  // The first arrival stops the mass where Delta >= Delta1(f), (26); its time grows with f, and
+  // Delta is D = min(V_a^2/2, delta_max)/(1 + R) at most: the soonest has Delta1(f) = D. A design
+  // stays a relative 1e-9 inside of its edges, of which the time takes a part.
+  constexpr double relative = 1e-9;
+  struct Case {
+    double weakest;
+    double tolerance;
+    double delta_max;
+    double residual;
+    int arrivals;
+  };
+  for (const auto& [weakest, tolerance, delta_max, residual, arrivals] :
+       {Case{1, 0, 0.2, 0.03, 2}, Case{0.85, 0, 0.19, 0.02, 4}, Case{1, 0.01, 0.25, 0.05, 2},
+        Case{0.95, 0.02, 1, 0.2, 4}, Case{0.86, 0, 1, 0.03, 4}}) {
+    const double most = std::min(weakest * weakest / 2, delta_max) / (1 + tolerance);
+    double low = 0;
+    double high = 1 / std::sqrt(8.0);
+    for (int i = 0; i < 60; ++i) {
+      const double f = (low + high) / 2;
+      const double s = std::sqrt(1 + f * f);
+      ((s - f) * (s - 3 * f) / 2 > most ? low : high) = f;
+    }
+    const double s = std::sqrt(1 + high * high);
+    const double least = std::atan2(1, high) + std::acos(-high / (s - 2 * high));  // (25)
+    const Problem problem{.v0 = 1,
+                          .p = 1,
+                          .beta = 2,
+                          .criterion = Criterion::exact,
+                          .arrivals = arrivals,
+                          .v0_low = weakest,
+                          .residual = residual};
+    const auto found = search(problem, {.delta_max = delta_max, .tolerance = tolerance},
+                              {.objective = Objective::time});
+    BOOST_TEST_REQUIRE(found.has_value());
+    const auto& [f, delta, its] = found->point;
+    const double time = free_response({1, f, delta}, {0, 1}).stop_time.value();
+    BOOST_TEST(std::abs(time / least - 1) <= relative,
+               "V_a = " << weakest << ", R = " << tolerance << ": " << time << ", " << least);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
   // STILLPOINT_POINTS=1000000 asks for as many points of boxes with a range.
   const char* const asked = std::getenv("STILLPOINT_POINTS");

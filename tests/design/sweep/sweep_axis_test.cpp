@@ -51,6 +51,23 @@ BOOST_AUTO_TEST_CASE(text_reads_back) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(ranges_have_two_ends_of_which_one_stands_for_them) {
+  const auto number = [](std::string_view text) { return std::stod(std::string(text)); };
+  const Axis hits = parse_axis("v0", "1,0.9:1.1,0:2", number, RangeEnd::high);
+  BOOST_TEST_REQUIRE(hits.size() == 3);
+  BOOST_TEST_REQUIRE(hits.has_ranges());
+  BOOST_TEST((hits[0] == 1 && hits[1] == 1.1 && hits[2] == 2));
+  const Axis low = hits.other_ends();
+  BOOST_TEST((low.size() == 3 && low[0] == 1 && low[1] == 0.9 && low[2] == 0));
+  BOOST_TEST(hits.text() == "1:1,0.9:1.1,0:2");
+  const Axis springs = parse_axis("p", "0.9:1.1", number, RangeEnd::low);
+  BOOST_TEST((springs[0] == 0.9 && springs.other_ends()[0] == 1.1));
+  BOOST_TEST(springs.text() == "0.9:1.1");
+  BOOST_TEST(!parse_axis("v0", "0:1:5", number, RangeEnd::high).has_ranges());
+  BOOST_TEST(!parse_axis("v0", "1,2", number, RangeEnd::high).has_ranges());
+  BOOST_CHECK_THROW(parse_axis("v0", "1:2,0:1:5", number, RangeEnd::high), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(knows_its_ends_and_spacing) {
   const auto [least, most] = parse_axis("f", "3,-4,7").ends();
   BOOST_TEST(least == -4);

@@ -5,6 +5,7 @@
 
 #include "search/objectives.hpp"
 #include "search/run.hpp"
+#include "unit_problem.hpp"
 #include "way/extent.hpp"
 #include "way/room.hpp"
 #include "way/space.hpp"
@@ -15,6 +16,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -24,6 +26,18 @@ namespace {
 
 /// As far as a design stays inside of its edges, a later way is no better than an earlier one.
 constexpr double clearly_better = 1e-8;
+
+/// The least p T / pi of the first half-cycle for a from `low` to `high`. The time of a return to
+/// x = 0 grows with a up to a3; where the mass rests before, beyond it, that falls: (5), (6).
+double first_half_turn(double low, double high) {
+  const double swings_back_below = 1 / std::numbers::sqrt3;
+  const double before = std::atan2(1.0, high);
+  double phase = low < unit::a3 ? unit::stop_phase(low) : HUGE_VAL;
+  if (high > unit::a3) {
+    phase = std::min(phase, before + std::numbers::pi);
+  }
+  return (high < swings_back_below ? phase : before) / std::numbers::pi;
+}
 
 /// No damper of the way costs less, as way_cost.
 double bound_of(const Way& way, Objective objective) {
@@ -38,7 +52,9 @@ double bound_of(const Way& way, Objective objective) {
     case Objective::acceleration:
       return objective_value(objective, std::max(0.0, way.a2) / (1 - t * f_low));
     case Objective::time:
-      return way.n;  // the n-th half-cycle turns or stops at x = 0, which takes pi at least, (52)
+      // The n-th half-cycle turns or stops at x = 0, which takes pi at least, (52).
+      return std::max<double>(way.n, first_half_turn(std::max(0.0, way.a2) / (1 - t * f_low),
+                                                     way.a_cap / (1 + t * f_high)));
   }
   return 0;
 }
@@ -107,6 +123,33 @@ class Best {
   double cost_{HUGE_VAL};
 };
 
+/// The dampers that stop the shown motion soonest: at the n-th arrival, with the least Delta of
+/// those that stop it there, the time grows with f for n = 1, and else first falls and then grows.
+void consider_stops(const Way& way, const unit::Ends& ends, Best& best) {
+  const double t = way.limits.tolerance;
+  for (int n = 1; n <= way.passages() && n < best.cost(); ++n) {
+    const auto largest = [&](double f) {
+      const auto d = centre_range(way, f, t);
+      return d ? std::max(d->low, d->high * (1 - way_inset)) : -1;
+    };
+    const auto spare = [&](double f) { return largest(f) - d_that_stops_at(n, way.scaled(f)); };
+    const auto consider = [&](double f) {
+      const double stops = d_that_stops_at(n, way.scaled(f)) * (1 + way_inset) * way.square();
+      best.consider(f, largest(f) * way.square());
+      best.consider(f, std::max(stops, best_delta(way, f, BestDelta::least)));
+    };
+    const double at_low = spare(ends.low);
+    const double at_high = spare(ends.high);
+    if (at_low >= 0) {
+      consider(ends.low);
+    } else if (at_high > 0) {
+      consider(std::min(
+          ends.high, (1 + way_inset) * falling_root([&](double f) { return -spare(f); }, ends.low,
+                                                    ends.high, -at_low, -at_high)));
+    }
+  }
+}
+
 /// Where to begin. Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP
 /// ends there in roundoff instead of convergence. A stop time that jumps where the number of
 /// half-cycles does begins with the best of a grid.
@@ -114,8 +157,10 @@ DesignPoint start_of(const Way& way, Objective objective, const DesignRange& ran
   const auto& [ends, inside] = range;
   Best best(way, objective);
   if (objective == Objective::time && way.q > 0) {
+    consider_stops(way, ends, best);
     constexpr int steps = 16;
-    for (int i = 0; i <= steps; ++i) {
+    const double least = bound_of(way, objective) + clearly_better;
+    for (int i = 0; i <= steps && best.cost() > least; ++i) {
       const double f = ends.low + (ends.high - ends.low) * i / steps;
       const auto d = centre_range(way, f, way.limits.tolerance);
       for (const double part : {way_inset, 0.5, 1 - way_inset}) {
@@ -136,7 +181,7 @@ DesignPoint start_of(const Way& way, Objective objective, const DesignRange& ran
 /// Some box of that tolerance fits.
 bool has_box(Way way, double tolerance) {
   way.limits.tolerance = tolerance;
-  return tolerance < 1 && any_point(way);
+  return tolerance < 1 && !clearly_empty(way) && any_point(way);
 }
 
 struct WayResult {
@@ -158,7 +203,7 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
   SearchOptions budget = options;
   if (objective == Objective::time && way.q > 0 && algorithm.name.starts_with("LD_")) {
     // With slopes alone it may follow a jump of the time for thousands of steps.
-    constexpr int enough = 200;
+    constexpr int enough = 25;
     budget.max_evaluations = std::min(enough, budget.max_evaluations);
   }
   NloptOutcome outcome = run(posed, algorithm.name, budget, [&] { return tried.best; });
@@ -220,13 +265,15 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
     return true;
   };
   if (robust && problem.residual) {
-    // The most tolerant way is mostly the last one, which then spares the search of the others.
+    // The most tolerant way is mostly the last one, then the first: each spares the search of
+    // others.
     std::vector<Way> ways;
     for_each_way(problem, limits, [&](const Way& way) {
       ways.push_back(way);
       return true;
     });
-    std::for_each(ways.rbegin(), ways.rend(), visit);
+    std::stable_partition(ways.begin(), ways.end(), [](const Way& way) { return way.n == 0; });
+    std::ranges::for_each(ways, visit);
   } else {
     for_each_way(problem, limits, visit);
   }

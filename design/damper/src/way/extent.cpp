@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stillpoint::design {
 
@@ -44,6 +45,16 @@ Ends scanned_f(const Way& way, const Ends& all) {
   return low <= high ? Ends{low, high} : all;
 }
 
+/// No f between these two has any room; shown of each of its parts.
+bool no_room_in_parts(const Way& way, double a_low, double a_high, int deeper) {
+  if (no_room_between(way, a_low, a_high, way.limits.tolerance)) {
+    return true;
+  }
+  const double middle = std::midpoint(a_low, a_high);
+  return deeper > 0 && no_room_in_parts(way, a_low, middle, deeper - 1) &&
+         no_room_in_parts(way, middle, a_high, deeper - 1);
+}
+
 /// The f with the most room for Delta, or with enough.
 double roomiest_f(const Way& way, const Ends& f) {
   const double t = way.limits.tolerance;
@@ -58,6 +69,16 @@ double roomiest_f(const Way& way, const Ends& f) {
 }
 
 }  // namespace
+
+bool clearly_empty(const Way& way) {
+  constexpr int times_halved = 4;
+  const auto all = within_f(way, way.limits.tolerance);
+  if (!all) {
+    return true;
+  }
+  const Ends f = scanned_f(way, *all);
+  return no_room_in_parts(way, way.scaled(f.low), way.scaled(f.high), times_halved);
+}
 
 std::optional<WayPoint> any_point(const Way& way) {
   const double t = way.limits.tolerance;

@@ -18,6 +18,10 @@ struct WayPoint {
 };
 [[nodiscard]] std::optional<WayPoint> any_point(const Way& way);
 
+/// No box fits, as the edges at a few f show; where false there may be none all the same. Much
+/// cheaper than any_point.
+[[nodiscard]] bool clearly_empty(const Way& way);
+
 /// The f of the centres of all boxes that fit; a lower end of 0 is open. Empty as any_point.
 [[nodiscard]] std::optional<unit::Ends> feasible_f(const Way& way);
 /// The same for a design: a relative 1e-9 away from where an arrival grazes x = 0 or Delta has no

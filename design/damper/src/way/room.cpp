@@ -49,6 +49,14 @@ double d_on_edge(const EdgeStart& start, int steps, double square) {
   return y * y / 2;
 }
 
+}  // namespace
+
+double d_that_stops_at(int n, double a) {
+  return d_on_edge({a, 1, a}, n, 1);
+}
+
+namespace {
+
 /// The least d with which the strongest hit stops, at the low corner.
 double d_that_stops(const Way& way, double a) {
   const double last = way.stops_last() ? d_on_edge(last_start(way, a), way.passages(), 1) : 0;
@@ -183,8 +191,11 @@ double best_delta(const Way& way, double f, BestDelta choice) {
     return settled(low + (high - low) / 2);
   }
   auto range = centre_range(way, f, t);
+  // A box that is asked for and does not fit by more than rounding has no Delta.
+  const bool may_fit = range || most_tolerant || centre_range(way, f, std::max(0.0, t - way_inset));
   // As in largest_tolerance.
-  for (double step = std::numeric_limits<double>::epsilon(); !range && t > 0; step *= 2) {
+  for (double step = std::numeric_limits<double>::epsilon(); may_fit && !range && t > 0;
+       step *= 2) {
     t = std::max(0.0, t - step);
     range = centre_range(way, f, t);
   }

@@ -17,6 +17,9 @@ namespace stillpoint::design {
 /// The Delta of the centres of the boxes that fit for one f, over V0^2.
 [[nodiscard]] std::optional<unit::Ends> centre_range(const Way& way, double f, double tolerance);
 
+/// The least Delta over V0^2 with which one hit stops at the n-th arrival at the latest.
+[[nodiscard]] double d_that_stops_at(int n, double a);
+
 /// The tolerance of Delta alone that the room for Delta leaves beside a box of f with that
 /// tolerance, negative where there is none. In [-1, 1].
 [[nodiscard]] double room(const Way& way, double a, double tolerance);

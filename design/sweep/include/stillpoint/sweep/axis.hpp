@@ -13,14 +13,26 @@
 
 namespace stillpoint::sweep {
 
-/// The values of one input of a sweep, in order: single numbers, or a range, of which only the ends
-/// and the count are kept.
+/// Which end of a range LOW:HIGH stands for it, for example as the motion that is shown.
+enum class RangeEnd { none, low, high };
+
+/// LOW:HIGH, with 0 <= LOW <= HIGH.
+struct Range {
+  double low{0};
+  double high{0};
+};
+
+/// The values of one input of a sweep, in order: single numbers, or steps from a first to a last,
+/// of which only the ends and the count are kept. A value may be a Range, of which one end stands
+/// for it.
 class Axis {
  public:
   enum class Spacing { linear, logarithmic };
 
   /// At least one number.
   explicit Axis(std::vector<double> values);
+  /// At least one range; of a number both ends are the same.
+  Axis(const std::vector<Range>& ranges, RangeEnd standing);
   /// `count` values including both ends, at least 1; a single one is `first`. A logarithmic range
   /// has both ends above 0.
   Axis(double first, double last, std::int64_t count, Spacing spacing);
@@ -30,15 +42,19 @@ class Axis {
   [[nodiscard]] double operator[](std::int64_t i) const;
   /// The smallest and the largest value.
   [[nodiscard]] std::pair<double, double> ends() const;
-  /// How a range is divided; empty for single numbers.
+  /// The other ends of the values, where some of them are ranges.
+  [[nodiscard]] bool has_ranges() const { return !others_.empty(); }
+  [[nodiscard]] Axis other_ends() const { return Axis(others_); }
+  /// How steps are divided; empty for single numbers.
   [[nodiscard]] std::optional<Spacing> spacing() const;
   /// What parse_axis reads back, with every digit.
   [[nodiscard]] std::string text() const;
 
  private:
-  std::vector<double> values_;  ///< of a range: first and last
+  std::vector<double> values_;    ///< of steps: first and last
+  std::vector<double> others_{};  ///< of ranges
   std::int64_t size_;
-  bool range_;
+  bool steps_;
   Spacing spacing_{Spacing::linear};
 };
 
@@ -52,9 +68,14 @@ struct SweepAxis {
 /// field.
 [[nodiscard]] Axis parse_axis(std::string_view field, std::string_view text);
 
-/// The same where `number` reads each number, which may carry a unit.
+/// The same where `number` reads each number, which may carry a unit. Where an end stands for it, a
+/// number may be a range: "0.9:1.1", "1,0.9:1.1,0.8:1.2".
 using NumberReader = std::function<double(std::string_view text)>;
 [[nodiscard]] Axis parse_axis(std::string_view field, std::string_view text,
-                              const NumberReader& number);
+                              const NumberReader& number, RangeEnd standing = RangeEnd::none);
+
+/// "0.9:1.1". Throws InputError.
+[[nodiscard]] Range parse_range(std::string_view field, std::string_view text,
+                                const NumberReader& number);
 
 }  // namespace stillpoint::sweep

@@ -15,15 +15,24 @@ namespace stillpoint::sweep {
 /// varies its axes in this order too, the last one fastest.
 enum class Quantity : std::uint8_t {
   v0,
+  v0_low,
   p,
+  p_high,
   x0,
+  k,
+  k_low,
+  lambda,
+  lambda_high,
   beta,
+  residual,
+  arrivals,
   feasible,
   f,
   delta,
   hold,
   notch_width,
   tolerance,
+  arrival,
   peak_amplitude,
   half_cycles,
   outcome,
@@ -52,15 +61,24 @@ struct QuantityForm {
 
 inline constexpr std::array quantity_forms{
     QuantityForm{Quantity::v0, "v0"},
+    QuantityForm{Quantity::v0_low, "v0_low"},
     QuantityForm{Quantity::p, "p"},
+    QuantityForm{Quantity::p_high, "p_high"},
     QuantityForm{Quantity::x0, "x0"},
+    QuantityForm{Quantity::k, "k"},
+    QuantityForm{Quantity::k_low, "k_low"},
+    QuantityForm{Quantity::lambda, "lambda"},
+    QuantityForm{Quantity::lambda_high, "lambda_high"},
     QuantityForm{Quantity::beta, "beta"},
+    QuantityForm{Quantity::residual, "residual"},
+    QuantityForm{Quantity::arrivals, "arrivals"},
     QuantityForm{Quantity::feasible, "feasible", Form::truth},
     QuantityForm{Quantity::f, "f"},
     QuantityForm{Quantity::delta, "delta"},
     QuantityForm{Quantity::hold, "hold"},
     QuantityForm{Quantity::notch_width, "notch_width"},
     QuantityForm{Quantity::tolerance, "tolerance"},
+    QuantityForm{Quantity::arrival, "arrival"},
     QuantityForm{Quantity::peak_amplitude, "peak_amplitude"},
     QuantityForm{Quantity::half_cycles, "half_cycles"},
     QuantityForm{Quantity::outcome, "outcome", Form::outcome},
@@ -84,6 +102,22 @@ constexpr std::string_view name(Quantity quantity) {
 }
 constexpr Form form(Quantity quantity) {
   return quantity_forms[index(quantity)].form;
+}
+
+/// Where a range is an input, the quantity of the end that does not stand for it.
+constexpr std::optional<Quantity> other_end(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::v0:
+      return Quantity::v0_low;
+    case Quantity::p:
+      return Quantity::p_high;
+    case Quantity::k:
+      return Quantity::k_low;
+    case Quantity::lambda:
+      return Quantity::lambda_high;
+    default:
+      return std::nullopt;
+  }
 }
 
 /// '-' and '_' are the same.

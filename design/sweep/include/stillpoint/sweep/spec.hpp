@@ -5,6 +5,7 @@
 #include <stillpoint/core/surface.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/list.hpp>
@@ -45,7 +46,8 @@ struct SweepSpec {
   std::optional<SweepUnits> units{};
   /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has
   /// one value and stands for an input that is not a column. Without hold or notch_width the notch
-  /// is the paper's.
+  /// is the paper's. v0_low, p_high and the like are the other ends of an axis of ranges, or
+  /// columns of the list.
   std::vector<SweepAxis> axes;
   std::shared_ptr<List> list;        ///< empty for a grid; it is read once, from its beginning
   std::optional<SweepPart> part;     ///< only these entries; the file can be merged
@@ -60,7 +62,8 @@ struct SweepSpec {
   Excitation excitation;                   ///< of forced motions, as is
   std::optional<double> t_end;             ///< required if the excitation never ends
 
-  design::Problem task;  ///< of design problems, less v0, p and beta; as are
+  design::Problem task;  ///< of design problems, less the inputs that are given; as are
+  std::optional<design::Pulse> pulse;  ///< in place of v0: one of its kind, less k and lambda
   design::Limits limits;
   design::SearchOptions search;
   std::vector<design::Part> parts;  ///< if any, a design is the best of these
@@ -105,14 +108,20 @@ void require_valid(const SweepSpec& spec);
 /// m/s: must be from 1e-30 to 1e+30 m/s".
 void require_in_units(const SweepSpec& spec, Quantity input, double value);
 
+/// Throws InputError where the other end of a range of `input` is on the wrong side of the end that
+/// stands for it.
+void require_in_order(const SweepSpec& spec, Quantity input, double value, double other);
+
 /// What an entry is made of, in the order of the columns. Of motions, hold and notch_width may be
-/// left out.
+/// left out, of designs the other ends of ranges, residual and arrivals; k and lambda are those of
+/// a pulse.
 [[nodiscard]] std::span<const Quantity> inputs(SweepKind kind);
 
 /// What is computed of an entry, in the order of the columns.
 [[nodiscard]] std::span<const Quantity> results(SweepKind kind);
 
-/// The inputs that vary, then the results: stop_time, which takes longer, only with `times`.
+/// The inputs that vary, then the results: stop_time, which takes longer, only with `times`; of
+/// designs stop_position and arrival only where they differ from 0 and from what was asked.
 [[nodiscard]] std::vector<Quantity> default_columns(const SweepSpec& spec, bool times = false);
 
 /// "f,delta,peak_amplitude". Throws InputError for a name that is not a column of this kind, and

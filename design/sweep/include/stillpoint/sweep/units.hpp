@@ -13,11 +13,16 @@ namespace stillpoint::sweep {
 /// What stands for p in metres and seconds.
 enum class Restoring { period, natural_frequency, stiffness };
 
+/// What stands for the lambda of a pulse.
+enum class PulseClock { frequency, duration };
+
 /// A sweep in metres, seconds and kilograms: what its quantities are then. The length unit is H =
 /// 1 m for all entries, so every input is converted by itself, and lengths are metres as they are.
 struct SweepUnits {
   Restoring restoring{Restoring::period};
   double mass_kg{1};  ///< for a stiffness
+  PulseClock pulse_clock{PulseClock::frequency};
+  double pulse_angle{0};  ///< lambda times the duration of the pulse
   double gravity_m_per_s2{9.80665};
 
   [[nodiscard]] double time_s() const;            ///< of one tau

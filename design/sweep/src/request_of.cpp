@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "request_of.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+namespace stillpoint::sweep {
+
+std::int64_t whole_arrivals(double value) {
+  if (!(value >= 1 && value <= design::most_arrivals && value == std::floor(value))) {
+    throw InputError("arrivals", value,
+                     fmt::format("must be a whole number from 1 to {}", design::most_arrivals));
+  }
+  return static_cast<std::int64_t>(value);
+}
+
+design::DesignRequest request_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
+  const auto if_given = [&](Quantity input) {
+    return given(spec, input) ? std::optional(at(input)) : std::nullopt;
+  };
+  design::DesignRequest request{spec.task, spec.limits, spec.search, spec.pulse};
+  design::Problem& problem = request.problem;
+  problem.v0 = if_given(Quantity::v0).value_or(0);
+  problem.v0_low = if_given(Quantity::v0_low);
+  problem.p = at(Quantity::p);
+  problem.p_high = if_given(Quantity::p_high);
+  problem.beta = at(Quantity::beta);
+  problem.residual = if_given(Quantity::residual);
+  if (const auto arrivals = if_given(Quantity::arrivals)) {
+    problem.arrivals = whole_arrivals(*arrivals);
+  }
+  if (request.pulse) {
+    std::visit(
+        [&](auto& pulse) {
+          pulse.k = at(Quantity::k);
+          pulse.lambda = at(Quantity::lambda);
+        },
+        *request.pulse);
+    request.pulse_ranges = {if_given(Quantity::k_low), if_given(Quantity::lambda_high)};
+  }
+  return request;
+}
+
+}  // namespace stillpoint::sweep

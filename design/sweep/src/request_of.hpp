@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/sweep/spec.hpp>
+
+#include <cstdint>
+#include <functional>
+
+namespace stillpoint::sweep {
+
+/// Throws InputError unless it is a whole number from 1 to design::most_arrivals.
+[[nodiscard]] std::int64_t whole_arrivals(double value);
+
+/// The task of an entry of a sweep over designs; `at` gives the values of the inputs that the sweep
+/// has. Throws InputError for wrong arrivals.
+[[nodiscard]] design::DesignRequest request_of(const SweepSpec& spec,
+                                               const std::function<double(Quantity)>& at);
+
+}  // namespace stillpoint::sweep
