@@ -119,10 +119,10 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
       drawn.map.key.push_back({broken_names.at(i), broken.at(i), i < 3});
     }
   }
-  drawn.marks.push_back({result.finding ? "chosen" : "nearest",
-                         {{point.damper.f, point.damper.delta * units.length}},
-                         figures::Shape::star,
-                         figures::Ink::orange});
+  const figures::FigurePoint place{point.damper.f, point.damper.delta * units.length};
+  const char* const what = result.finding ? "chosen" : "nearest";
+  drawn.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
+  drawn.notes.push_back({what, place});
   drawn.description = format(
       "The plane of f and Δ: the {} of the records combined, and where a "
       "limit is broken.",
