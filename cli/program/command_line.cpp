@@ -225,15 +225,19 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", report::version_line())->description("print the version");
   app.allow_extras();
   app.footer(std::string(footer("stillpoint")));
+  std::vector<std::string> words = without_help_command(argc, argv);
   std::array<Collected, command_helps.size()> collected;
   for (std::size_t i = 0; i < command_helps.size(); ++i) {
     const CommandHelp& help = command_helps[i];
-    add_options(*app.add_subcommand(std::string(name(help.command)), std::string(help.summary)),
-                help, collected[i]);
+    CLI::App& command =
+        *app.add_subcommand(std::string(name(help.command)), std::string(help.summary));
+    // To set up the options of all commands would take longer than most answers do.
+    if (std::ranges::find(words, command.get_name()) != words.end()) {
+      add_options(command, help, collected[i]);
+    }
   }
   app.add_subcommand("help", "print the options of a command");
   Invocation invocation;
-  std::vector<std::string> words = without_help_command(argc, argv);
   try {
     app.parse(words);
   } catch (const CLI::Success& asked) {
