@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <vector>
 
 // The decision margin (docs/forced.md section 7) sees close decisions: where a small change of all
 // inputs changes a count or the outcome, the margin is small too.
@@ -213,6 +214,29 @@ BOOST_AUTO_TEST_CASE(load_that_hardly_releases_is_in_it) {
       run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, Record{{0, 0.5, 1 + gap, 0}, 1, {}}, 10}).state;
   BOOST_TEST(state.moved);
   BOOST_TEST(margin_of(state) <= gap);
+}
+
+BOOST_AUTO_TEST_CASE(no_sample_of_a_long_rest_is_overlooked) {
+  // Half of f = 1 to and fro, and at one sample a load that comes near f, or exceeds it.
+  constexpr double gap = 1e-6;
+  for (std::size_t at = 1; at < 40; ++at) {
+    Record record{std::vector<double>(41), 1, {}};
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+      record.values[i] = i % 2 == 0 ? 0.5 : -0.5;
+    }
+    const double sign = record.values[at] > 0 ? 1 : -1;
+    record.values[at] = sign * (1 - gap);
+    const auto held = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, 50}).state;
+    BOOST_TEST(!held.moved);
+    BOOST_TEST(margin_of(held) == gap / 2, boost::test_tools::tolerance(1e-5));
+    record.values[at] = sign * 2;
+    const auto released = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, 50}).state;
+    BOOST_TEST(released.moved);
+    // On its way from -0.5 to 2 the load passes 1 after 0.6 of the interval.
+    const double end = static_cast<double>(at);
+    const auto first = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, end}).state;
+    BOOST_TEST(first.stick_time.value() == end - 0.4, boost::test_tools::tolerance(1e-15));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(end_of_the_run_that_meets_an_event_has_none) {

@@ -8,6 +8,7 @@
 
 #include "kernel/forced_run.hpp"
 #include "kernel/linear_piece.hpp"
+#include "kernel/record_intervals.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 
@@ -19,87 +20,6 @@
 #include <optional>
 
 namespace stillpoint {
-
-/// (F16) over a whole interval of length h, with dw = rate h in place of the rate.
-template <class Real>
-struct IntervalTerms {
-  Real h{0};
-  Real sine{0};
-  Real versine{0};
-  Real lag{0};      ///< (h - sin h) / h
-  Real bend{0};     ///< (1 - cos h) / h
-  Real pull{0};     ///< sin h / h
-  Real fall{0};     ///< -h / 8
-  Real cosine{0};   ///< cos(h/2), or less: between samples |a| is at most that at them over this
-  Real least_v{0};  ///< what v must exceed at both ends anyway; no v does where h is too long
-
-  IntervalTerms() = default;
-  explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
-
- private:
-  IntervalTerms(const Real& length, const LinearTerms<Real>& terms)
-      : h(length),
-        sine(terms.sine),
-        versine(terms.versine),
-        lag(terms.lag / length),
-        bend(terms.versine / length),
-        pull(terms.sine / length),
-        fall(-length / 8),
-        cosine(1 - length * length / 8),
-        least_v(length < 1 ? Real(0) : std::numeric_limits<Real>::max()) {}
-};
-
-template <class Real>
-class RecordTimes {
- public:
-  RecordTimes(const BasicRecord<Real>& record, const Real& p)
-      : record_(record), p_(p), even_(p * record.step) {}
-
-  /// p times the time of a sample.
-  [[nodiscard]] ExactSum<Real> at(std::size_t i) const {
-    return record_.times.empty() ? ExactSum<Real>::product(even_, Real(i))
-                                 : ExactSum<Real>::product(p_, record_.times[i]);
-  }
-
-  /// The last sample that is not after p tau = `when`; the first at the earliest.
-  [[nodiscard]] std::size_t latest(const ExactSum<Real>& when) const {
-    std::size_t low = 0;
-    std::size_t high = record_.values.size() - 1;
-    if (even()) {
-      const auto about = static_cast<double>(Real(when.value() / even_));
-      std::size_t i = !(about < static_cast<double>(high)) ? high
-                      : about > 0                          ? static_cast<std::size_t>(about)
-                                                           : 0;
-      for (; i > 0 && when.minus(at(i)) < 0; --i) {
-      }
-      for (; i < high && !(when.minus(at(i + 1)) < 0); ++i) {
-      }
-      return i;
-    }
-    while (low < high) {
-      const std::size_t middle = high - (high - low) / 2;
-      if (when.minus(at(middle)) < 0) {
-        high = middle - 1;
-      } else {
-        low = middle;
-      }
-    }
-    return low;
-  }
-
-  /// Whether all intervals have one length.
-  [[nodiscard]] bool even() const { return record_.times.empty(); }
-
-  /// p times the length of the interval after it.
-  [[nodiscard]] Real length(std::size_t i) const {
-    return record_.times.empty() ? even_ : Real(p_ * (record_.times[i + 1] - record_.times[i]));
-  }
-
- private:
-  const BasicRecord<Real>& record_;
-  Real p_;
-  Real even_;
-};
 
 template <class Real, class Watcher, class Law>
 class RecordRun {
@@ -160,6 +80,7 @@ class RecordRun {
 
  private:
   using Run = ForcedRun<Real, Watcher, Law>;
+  static constexpr std::size_t at_once = 8;  ///< samples of a rest
 
   void before_first_sample(const ExactSum<Real>& end) {
     const ExactSum<Real> first = times_.at(0);
@@ -266,12 +187,12 @@ class RecordRun {
     ForcedState<Real>& s = run_.state();
     const Real sign(s.direction);
     const Real signed_inverse = sign * inverse_p_;
+    const Real* const values = record_.values.data();
     Real y = sign * s.u;
     const Real phi = run_.law().phi_ahead(y);
     Real v = sign * s.v;
-    Real w = record_.values[i] * signed_inverse;
+    Real w = values[i] * signed_inverse;
     Real a = -(y + phi + w);
-    Real size = Run::magnitude(a);
     Real largest = s.acceleration;
     if (!(v > 0)) {
       return i;
@@ -279,48 +200,58 @@ class RecordRun {
     Real arrival = run_.law().edge_ahead(y);
     const bool passes = !Law::in_zones && run_.map().notch == 0;
     take_terms(i);
-    const IntervalTerms<Real>& t = terms_;
-    Real matters = largest * t.cosine;
+    IntervalTerms<Real> t = terms_;  // a copy, which may stay in registers
+    // An interval may hold the largest |a| only where |a| exceeds `matters` at one of its ends:
+    // where it does so at `now`, any |a| at the other one will do.
+    const auto threshold = [&](const Real& now) {
+      const Real matters = largest * t.cosine;
+      return Run::magnitude(now) > matters ? Real(-1) : matters;
+    };
+    Real matters = threshold(a);
     for (; i < last; ++i) {
       if constexpr (!even) {
         take_terms(i);
-        matters = largest * t.cosine;
+        t = terms_;
+        matters = threshold(a);
       }
-      const Real next_w = record_.values[i + 1] * signed_inverse;
+      const Real next_w = values[i + 1] * signed_inverse;
       const Real rise = next_w - w;
+      const Real v_sine = v * t.sine;
+      const Real a_versine = a * t.versine;
       const Real next_v = (v - v * t.versine) + (a * t.sine - rise * t.bend);
-      const Real next_y = y + (v * t.sine + a * t.versine - rise * t.lag);
-      if (!(std::min(v, next_v) > std::max(t.least_v, Real(t.fall * rise))) ||
-          (next_y >= arrival && !passes)) {
+      const Real next_y = y + (v_sine + a_versine - rise * t.lag);
+      if (!(std::min(v, next_v) > std::max(t.least_v, Real(t.fall * rise)))) {
         break;
       }
       // By (F16) a does not need y, so v and a wait only for each other. Now and then a is computed
       // from y again, so that rounding errors do not let the two drift apart.
-      const Real next_a = i % afresh == 0
-                              ? Real(-(next_y + phi + next_w))
-                              : Real((a - a * t.versine) - (v * t.sine + rise * t.pull));
-      const Real next_size = Run::magnitude(next_a);
-      if (std::max(size, next_size) > matters) [[unlikely]] {
-        const LinearPiece<Real> piece({y, v, a}, Real(rise / t.h));
-        largest =
-            piece.largest_acceleration({PieceEvent::none, t.h, {next_y, next_v, next_a}}, largest);
-        matters = largest * t.cosine;
-      }
+      const Real next_a = i % afresh == 0 ? Real(-(next_y + phi + next_w))
+                                          : Real((a - a_versine) - (v_sine + rise * t.pull));
+      const auto piece = [&] { return LinearPiece<Real>({y, v, a}, Real(rise / t.h)); };
+      const auto end = [&] {
+        return typename LinearPiece<Real>::End{PieceEvent::none, t.h, {next_y, next_v, next_a}};
+      };
       if constexpr (Watcher::watches) {
-        run_.watcher().piece(times_.at(i), s.direction,
-                             LinearPiece<Real>({y, v, a}, Real(rise / t.h)));
+        if (passes || next_y < arrival) {
+          run_.watcher().piece(times_.at(i), s.direction, piece());
+        }
       }
       if (next_y >= arrival) [[unlikely]] {
+        if (!passes) {
+          break;
+        }
         arrival = std::numeric_limits<Real>::max();
-        run_.state().now = times_.at(i);
-        run_.cross(LinearPiece<Real>({y, v, a}, Real(rise / t.h)),
-                   {PieceEvent::none, t.h, {next_y, next_v, next_a}}, crossing_);
+        s.now = times_.at(i);
+        run_.cross(piece(), end(), crossing_);
+      }
+      if (Run::magnitude(next_a) > matters) [[unlikely]] {
+        largest = piece().largest_acceleration(end(), largest);
+        matters = threshold(next_a);
       }
       y = next_y;
       v = next_v;
       a = next_a;
       w = next_w;
-      size = next_size;
     }
     s.acceleration = largest;
     s.u = sign * y;
@@ -344,13 +275,35 @@ class RecordRun {
       return i;
     }
     Real crest{-1};
-    for (; i < last; ++i) {
-      look_at_crest(i, hold, crest);
-      if (!held(i + 1, hold, certain)) {
-        break;
+    while (i < last) {
+      // Held throughout, and no crest there can matter.
+      if (i + at_once <= last && largest_pull(i, hold.u()) <= std::min(crest, certain)) {
+        i += at_once - 1;
+        continue;
+      }
+      Real pull = hold.u() + sample(i);
+      for (const std::size_t end = std::min(i + at_once, last); i < end; ++i) {
+        const Real next = hold.u() + sample(i + 1);
+        if (Run::magnitude(pull) > crest && pull * (next - pull) <= 0) {
+          look_at_crest(i, hold, crest);
+        }
+        if (!held(i + 1, hold, certain)) {
+          return i;
+        }
+        pull = next;
       }
     }
     return i;
+  }
+
+  /// The largest |w + u| at samples i to i + at_once - 1, in any order.
+  [[nodiscard]] Real largest_pull(std::size_t i, const Real& u) const {
+    std::array<Real, at_once / 2> most{};
+    for (std::size_t k = 0; k < most.size(); ++k) {
+      most[k] = std::max(Run::magnitude(Real(u + sample(i + k))),
+                         Run::magnitude(Real(u + sample(i + most.size() + k))));
+    }
+    return *std::max_element(most.begin(), most.end());
   }
 
   template <class AnyHold>
