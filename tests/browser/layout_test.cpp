@@ -107,6 +107,12 @@ BOOST_AUTO_TEST_CASE(no_table_is_cut) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(no_line_ends_between_a_number_and_its_unit) {
+  for_each_look(Scheme::light, [](const std::string& /*look*/, const json& facts) {
+    BOOST_TEST(facts["parted"].empty(), facts["parted"].dump());
+  });
+}
+
 BOOST_AUTO_TEST_CASE(each_figure_has_a_caption_of_one_sentence) {
   for_each_look(Scheme::light, [](const std::string& /*look*/, const json& facts) {
     BOOST_TEST(!facts["captions"].empty());

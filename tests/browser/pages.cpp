@@ -44,6 +44,12 @@ std::vector<Wanted> wanted() {
        {"sweep", "--v0", "1", "--p", "1", "--f", "0.001:0.35:40:log", "--delta", "0:0.5:30",
         "--output", "map.csv"},
        0},
+      {"trade_off", {"design", data + "/scenes/trade_off.json"}, 0},
+      {"varying", {"design", data + "/scenes/residual.json"}, 0},
+      {"records",
+       {"design", "--record", data + "/records/near_fault_pulse.txt", "--record",
+        data + "/records/strong_motion.AT2", "--period", "2.8", "--max-displacement", "0.4"},
+       0},
   };
 }
 

@@ -12,7 +12,8 @@
 namespace stillpoint::browser_test {
 
 /// The pages under test, written by the program, by name: design, infeasible, free, forced, region,
-/// pulse, sweep (with a logarithmic axis). All are made once for the whole test program.
+/// pulse, sweep (with a logarithmic axis), trade_off, varying, records. All are made once for the
+/// whole test program.
 struct Pages {
   Pages();
 

@@ -134,6 +134,20 @@
     return seen;
   };
 
+  // Numbers at the end of a line whose units begin the next.
+  const parted = () => {
+    const found = [], walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), range = new Range();
+    for (let node; (node = walk.nextNode());) {
+      if (node.parentElement.closest('svg, pre, script')) continue;
+      for (const number of node.data.matchAll(/\d\s(mm?|m?s|m\/s|k?g|kN|MN\/m|k?J|%)(?!\w)/g)) {
+        range.setStart(node, number.index);
+        range.setEnd(node, number.index + number[0].length);
+        if (range.getClientRects().length > 1) found.push(node.data.slice(0, 60) + ': ' + number[0]);
+      }
+    }
+    return found;
+  };
+
   // The rules for print hold on the screen, and those for the screen do not.
   const lay_out_as_printed = () => {
     for (const sheet of document.styleSheets)
@@ -156,6 +170,7 @@
         figure => [...figure.querySelectorAll('figcaption')].map(words => words.textContent).join('|'));
       seen.cut = [...document.querySelectorAll('.wide')].filter(
         wide => wide.scrollWidth > wide.clientWidth).map(wide => wide.textContent.slice(0, 60));
+      seen.parted = parted();
       seen.headings = [...document.querySelectorAll('h2')].map(heading => ({
         text: heading.textContent, after: getComputedStyle(heading).breakAfter,
         with_next: heading.nextElementSibling ? getComputedStyle(heading.nextElementSibling).breakInside : 'nothing'}));

@@ -32,7 +32,8 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
         area.look == AreaLook::hatched
             ? format(R"(<path class="hatch {}" d="M2-10h20v12h-20ZM2 2L14-10M10 2L22-10"/>)",
                      word(area.ink))
-            : format(R"(<path class="area {}" d="M2-10h20v12h-20Z"/>)", word(area.ink)));
+            : format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
+                     area.look == AreaLook::box ? "box" : "area", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
     enter_unless_named(band.name,

@@ -47,16 +47,9 @@ class Places {
       near(note.text, {plane_.pixel(note.at)});
     }
     for (const FigureArea& area : figure_.areas) {
-      const auto outline = pixels(area.outline);
       Raster inside(plane_.width, plane_.height);
-      inside.fill(outline);
-      if (area.look == AreaLook::box) {  // its name may stand beside it
-        if (!within(area.name, inside) && !area.name.empty() && !found_.named.contains(area.name)) {
-          near(area.name, outline);
-        }
-      } else {
-        within(area.name, inside);
-      }
+      inside.fill(pixels(area.outline));
+      within(area.name, inside);
     }
     for (const FigureBand& band : figure_.bands) {
       Raster inside(plane_.width, plane_.height);

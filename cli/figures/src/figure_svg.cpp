@@ -244,4 +244,16 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+std::string prose(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto begins_unit = [](char c) { return c == '%' || ((c | 32) >= 'a' && (c | 32) <= 'z'); };
+  std::string result = escaped(text);
+  for (std::size_t i = result.size(); i-- > 2;) {
+    if (is_digit(result[i - 2]) && result[i - 1] == ' ' && begins_unit(result[i])) {
+      result.replace(i - 1, 1, "\u00a0");
+    }
+  }
+  return result;
+}
+
 }  // namespace stillpoint::figures

@@ -57,7 +57,7 @@ std::string column(std::span<const Figure> group) {
   for (const Figure& figure : group) {
     text += "<div>" + svg(figure, Frame::in_page, left) +
             "<div class=\"readout\" aria-hidden=\"true\"></div></div>\n";
-    caption += (caption.empty() || figure.caption.empty() ? "" : " ") + escaped(figure.caption);
+    caption += (caption.empty() || figure.caption.empty() ? "" : " ") + prose(figure.caption);
   }
   return text + (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") +
          "</figure>\n";
@@ -83,7 +83,7 @@ std::string html(const HtmlPage& page) {
       "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
       "@media print{{{}}}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
       escaped(page.title), page_style, figure_style(), dark_page_style, dark_figure_style(),
-      print_style, escaped(page.title), escaped(page.verdict));
+      print_style, prose(page.title), prose(page.verdict));
   text += page.answer + figures(page.figures) + page.body;
   if (!page.report.empty()) {
     text += format("<details><summary>The full report as text</summary>\n<pre>{}</pre></details>\n",

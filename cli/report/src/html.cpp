@@ -14,6 +14,7 @@ namespace stillpoint::report {
 namespace {
 
 using figures::escaped;
+using figures::prose;
 using fmt::format;
 
 /// The class that the page's style knows.
@@ -39,7 +40,7 @@ std::string cells(const TableRow& row, const std::vector<std::string>& head) {
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
     const bool last = i + 1 == row.cells.size();
     const std::string name = head[i].empty() ? "" : format(" data-head=\"{}\"", escaped(head[i]));
-    text += format("<td{}{}>{}</td>", name, last ? look_of(row.tone) : "", escaped(row.cells[i]));
+    text += format("<td{}{}>{}</td>", name, last ? look_of(row.tone) : "", prose(row.cells[i]));
   }
   return text + "</tr>\n";
 }
@@ -53,12 +54,12 @@ class Parts {
       in_rows_ = true;
     }
     text_ += format("<tr><th>{}</th><td{}>{}</td></tr>\n", escaped(row.label), look_of(row.tone),
-                    escaped(row.text));
+                    prose(row.text));
   }
 
   void operator()(const Line& line) {
     end_rows();
-    text_ += format("<p{}>{}</p>\n", look_of(line.tone), escaped(line.text));
+    text_ += format("<p{}>{}</p>\n", look_of(line.tone), prose(line.text));
   }
 
   void operator()(const Table& table) {

@@ -102,7 +102,7 @@ Document document(const RegionReport& report) {
     add_damper_physics(section, report.physical, *f, delta.value_or(0));
     if (delta) {
       add_point(section, report);
-      document.verdict += format(" The damper is {}.", judgement(answer));
+      document.verdict = format("The damper is {}. {}", judgement(answer), document.verdict);
       add_works_for(document.answer, answer.works_for, report.physical);
       if (answer.practice) {
         add_practice(document.detail("In practice"), answer.practice, report.physical);

@@ -22,6 +22,8 @@ namespace stillpoint::report {
 void add_physical_input(Section& section, const design::PhysicalInput& physical);
 /// Force and energy of a damper, where there is a mass.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
+/// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
+[[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
 /// For which hits and periods it works, where that is known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const Physical& physical);

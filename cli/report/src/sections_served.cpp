@@ -10,8 +10,6 @@ namespace stillpoint::report {
 
 using fmt::format;
 
-namespace {
-
 std::string interval_text(const design::ServedInterval& interval) {
   if (!interval.high) {
     return format("at least {}", limit_digits(interval.low, true));
@@ -21,8 +19,6 @@ std::string interval_text(const design::ServedInterval& interval) {
   return interval.low > nothing * *interval.high ? ends
                                                  : "up to " + ends.substr(ends.rfind(' ') + 1);
 }
-
-}  // namespace
 
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const Physical& physical) {

@@ -23,15 +23,6 @@ using design::SpectrumPoint;
 /// More do not fit a screen; a file has all.
 constexpr std::size_t most_shown_periods = 20;
 
-std::string period_shown(const SpectrumReport& report, std::size_t point) {
-  return with_unit(
-      2 * std::numbers::pi / report.result.request.p[point] * report.physical.scales.time_s, "s");
-}
-
-std::string residual_shown(const SpectrumReport& report, const SpectrumFigures& figures) {
-  return figures.residual ? length_shown(report.physical, *figures.residual) : "none";
-}
-
 std::size_t count_lower(const std::vector<SpectrumPoint>& points,
                         double (*value)(const SpectrumFigures&)) {
   return static_cast<std::size_t>(std::ranges::count_if(points, [&](const SpectrumPoint& point) {
@@ -63,17 +54,25 @@ std::string verdict(const SpectrumReport& report) {
       count([](const SpectrumFigures& one) { return one.peak; }));
 }
 
+/// In the units of the figures.
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
-  Table table{{"period", "acceleration", "without", "peak", "without", "residual", "without"}, {}};
+  const FigureUnits units(report.physical);
+  const auto number = [](double value) { return format("{:.5g}", value); };
+  const auto residual = [&](const SpectrumFigures& one) {
+    return one.residual ? number(*one.residual * units.length) : "none";
+  };
+  Table table{{"period, s", "acceleration, g", "without", "peak, " + units.length_unit, "without",
+               "residual, " + units.length_unit, "without"},
+              {}};
   const std::size_t shown = std::min(points.size(), most_shown_periods);
   for (std::size_t row = 0; row < shown; ++row) {
     const std::size_t i = shown > 1 ? row * (points.size() - 1) / (shown - 1) : 0;
     const auto& [with_notch, without] = points[i];
     table.rows.push_back(
-        {{period_shown(report, i), acceleration_shown(with_notch.acceleration),
-          acceleration_shown(without.acceleration), length_shown(report.physical, with_notch.peak),
-          length_shown(report.physical, without.peak), residual_shown(report, with_notch),
-          residual_shown(report, without)}});
+        {{number(2 * std::numbers::pi / report.result.request.p[i] * units.time),
+          number(with_notch.acceleration), number(without.acceleration),
+          number(with_notch.peak * units.length), number(without.peak * units.length),
+          residual(with_notch), residual(without)}});
   }
   return table;
 }

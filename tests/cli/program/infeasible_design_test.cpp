@@ -60,12 +60,12 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
   const std::string what =
       "No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.289277, "
       "delta = ";
-  const std::regex breaks("\\s+");
+  const std::regex breaks("\\s+|\u00a0");
   const Arguments same = joined({"region"}, Arguments(too_much.begin() + 1, too_much.end()));
   for (const Arguments& command : {too_much, same}) {
     const ProgramRun text = run(joined(command, {"--html", "page.html"}));
     BOOST_TEST(std::regex_replace(text.out, breaks, " ").find(what) != std::string::npos, text.out);
-    BOOST_TEST(read("page.html").find(what) != std::string::npos);
+    BOOST_TEST(std::regex_replace(read("page.html"), breaks, " ").find(what) != std::string::npos);
     const json region = run(joined(command, {"--json"})).json()["region"];
     BOOST_TEST(near(region["most_tolerant"]["tolerance"], 0.22219797, 1e-7));
     BOOST_TEST(near(region["most_tolerant"]["f"], 0.28927670, 1e-7));

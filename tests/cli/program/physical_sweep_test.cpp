@@ -245,7 +245,7 @@ BOOST_FIXTURE_TEST_CASE(scenes_and_columns_and_files_serve, Sandbox) {
            "0:8mm:20", "--output", "rows.npy", "--html", "map.html", "--json"});
   BOOST_TEST(drawn.exit_code == 0, drawn.err);
   BOOST_TEST(drawn.json()["output"]["columns"][1] == "delta_m");
-  BOOST_TEST(read("map.html").find("in m") != std::string::npos);
+  BOOST_TEST(read("map.html").find("point friction Δ, m") != std::string::npos);
   BOOST_TEST(read("rows.npy").find("'peak_m'") != std::string::npos);
 }
 

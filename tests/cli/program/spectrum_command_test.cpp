@@ -149,8 +149,11 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Sandbox) {
   const ProgramRun answer = run(joined(asked, {"--html", "p.html", "--svg", "figures"}));
   BOOST_TEST(answer.exit_code == 0, answer.err);
   BOOST_TEST((answer.out.find("The notch lowers the residual") != std::string::npos), answer.out);
-  BOOST_TEST((answer.out.find("1.5 s") != std::string::npos), answer.out);
+  BOOST_TEST((answer.out.find("\n  1.5 ") != std::string::npos), answer.out);
   const std::string page = read("p.html");
+  for (const char* const head : {"period, s", "acceleration, g", "peak, mm", "residual, mm"}) {
+    BOOST_TEST((page.find(std::string("<th>") + head + "</th>") != std::string::npos), head);
+  }
   for (const char* const part : {"spectrum-acceleration", "spectrum-peak", "spectrum-residual"}) {
     BOOST_TEST((page.find(std::string("id=\"") + part + "-title\"") != std::string::npos), part);
     BOOST_TEST(std::filesystem::exists(path(std::string("figures/") + part + ".svg")), part);

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
   BOOST_TEST(html(sample()) ==
              "<section><h2>Rows</h2>\n"
              "<div class=\"wide\"><table class=\"rows\">\n"
-             "<tr><th>mass</th><td>1 kg</td></tr>\n"
+             "<tr><th>mass</th><td>1\u00a0kg</td></tr>\n"
              "<tr><th></th><td class=\"good\">of steel</td></tr>\n"
              "</table></div>\n</section>\n"
              "<section><h2>Table</h2>\n"

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,12 @@ BOOST_AUTO_TEST_CASE(a_point_far_off_does_not_flatten_the_region) {
   BOOST_TEST(contains(figure(far, "region").marks.back().name, "f = 50"));
 }
 
+BOOST_AUTO_TEST_CASE(the_answer_about_a_damper_comes_before_that_about_all) {
+  BOOST_TEST(region(0.9, 0.26, 0.37).verdict.starts_with("The damper is admissible"));
+  BOOST_TEST(region(0.9, 2, 1.5).verdict.starts_with("The damper is not admissible"));
+  BOOST_TEST(region(0.6, 0.4, 0.3).verdict.starts_with("The damper is not admissible"));
+}
+
 /// beta = 0.6: f2 = 0.5333 above f3 = 0.35355; condition (10) asks for 1/sqrt(2) = 0.70711.
 BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
   const HtmlPage page = region(0.6, 0.4, 0.3);
@@ -152,6 +159,25 @@ BOOST_AUTO_TEST_CASE(many_half_cycles_become_an_envelope_of_the_whole_motion) {
   BOOST_TEST(!has(figure(motion({1, 0.02, 0.02}), "motion").curves, "envelope"));
 }
 
+/// Without a notch a peak is 2 f lower than the one before it, half a period or pi earlier. A
+/// column of time holds only a part of these 100 half-cycles.
+BOOST_AUTO_TEST_CASE(the_envelope_goes_through_the_peaks) {
+  constexpr double f = 0.005;
+  const HtmlPage page = motion({1, f, 0});
+  const auto& outline = figure(page, "motion").curves.front().strokes[0];
+  const auto peak = [](double half_cycles) { return 1 - 2 * f * half_cycles; };
+  constexpr double before = 4;  // half-cycles, from where a column's neighbours reach
+  constexpr double behind = 3;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double now = outline[i].x / std::numbers::pi;
+    const double away = i < outline.size() / 2 ? outline[i].y : -outline[i].y;
+    if (now < 90) {
+      BOOST_TEST(away >= peak(now + behind), away << " after " << now << " half-cycles");
+      BOOST_TEST(away <= peak(now - before), away << " after " << now << " half-cycles");
+    }
+  }
+}
+
 /// Caught at its first return; the load lasts 40.
 BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
   Harmonic load;
@@ -177,6 +203,48 @@ BOOST_AUTO_TEST_CASE(the_phase_portrait_is_smooth_and_directed) {
   const HtmlPage page = isolator();
   BOOST_TEST(figure(page, "phase").curves.front().smooth);
   BOOST_TEST(figure(page, "phase").curves.front().directed);
+}
+
+/// A motion over 3 under a load that lasts 2000: too few points would be joined by a curve that
+/// leaves the frame.
+BOOST_AUTO_TEST_CASE(a_short_motion_under_a_long_load_is_drawn_finely) {
+  Harmonic load;
+  load.k = 1e-3;
+  load.lambda = 0.01;
+  load.duration = 2000;
+  const Figure drawn = figure(motion({1, 0.3, 0.4}, load), "phase");
+  const auto& arc = drawn.curves.front().strokes[0];
+  BOOST_TEST(arc.size() > 100U);
+  for (std::size_t i = 1; i < arc.size(); ++i) {
+    BOOST_TEST(std::abs(arc[i].y - arc[i - 1].y) < 0.05 * (drawn.y.most - drawn.y.least));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_phase_portrait_speaks_of_a_notch_where_one_acts_alone) {
+  BOOST_TEST(contains(figure(isolator(), "phase").caption, "the notch takes its energy"));
+  BOOST_TEST(!contains(figure(motion({1, 0.1, 0}), "phase").caption, "notch"));
+}
+
+BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
+  // beta just above V0/(sqrt(2) p): the damper serves hits within some 1e-4.
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 0.7072};
+  const HtmlPage drawn = page(DesignReport{design::design(request), {}});
+  const std::string& caption = figure(drawn, "hits").caption;
+  BOOST_TEST(contains(caption, "0.9998"), caption);
+  BOOST_TEST(contains(caption, "1.0000"), caption);
+}
+
+/// Of springs that vary, as of one: no part of the plane that is forbidden stays without a word.
+BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
+  for (const char* side : {"notch holds at the start", "too strong: does not return"}) {
+    const auto found = std::ranges::find(drawn.areas, side, &figures::FigureArea::name);
+    BOOST_TEST_REQUIRE((found != drawn.areas.end()), side);
+    BOOST_TEST((found->look == figures::AreaLook::hatched));
+  }
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -28,13 +28,14 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.y.position(0.1) == 0.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(figure.y.position(0.01) == 1 / 6.0, boost::test_tools::tolerance(1e-12));
   // The key has two colours, of which one is hatched, and that of dampers whose notch holds the
-  // mass; numbers stand in the areas.
+  // mass; numbers, or words, stand in the areas.
   BOOST_TEST_REQUIRE(figure.map.key.size() == 3U);
   BOOST_TEST(figure.map.key[0].name == "stops centred");
   BOOST_TEST(!figure.map.key[0].hatched);
   BOOST_TEST(figure.map.key[1].name == "stops off centre");
   BOOST_TEST(figure.map.key[1].hatched);
   BOOST_TEST(figure.map.labels.at(0) == "1");
+  BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "does not move");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());
   spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});

@@ -21,12 +21,13 @@ namespace {
 
 /// One of the quantities over the stroke.
 Figure over_stroke(const std::vector<design::TradeOff>& front, const FigureUnits& units,
-                   std::string name, double (*quantity)(const design::TradeOff&), Ink ink) {
+                   std::string name, double (*quantity)(const design::TradeOff&), Ink ink,
+                   FigurePoint chosen) {
   Figure figure;
   figure.height = 170;
   figures::FigureCurve curve{std::move(name), {{}}, ink};
-  double least = HUGE_VAL;
-  double most = 0;
+  double least = chosen.y;
+  double most = chosen.y;
   for (const design::TradeOff& now : front) {
     curve.strokes[0].push_back({now.peak_amplitude * units.length, quantity(now)});
     least = std::min(least, quantity(now));
@@ -37,6 +38,7 @@ Figure over_stroke(const std::vector<design::TradeOff>& front, const FigureUnits
                                   curve.strokes[0].front().x);
   figure.y = figures::axis_around(curve.name, least, most);
   figure.curves.push_back(std::move(curve));
+  figure.marks.push_back({"design", {chosen}, Shape::diamond, Ink::blue});
   return figure;
 }
 
@@ -65,6 +67,7 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
   add("parts that fail", std::move(fail), Shape::cross, Ink::orange, Fill::solid);
   add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
   if (outside > 0) {
+    figure.caption.back() = ';';
     figure.caption += format(" {} of the {} parts {} outside of this figure.", outside,
                              catalogue.parts.size(), outside == 1 ? "lies" : "lie");
   }
@@ -72,28 +75,23 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
 
 std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front,
                                       const design::Finding& chosen, const FigureUnits& units) {
-  Figure acceleration = over_stroke(
-      front, units, "acceleration, g",
-      [](const design::TradeOff& now) { return now.peak_absolute_acceleration; }, Ink::orange);
+  const double stroke = chosen.response.peak_amplitude * units.length;
+  Figure acceleration =
+      over_stroke(front, units, "acceleration, g",
+                  [](const design::TradeOff& now) { return now.peak_absolute_acceleration; },
+                  Ink::orange, {stroke, chosen.response.peak_absolute_acceleration});
   acceleration.id = "trade-off";
   acceleration.title = "Trade-off of stroke, acceleration and tolerance";
-  Figure tolerance = over_stroke(
-      front, units, "tolerance, %",
-      [](const design::TradeOff& now) { return 100 * now.damper.tolerance; }, Ink::blue);
+  Figure tolerance =
+      over_stroke(front, units, "tolerance, %",
+                  [](const design::TradeOff& now) { return 100 * now.damper.tolerance; }, Ink::blue,
+                  {stroke, 100 * chosen.point.tolerance});
   tolerance.id = "trade-off-tolerance";
   tolerance.title = "Tolerance of the same dampers";
   tolerance.below = true;
   tolerance.caption =
-      "Each point is the most tolerant damper with that stroke. No damper is better in one of the "
+      "Each point is the most tolerant damper with that stroke: no damper is better in one of the "
       "three without being worse in another.";
-  const double stroke = chosen.response.peak_amplitude * units.length;
-  const auto mark = [stroke](Figure& figure, double y) {
-    figure.y.most = std::max(figure.y.most, y);
-    figure.y.least = std::min(figure.y.least, y);
-    figure.marks.push_back({"design", {{stroke, y}}, Shape::diamond, Ink::blue});
-  };
-  mark(acceleration, chosen.response.peak_absolute_acceleration);
-  mark(tolerance, 100 * chosen.point.tolerance);
   acceleration.description = format(
       "The least transmitted acceleration for each stroke, from {} at {:.4g} g to {} at "
       "{:.4g} g. The design has {} at {:.4g} g.",

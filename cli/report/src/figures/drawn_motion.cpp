@@ -148,18 +148,15 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
   const auto& stop_time = answer.response.stop_time;
   const bool rests = stop_time && *stop_time > 0;
   const bool rest_is_seen = rests && last >= *stop_time;
+  // At rest nothing changes: all samples go to what moves.
+  DrawnMotion motion =
+      drawn_forced_motion(oscillator, start, excitation, rest_is_seen ? *stop_time : last, surface);
   if (rest_is_seen) {
     last = seen_until(excitation, *stop_time);
-  }
-  DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
-  if (rest_is_seen) {
     motion.rest = State{*stop_time, *answer.response.stop_position, 0};
-    if (motion.states.back().tau < last) {
-      motion.states.push_back({last, motion.rest->x, 0});
-    }
+    motion.states.push_back({last, motion.rest->x, 0});
     motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
-    std::erase_if(motion.frictionless,  // it hides the load that goes on
-                  [last = 1.25 * *stop_time](const State& state) { return state.tau > last; });
+    motion.shown_to = last;
   }
   motion.whole = last >= horizon || rest_is_seen;
   return motion;

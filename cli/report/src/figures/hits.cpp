@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/design/hits.hpp>
 
@@ -56,9 +57,8 @@ Figure hits_figure(const design::Problem& problem, double f, double delta,
               0, hits.back().to * unit};
   if (works_for) {  // the first to be named
     const auto& [low, high] = works_for->v0;
-    const std::string range =
-        fmt::format("{:.3g} to {:.3g}{}{}", low * unit, *high * unit,
-                    units.velocity_unit.empty() ? "" : " ", units.velocity_unit);
+    const std::string range = interval_text({low * unit, *high * unit}) +
+                              (units.velocity_unit.empty() ? "" : " ") + units.velocity_unit;
     figure.areas.push_back({"works for " + range, strip(low * unit, *high * unit, 0.05, 0.3),
                             Ink::blue, AreaLook::box});
     figure.caption = fmt::format("The damper works for hits of {}.", range);

@@ -21,29 +21,37 @@ namespace {
 
 using fmt::format;
 
-/// The least and the largest in each of some columns of time, in the order of an outline.
-std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points) {
-  constexpr double columns = 180;
-  const double wide = points.back().x / columns;
-  std::vector<FigurePoint> upper;
-  std::vector<FigurePoint> lower;
-  double column = -1;
+/// The least and the largest in each of some columns of time and their neighbours, which together
+/// span a swing to either side, in the order of an outline.
+std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns) {
+  constexpr std::size_t columns = 180;
+  const std::size_t neighbours = (columns + turns / 2) / turns;  // columns / turns, rounded
+  struct Column {
+    double least{HUGE_VAL};
+    double most{-HUGE_VAL};
+  };
+  std::vector<Column> spans(columns);
   for (const FigurePoint& at : points) {
-    const double now = std::floor(at.x / wide);
-    if (now > column) {
-      column = now;
-      upper.push_back(at);
-      lower.push_back(at);
-    }
-    if (at.y > upper.back().y) {
-      upper.back() = at;
-    }
-    if (at.y < lower.back().y) {
-      lower.back() = at;
+    const double share = at.x / points.back().x;
+    const auto middle = std::min(static_cast<std::size_t>(share * columns), columns - 1);
+    const std::size_t last = std::min(middle + neighbours, columns - 1);
+    for (std::size_t i = middle - std::min(middle, neighbours); i <= last; ++i) {
+      spans[i].least = std::min(spans[i].least, at.y);
+      spans[i].most = std::max(spans[i].most, at.y);
     }
   }
-  upper.insert(upper.end(), lower.rbegin(), lower.rend());
-  return upper;
+  std::vector<FigurePoint> outline;
+  outline.reserve(2 * columns);
+  const auto place = [&](std::size_t i) {
+    return points.back().x * static_cast<double>(i) / (columns - 1);
+  };
+  for (std::size_t i = 0; i < columns; ++i) {
+    outline.push_back({place(i), spans[i].most});
+  }
+  for (std::size_t i = columns; i-- > 0;) {
+    outline.push_back({place(i), spans[i].least});
+  }
+  return outline;
 }
 
 const State& farthest(const DrawnMotion& motion) {
@@ -131,7 +139,7 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
     add_limits(figure, motion, units);
   }
   if (long_one) {
-    auto outline = envelope(places(motion.states, place));
+    auto outline = envelope(places(motion.states, place), motion.turns.size());
     figure.curves.push_back({"envelope", {outline}, Ink::blue});
     figure.areas.push_back({"", std::move(outline), Ink::blue});
     figure.caption.back() = ',';

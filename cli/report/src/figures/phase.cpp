@@ -65,11 +65,11 @@ Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units) {
       "Velocity over displacement, from x = {}, x' = {}, with {} jumps of the velocity at x = 0.",
       units.length_words(states.front().x), units.velocity_words(states.front().v),
       jumps.strokes.size());
-  figure.caption =
-      "Velocity against displacement: at x = 0 the notch takes its energy from the velocity at "
-      "once.";
+  figure.caption = "Velocity against displacement: the motion runs clockwise.";
   figure.curves = {std::move(arcs)};
   if (!jumps.strokes.empty()) {
+    figure.caption.back() = ',';
+    figure.caption += " and at x = 0 the notch takes its energy from the velocity at once.";
     figure.curves.push_back(std::move(jumps));
   }
   mark_events(figure, motion, place, long_one ? 0 : last);

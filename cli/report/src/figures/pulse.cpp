@@ -45,18 +45,18 @@ FigureCurve needs(const LeastDelta& least_delta, double last, const FigureUnits&
   return curve;
 }
 
-/// From the curve up to `top`.
-std::vector<FigurePoint> above_the_curve(const LeastDelta& least_delta,
-                                         const design::FrictionInterval& interval, double top,
-                                         double unit) {
+/// From the curve, where it is below `top`, to `end`.
+std::vector<FigurePoint> beside_the_curve(const LeastDelta& least_delta,
+                                          const design::FrictionInterval& interval, double top,
+                                          double end, double unit) {
   std::vector<FigurePoint> outline;
   for (int i = 0; i <= curve_steps; ++i) {
     const double f = interval.low + (interval.high - interval.low) * i / curve_steps;
     const auto least = least_delta(f);
     outline.push_back({f, std::min(least ? *least * unit : 0, top)});
   }
-  outline.push_back({interval.high, top});
-  outline.push_back({interval.low, top});
+  outline.push_back({interval.high, end});
+  outline.push_back({interval.low, end});
   return outline;
 }
 
@@ -104,7 +104,9 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   double from = 0;
   for (const auto& interval : intervals) {
     figure.areas.push_back(
-        {"admissible", above_the_curve(least_delta, interval, cap, unit), Ink::sky});
+        {"admissible", beside_the_curve(least_delta, interval, cap, cap, unit), Ink::sky});
+    figure.areas.push_back({"notch too weak", beside_the_curve(least_delta, interval, cap, 0, unit),
+                            Ink::grey, AreaLook::hatched});
     if (interval.low > from) {
       figure.areas.push_back({from == 0 ? "too weak: exceeds " + units.length_words(problem.beta)
                                         : "does not keep the limits",

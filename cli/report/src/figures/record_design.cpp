@@ -110,23 +110,24 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
          shades.front()});
     drawn.map.key.push_back({format("to {}", objective_words(task, most, units)), shades.back()});
   }
+  drawn.map.labels.resize(shades.size());  // what is good has its shades
   for (std::size_t i = 0; i < broken.size(); ++i) {
+    drawn.map.labels.emplace_back(broken_names.at(i));
     drawn.map.palette.emplace_back(broken.at(i));
     drawn.map.names.emplace_back(broken_names.at(i));
     if (std::ranges::count(drawn.map.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
       drawn.map.key.push_back({broken_names.at(i), broken.at(i), i < 3});
     }
   }
-  drawn.marks.push_back({result.finding ? "chosen" : "nearest",
-                         {{point.damper.f, point.damper.delta * units.length}},
-                         figures::Shape::star,
-                         figures::Ink::orange});
+  const figures::FigurePoint place{point.damper.f, point.damper.delta * units.length};
+  const char* const what = result.finding ? "chosen" : "nearest";
+  drawn.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
+  drawn.notes.push_back({what, place});
   drawn.description = format(
       "The plane of f and Δ: the {} of the records combined, and where a "
       "limit is broken.",
       name(task.objective));
-  drawn.caption =
-      "Blue meets every limit, the darker the better; hatched breaks one. Edges are the limits.";
+  drawn.caption = "Blue meets every limit, the darker the better; every other colour breaks one.";
   return drawn;
 }
 

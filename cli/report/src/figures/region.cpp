@@ -154,10 +154,11 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
 
 std::string strips_caption(const Problem& problem) {
   const bool ranges = problem.v0_low || problem.p_high;
-  return format("A damper in a strip {} at that arrival{}; between the strips {} off centre.",
-                problem.residual ? "rests within the residual" : "stops at x = 0",
-                ranges ? ", for every hit and spring of the ranges" : "",
-                problem.residual ? "a rest is too far" : "the mass comes to rest");
+  return format(
+      "A damper in a strip {} at that arrival{}; between and below the strips {} off centre.",
+      problem.residual ? "rests within the residual" : "stops at x = 0",
+      ranges ? ", for every hit and spring of the ranges" : "",
+      problem.residual ? "a rest is too far" : "the mass comes to rest");
 }
 
 }  // namespace

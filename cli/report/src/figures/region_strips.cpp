@@ -109,22 +109,31 @@ void add_limits(Figure& figure, const DrawnRegion& drawn, const FigureUnits& uni
             std::clamp(from.y, figure.y.least, figure.y.most)};
     to = {std::clamp(to.x, figure.x.least, figure.x.most),
           std::clamp(to.y, figure.y.least, figure.y.most)};
-    if (from.x < to.x && from.y < to.y) {
+    constexpr double seen = 1e-3;  // of the axis
+    if (to.x - from.x > seen * (figure.x.most - figure.x.least) && from.y < to.y) {
       figure.areas.push_back(
           {std::move(name), {from, {to.x, from.y}, to, {from.x, to.y}}, ink, AreaLook::hatched});
     }
   };
   const double far = HUGE_VAL;
+  const double start = drawn.region.delta2 * units.length;
+  double last = 0;  // f of the strips
+  for (const FigureArea& strip : figure.areas) {
+    last = std::max(last, std::ranges::max(strip.outline, {}, &FigurePoint::x).x);
+  }
+  const double f4 = drawn.region.f4.value_or(far);
+  const double f_max = drawn.limits.f_max.value_or(far);
+  forbid("notch holds at the start", {0, start}, {far, far}, Ink::grey);
   forbid("too weak: exceeds " + units.length_words(drawn.problem.beta), {0, 0},
-         {drawn.region.f2, far}, Ink::grey);
-  if (drawn.region.f4) {
-    forbid("too strong: acceleration", {*drawn.region.f4, 0}, {far, far}, Ink::amber);
+         {drawn.region.f2, start}, Ink::grey);
+  if (last > 0) {
+    forbid(drawn.problem.residual ? "too strong: rests too far off" : "too strong: does not return",
+           {last, 0}, {std::min(f4, f_max), start}, Ink::grey);
   }
-  if (drawn.limits.f_max) {
-    forbid("above the largest f", {*drawn.limits.f_max, 0}, {far, far}, Ink::amber);
-  }
+  forbid("too strong: acceleration", {f4, 0}, {f_max, start}, Ink::amber);
+  forbid("above the largest f", {f_max, 0}, {far, start}, Ink::amber);
   if (drawn.limits.delta_max) {
-    forbid("above the largest Δ", {0, *drawn.limits.delta_max * units.length}, {far, far},
+    forbid("above the largest Δ", {0, *drawn.limits.delta_max * units.length}, {far, start},
            Ink::amber);
   }
 }

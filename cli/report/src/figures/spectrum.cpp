@@ -140,11 +140,12 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     figure.description = format(
         "The {} over the period from {:.4g} to {:.4g}, with the notch and without, f and Δ fixed.",
         kind.name, shortest, longest);
+    figure.caption =
+        format("The {} over the period, with the same f and Δ at every period.", kind.name);
     all.push_back(std::move(figure));
   }
-  all.back().caption =
-      "f and Δ are the same at every period. A line has a gap where the mass does not come to "
-      "rest.";
+  all.back().caption.back() = ';';
+  all.back().caption += " a line has a gap where the mass does not come to rest.";
   return all;
 }
 

@@ -34,12 +34,9 @@ constexpr std::array<const char*, SweepClass::count> palette{
     "#8a3b00", "#c85a00", "#ef8a2b", "#f7b267", "#fbd3a4", "#fdebd5",  // off it
     "#555555", "#000000", "#a779cc", "#009e73"};
 
-/// "3", "7–15", "16 or more"; empty for motions without a count.
+/// "3", "7–15", "16 or more".
 std::string count_label(std::size_t index) {
   constexpr std::size_t ranges = SweepClass::ranges;
-  if (index >= 2 * ranges) {
-    return "";
-  }
   const std::size_t range = index % ranges;
   const int first = SweepClass::first_half_cycles.at(range);
   if (range + 1 == ranges) {
@@ -115,7 +112,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.id = "map";
   figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
-  figure.y = figure_axis(spec.units ? "point friction Δ in m" : units.delta_label, map.delta());
+  figure.y = figure_axis(spec.units ? "point friction Δ, m" : units.delta_label, map.delta());
   figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, key_of(counts)};
   figure.description =
       format("The plane of f and Δ. Centred is a rest {}, off centre one in the dead zone.",
@@ -123,7 +120,9 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     figure.map.palette.emplace_back(palette.at(i));
     figure.map.names.push_back(counts.at(i) > 0 ? class_name(i) : "");
-    figure.map.labels.push_back(counts.at(i) > 0 ? count_label(i) : "");
+    figure.map.labels.push_back(counts.at(i) == 0            ? ""
+                                : i < 2 * SweepClass::ranges ? count_label(i)
+                                                             : class_name(i));
     if (counts.at(i) > 0) {
       figure.description += format(
           " {}: {:.3g} %.", class_name(i),

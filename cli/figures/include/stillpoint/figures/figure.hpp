@@ -165,5 +165,7 @@ enum class Frame { alone, in_page };
 
 /// Text with the special characters of XML escaped.
 [[nodiscard]] std::string escaped(std::string_view text);
+/// The same for HTML, where no line ends between a number and its unit.
+[[nodiscard]] std::string prose(std::string_view text);
 
 }  // namespace stillpoint::figures
