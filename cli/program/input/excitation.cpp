@@ -143,6 +143,15 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
   return t_end;
 }
 
+void require_no_pulse_options(const Settings& settings) {
+  // A scene's excitation is for simulate, and these are its options.
+  for (const Option& option : options()) {
+    if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
+      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", option.name));
+    }
+  }
+}
+
 std::optional<design::Pulse> pulse_input(const Settings& settings,
                                          const std::optional<design::PhysicalInput>& physical) {
   const auto type = settings.known("pulse");
@@ -150,12 +159,7 @@ std::optional<design::Pulse> pulse_input(const Settings& settings,
     const ExcitationKind& kind = *find_excitation_kind(*type);
     return kind.pulse(wave(settings, "pulse", kind, time_unit(physical)));
   }
-  // A scene's excitation is for simulate, and these are its options.
-  for (const Option& option : options()) {
-    if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
-      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", option.name));
-    }
-  }
+  require_no_pulse_options(settings);
   return std::nullopt;
 }
 

@@ -41,6 +41,9 @@ struct ExcitationInput {
     const Settings& settings, const Excitation& excitation,
     const std::optional<design::PhysicalInput>& physical);
 
+/// UsageError for an option of pulses where there is none.
+void require_no_pulse_options(const Settings& settings);
+
 /// The pulse that gives the initial velocity of a design, of ranges the strongest and longest;
 /// empty where none is asked for. Throws UsageError for its options without it, and InputError for
 /// a wrong value.

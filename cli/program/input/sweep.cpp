@@ -205,11 +205,7 @@ void add_design(const Settings& settings, SweepSpec& spec) {
   if (const auto pulse = settings.known("pulse")) {
     spec.pulse = find_excitation_kind(*pulse)->pulse({});
   } else {
-    for (const std::string_view name : pulse_options) {
-      if (settings.has(name)) {
-        throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", name));
-      }
-    }
+    require_no_pulse_options(settings);
   }
   spec.task.criterion = criterion(settings);
   spec.search.objective = objective(settings);
