@@ -4,6 +4,7 @@
 #include "run_program.hpp"
 #include "sweep_table.hpp"
 
+#include <fmt/format.h>
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -139,8 +140,8 @@ BOOST_FIXTURE_TEST_CASE(ranges_of_hits_and_springs_are_those_of_design, Sandbox)
       BOOST_TEST(near(table.number(i, "peak_m"), report["physical"]["peak_m"], search_tolerance));
     }
     const std::string other = column == "period" ? "period_low" : column + "_high";
-    const SweepTable ends =
-        rows(*this, joined(task, {"--velocity", "0.4", "--columns", column + "," + other}));
+    const std::string both = fmt::format("{},{}", column, other);
+    const SweepTable ends = rows(*this, joined(task, {"--velocity", "0.4", "--columns", both}));
     BOOST_TEST((column == "period" ? ends.number(0, other) < ends.number(0, column)
                                    : ends.number(0, other) > ends.number(0, column)));
   }

@@ -3,6 +3,7 @@
 #include "refusal.hpp"
 #include "run_program.hpp"
 
+#include <fmt/format.h>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
@@ -33,15 +34,14 @@ struct Parts : Sandbox {
   }
 
   /// Writes all parts; their names.
-  Arguments split(const Arguments& sweep, int n, const std::string& extension = "csv") const {
+  [[nodiscard]] Arguments split(const Arguments& sweep, int n,
+                                const std::string& extension = "csv") const {
     Arguments names;
     const std::string count = std::to_string(n);
     for (int i = n; i >= 1; --i) {
       const ProgramRun answer = part(sweep, i, n, extension);
       BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
-      std::string number = std::to_string(i);
-      number.insert(0, count.size() - number.size(), '0');
-      names.push_back(number + "-of-" + count + "." + extension);
+      names.push_back(fmt::format("{:0{}}-of-{}.{}", i, count.size(), count, extension));
     }
     return names;
   }

@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(no_sample_of_a_long_rest_is_overlooked) {
     const auto released = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, 50}).state;
     BOOST_TEST(released.moved);
     // On its way from -0.5 to 2 the load passes 1 after 0.6 of the interval.
-    const double end = static_cast<double>(at);
+    const auto end = static_cast<double>(at);
     const auto first = run_forced(ForcedScene<>{{0, 0, 1, 1, 0}, record, end}).state;
     BOOST_TEST(first.stick_time.value() == end - 0.4, boost::test_tools::tolerance(1e-15));
   }

@@ -34,8 +34,8 @@ class WorstReturn {
  private:
   /// A lambda with the softest p that goes with it, over p of the unit.
   struct Case {
-    double lambda;
-    double p;
+    double lambda{0};
+    double p{0};
     PulseProfile profile;
   };
 

@@ -55,7 +55,7 @@ struct SweepSpec {
   std::vector<Quantity> columns;     ///< of the output; see default_columns
   /// If given, the rows are not written but reduced, see Reducer.
   std::optional<AskedReduction> reduction;
-  int threads{1};                    ///< no result depends on it
+  int threads{1};  ///< no result depends on it
 
   std::optional<double> half_cycle_limit;  ///< of motions, 1 to 1e15; empty: as in core
   std::vector<FrictionZone> zones;         ///< of motions; see Surface
