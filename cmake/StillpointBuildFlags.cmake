@@ -21,6 +21,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_UNITY_BUILD)
   target_compile_options(stillpoint_build_flags INTERFACE --param=ggc-min-heapsize=524288)
 endif()
 
+# What a program does not call is left out of it, also where many files are compiled as one.
+target_compile_options(stillpoint_build_flags INTERFACE -ffunction-sections -fdata-sections)
+
 # Position-independent code must not cost speed: nobody is to replace our functions at run time.
 target_compile_options(stillpoint_build_flags INTERFACE -fno-semantic-interposition)
 
