@@ -61,7 +61,10 @@ Json scene(const SceneRows& from) {
     json["reference"]["v"] = truth.v;
   }
   for (const MethodRows& rows : from.methods) {
-    Json method{{"name", rows.method.name}, {"knob", rows.method.knob}, {"rows", Json::array()}};
+    Json method{{"name", rows.method.name},
+                {"what", rows.method.what},
+                {"knob", rows.method.knob},
+                {"rows", Json::array()}};
     for (const Row& one : rows.rows) {
       method["rows"].push_back(row(one, !rows.method.knob.empty()));
     }

@@ -26,30 +26,23 @@ std::string error(double value) {
   return value == 0 ? std::string("0") : fmt::format("{:.1e}", value);
 }
 
-std::string setting(const MethodRows& method, const Row& row) {
-  return method.method.knob.empty() ? std::string("")
-                                    : fmt::format("{} {:.2g}", method.method.knob, row.setting);
-}
-
 }  // namespace
 
 void ratios(Text& text, const Comparison& comparison) {
   add(text,
       "## How many times faster\n\n"
-      "This table compares the kernel with the best of dopri5, RK4 and rk8pd, each at its cheapest "
-      "setting with right counts and no error above the bound.\n\n"
-      "| scene | kernel, us | its largest error | 1e-6 | 1e-8 | 1e-10 "
-      "|\n|---|---|---|---|---|---|\n");
+      "Than the best of dopri5, RK4 and rk8pd, each at its cheapest setting with right counts and "
+      "no error above the bound.\n\n"
+      "| scene | kernel, us | largest error | 1e-6 | 1e-8 | 1e-10 |\n|---|---|---|---|---|---|\n");
   for (const SceneRows& scene : comparison.scenes) {
     const Row& kernel = scene.kernel();
     add(text, "| {}: {} | {} | {} |", scene.scene.name, scene.scene.legend,
         microseconds(kernel.time.median), error(kernel.verdict.largest()));
     for (const double bound : {1e-6, 1e-8, 1e-10}) {
       if (const auto rival = best_rival(scene, bound)) {
-        add(text, " {} x: {}, {}, {} us |", factor(rival->ratio), rival->method->method.name,
-            setting(*rival->method, *rival->row), microseconds(rival->row->time.median));
+        add(text, " {} ({}) |", factor(rival->ratio), rival->method->method.name);
       } else {
-        add(text, " none reached it |");
+        add(text, " none |");
       }
     }
     add(text, "\n");
@@ -60,8 +53,8 @@ void ratios(Text& text, const Comparison& comparison) {
 void each_peer(Text& text, const Comparison& comparison) {
   add(text,
       "## Each peer at 1e-8\n\n"
-      "The time of each peer in multiples of the kernel's, at its cheapest setting with right "
-      "counts and no error above 1e-8; in brackets, how many of its settings had a wrong count.\n\n"
+      "Its time in multiples of the kernel's; in brackets, how many of its settings had a wrong "
+      "count, if any.\n\n"
       "| scene |");
   const auto& methods = comparison.scenes.front().methods;
   for (std::size_t i = 1; i < methods.size(); ++i) {
@@ -79,10 +72,10 @@ void each_peer(Text& text, const Comparison& comparison) {
       const auto wrong = std::count_if(rows.rows.begin(), rows.rows.end(),
                                        [](const Row& row) { return !row.verdict.counts_right; });
       const Row* best = rows.cheapest(1e-8);
-      add(text, " {} ({} of {}) |",
-          best != nullptr ? factor(best->time.median / scene.kernel().time.median) + " x"
-                          : std::string("not reached"),
-          wrong, rows.rows.size());
+      add(text, " {}{} |",
+          best != nullptr ? factor(best->time.median / scene.kernel().time.median)
+                          : std::string("none"),
+          wrong > 0 ? fmt::format(" ({}/{})", wrong, rows.rows.size()) : "");
     }
     add(text, "\n");
   }
@@ -94,13 +87,9 @@ void many_dampers(Text& text, const Comparison& comparison) {
   const double entries = 1e4 * many.samples;
   add(text,
       "## S6: eleven records and 10^4 dampers\n\n"
-      "This is what the scan of a record design does: the record of S5 with eleven scales and "
-      "steps, p = 1, a grid of f and "
-      "Delta, one thread. The lanes run all dampers. The others run {:.0f} of them under each "
-      "record, and their times are "
-      "scaled up. This project follows each motion to its rest, RK4 to the end of the record; its "
-      "peaks are off by "
-      "{} at most, and {:.1f} % of its motions have a wrong count.\n\n"
+      "The scan of a record design: the record of S5 in eleven scales and steps, a grid of f and "
+      "Delta, one thread. One by one, {:.0f} dampers are run and the times scaled up. The peaks of "
+      "RK4 are off by up to {}; {:.1f} % of its motions have a wrong count.\n\n"
       "| | whole scene, s | per sample and damper, ns | times the lanes |\n|---|---|---|---|\n",
       many.sampled, error(many.error_of_peak), 100 * many.wrong_counts);
   for (const Unit& unit : many.rows) {
@@ -114,11 +103,11 @@ void many_dampers(Text& text, const Comparison& comparison) {
 void free_kernel(Text& text, const Comparison& comparison) {
   add(text,
       "## The free kernel and the square root\n\n"
-      "A half-cycle is one square root that waits for the one before it. Times are in nanoseconds, "
-      "for scene S2, one motion at a time.\n\n| | median | quartiles |\n|---|---|---|\n");
+      "A half-cycle is one square root that waits for the one before it. In ns, one motion of "
+      "scene "
+      "S2 at a time:\n\n");
   for (const Unit& unit : comparison.free_modes) {
-    add(text, "| {} | {:.2f} | {:.2f} .. {:.2f} |\n", unit.what, unit.seconds.median * 1e9,
-        unit.seconds.low * 1e9, unit.seconds.high * 1e9);
+    add(text, "- {}: {:.2f}\n", unit.what, unit.seconds.median * 1e9);
   }
   add(text, "\n");
 }

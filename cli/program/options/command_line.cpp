@@ -112,9 +112,10 @@ void refuse_extras(const CLI::App& app, Command command) {
   bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
   bare = bare.substr(0, bare.find('='));
   const Option* known = find_option(bare);
-  throw UsageError(known != nullptr
-                       ? fmt::format("{}: is not an option of {}", first, app.get_name())
-                       : fmt::format("{}: unknown option{}", first, suggestion(bare, command)));
+  throw UsageError(
+      known != nullptr
+          ? fmt::format("{}: is not an option of {}", first, app.get_name())
+          : fmt::format("{}: unknown option{}", first, suggestion(bare, command, "--")));
 }
 
 void set_typed(Settings& settings, const Option& option, const std::string& text, Command command) {
@@ -157,6 +158,10 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 void require_command(const std::optional<std::string>& given) {
   const std::span<const std::string_view> names = command_names();
   const std::string word = given.value_or("");
+  if (word.starts_with('-')) {
+    throw UsageError(fmt::format("{}: an option comes after its command: {} (stillpoint --help)",
+                                 records::shortened(word, records::longest_word), listed(names)));
+  }
   if (std::ranges::find(names, word) == names.end()) {
     throw UsageError(fmt::format(
         "{}: must be {} (stillpoint --help){}",

@@ -398,14 +398,15 @@ std::vector<const Option*> physical_rivals(const Option& option) {
   return rivals;
 }
 
-std::string suggestion(std::string_view wrong, std::optional<Command> command) {
+std::string suggestion(std::string_view wrong, std::optional<Command> command,
+                       std::string_view prefix) {
   std::vector<std::string_view> names;
   for (const Option& option : table()) {
     if (!command || option.serves(*command)) {
       names.push_back(option.name);
     }
   }
-  return records::suggestion(wrong, names);
+  return records::suggestion(wrong, names, prefix);
 }
 
 }  // namespace stillpoint::cli

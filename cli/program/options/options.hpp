@@ -157,8 +157,9 @@ struct Option {
 [[nodiscard]] std::vector<const Option*> physical_rivals(const Option& option);
 
 /// "; did you mean NAME?" for an option that is one or two slips away, else "". Options of
-/// `command` come first.
+/// `command` come first. The prefix is put before it.
 [[nodiscard]] std::string suggestion(std::string_view wrong,
-                                     std::optional<Command> command = std::nullopt);
+                                     std::optional<Command> command = std::nullopt,
+                                     std::string_view prefix = "");
 
 }  // namespace stillpoint::cli

@@ -132,6 +132,20 @@ TableRow method_row(const peers::MethodRow& now) {
 
 }  // namespace
 
+namespace {
+
+/// What simulate's own method does.
+std::string verdict(const peers::MethodRow& kernel, bool stops) {
+  if (kernel.run != peers::Run::done) {
+    return "";
+  }
+  return format("The kernel of simulate is off by {} in the peak and {} {}, in {}.",
+                exponent(kernel.peak_error), exponent(kernel.end_error),
+                stops ? "at rest" : "at the end", microseconds(kernel.time.median));
+}
+
+}  // namespace
+
 Document document(const AccuracyReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;
   const Start& start = report.request.start;
@@ -139,6 +153,7 @@ Document document(const AccuracyReport& report) {
   const bool stops = truth.outcome != Outcome::running;
   Document document;
   document.title = "Accuracy";
+  document.verdict = verdict(report.comparison.rows.front(), stops);
   Section& scene = document.section("Scene");
   scene.row("dimensionless",
             format("v0 = {:.6g}, p = {:.6g}, x0 = {:.6g}, f = {:.6g}, delta = {:.6g}", start.v0, p,

@@ -197,8 +197,13 @@ std::string checks_agree(const design::CrossCheck& check) {
 
 /// What the structure feels: outside the notch, and inside one that has a width.
 std::string felt(const design::Finding& finding, const Response& response,
-                 const Physical& physical) {
+                 const design::Limits& limits, const Physical& physical) {
   const std::string outside = acceleration_shown(response.peak_absolute_acceleration);
+  if (finding.practice && finding.practice->notch_width_min) {
+    return format("{} outside the notch; {} at most inside one at least {} wide", outside,
+                  acceleration_shown(limits.acceleration_max.value()),
+                  length_shown(physical, *finding.practice->notch_width_min));
+  }
   if (!physical) {
     return format("{} outside the notch, f + delta/w inside one of width w", outside);
   }
@@ -242,7 +247,7 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
                problem.arrivals > 1 && finding.arrival ? format(", at arrival {}", *finding.arrival)
                                                        : ""));
   }
-  answer.row("acceleration", felt(finding, response, physical));
+  answer.row("acceleration", felt(finding, response, limits, physical));
   if (pulsed && finding.pulse->worst) {
     add_worst(answer, *finding.pulse, physical);
   } else if (problem.p_high) {  // the motion shown is that of the softest spring

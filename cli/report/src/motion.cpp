@@ -82,8 +82,12 @@ std::string lock_sentence(const MotionReport& report) {
           ? format("{:.4g} s of {:.4g} s", *forced->locked_from * report.physical->scales.time_s,
                    end * report.physical->scales.time_s)
           : format("tau = {:.4g} of {:.4g}", *forced->locked_from, end);
-  return format("locked at x = 0 from {}; the structure then feels up to {:.3g} g", when,
-                *forced->largest_load_while_locked);
+  // A notch with a width holds the mass where it stopped.
+  const double at = report.answer.response.stop_position.value_or(0);
+  return format(
+      "locked {} from {}; the structure then feels up to {:.3g} g",
+      at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(report.physical, at)),
+      when, *forced->largest_load_while_locked);
 }
 
 namespace {

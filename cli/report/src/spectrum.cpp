@@ -54,6 +54,24 @@ std::string verdict(const SpectrumReport& report) {
       count([](const SpectrumFigures& one) { return one.peak; }));
 }
 
+/// Where the notch holds the mass while the load goes on, if anywhere.
+void add_lock(Section& answer, const SpectrumReport& report) {
+  const std::vector<SpectrumPoint>& points = report.result.combined;
+  std::size_t count = 0;
+  double most = 0;
+  for (const SpectrumPoint& point : points) {
+    if (point.with_notch.locked_from) {
+      ++count;
+      most = std::max(most, *point.with_notch.largest_load_while_locked);
+    }
+  }
+  if (count > 0) {
+    answer.row("locked", format("at {} of {} periods the notch holds it to the end of a record, "
+                                "against up to {}",
+                                count, points.size(), acceleration_shown(most)));
+  }
+}
+
 /// In the units of the figures.
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
   const FigureUnits units(report.physical);
@@ -107,6 +125,7 @@ Document document(const SpectrumReport& report) {
   Document document;
   document.title = "Response spectrum";
   document.verdict = verdict(report);
+  add_lock(document.answer, report);
   const std::size_t count = result.records.size();
   add_points(document.section(count == 1 ? "With the notch and without it"
                               : *result.request.combine == design::Combine::max

@@ -151,12 +151,13 @@ std::string listed(std::span<const std::string_view> words) {
   return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
 }
 
-std::string suggestion(std::string_view wrong, std::span<const std::string_view> names) {
+std::string suggestion(std::string_view wrong, std::span<const std::string_view> names,
+                       std::string_view prefix) {
   const auto nearest = std::ranges::min_element(
       names, {}, [&](std::string_view name) { return slips(wrong, name); });
   const std::size_t distance = slips(wrong, *nearest);
   return distance <= most_slips && distance < wrong.size()
-             ? fmt::format("; did you mean {}?", *nearest)
+             ? fmt::format("; did you mean {}{}?", prefix, *nearest)
              : "";
 }
 

@@ -38,6 +38,9 @@ Axis parse_steps(std::string_view field, std::string_view text, const NumberRead
   if (count < 1 || count > most_values) {
     throw wrong(fmt::format("must have a count from 1 to {}", most_values));
   }
+  if (count == 1 && first != last) {
+    throw wrong("must have a count of 2 or more, or be one number");
+  }
   if (!std::isfinite(last - first)) {
     throw wrong("must have a length that fits a double");
   }

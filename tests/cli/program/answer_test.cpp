@@ -71,11 +71,47 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_to_build_what_it_does_and_how_far_
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch, Sandbox) {
+  const Arguments asked{"design", STILLPOINT_DATA_DIR "/scenes/isolator.json", "--acceleration-max",
+                        "0.12"};
+  const std::string text = run(asked).out;
+  BOOST_TEST(contains(text, "0.12 g at most inside one"), text);
+  // delta / (0.12 - f) = 0.0330951 / 0.0958828 = 0.345163 times H = 178.25 mm
+  BOOST_TEST(contains(text, "61.526 mm wide"), text);
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_comparison_says_how_far_the_kernel_is_off, Sandbox) {
+  const std::string text =
+      run({"accuracy", "--v0", "1", "--p", "1", "--f", "0.26", "--delta", "0.37"}).out;
+  BOOST_TEST(lines_of(text).at(1).starts_with("  The kernel of simulate is off by "), text);
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_sweep_says_how_many_end_well, Sandbox) {
+  const Arguments motions{"sweep", "--v0", "1", "--p", "1", "--f", "0.26", "--output", "rows.csv"};
+  BOOST_TEST(lines_of(run(joined(motions, {"--delta", "0,0.37"})).out).at(1) ==
+             "  1 of 2 motions stop at x = 0, 1 off centre.");
+  BOOST_TEST(lines_of(run({"sweep", "--v0", "1", "--p", "1", "--beta", "0.5,0.9", "--reduce"}).out)
+                 .at(1) == "  1 of 2 problems have an admissible design.");
+}
+
 BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_begins_with_that, Sandbox) {
   const ProgramRun answer =
       run({"simulate", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.1", "--excitation",
            "harmonic", "--k", "0.3", "--lambda", "1", "--t-end", "20"});
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked at x = 0 from "), answer.out);
+}
+
+/// A notch with a width holds it where it stopped, not at x = 0.
+BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_in_a_wide_notch_says_where, Sandbox) {
+  const Arguments locked{"simulate", "--v0",    "1",    "--p",           "1",   "--f",
+                         "0.26",     "--delta", "0.37", "--notch-width", "0.1", "--excitation",
+                         "harmonic", "--k",     "0.01", "--lambda",      "1",   "--t-end",
+                         "20"};
+  const ProgramRun answer = run(locked);
+  const nlohmann::json response = run(joined(locked, {"--json"})).json()["response"];
+  BOOST_TEST_REQUIRE(response["stop_position"] != 0);
+  BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked in the notch, at x = "), answer.out);
+  BOOST_TEST(answer.err.starts_with("stillpoint: locked in the notch, at x = "), answer.err);
 }
 
 /// In the first line and as a warning, like one that locks.

@@ -343,7 +343,7 @@ BOOST_AUTO_TEST_CASE(range_is_even_and_ends_where_it_says) {
     // Powers of ten: expl(logl()) errs by less than an ulp of a double.
     BOOST_TEST(std::abs(log.number(i, "f") / std::pow(10, static_cast<double>(i) - 3) - 1) < 3e-16);
   }
-  BOOST_TEST(table_of(run(sweep({"--f", "0.1:0.7:1", "--delta", "0"}))).columns.front() ==
+  BOOST_TEST(table_of(run(sweep({"--f", "0.1:0.1:1", "--delta", "0"}))).columns.front() ==
              "peak_amplitude");
 }
 

@@ -25,6 +25,8 @@ constexpr std::array spectrum_columns{"record",
                                       "peak_m",
                                       "residual_m",
                                       "peak_absolute_acceleration",
+                                      "locked_from_s",
+                                      "largest_load_while_locked",
                                       "peak_m_without_notch",
                                       "residual_m_without_notch",
                                       "peak_absolute_acceleration_without_notch"};
@@ -35,6 +37,12 @@ double period_s(const SpectrumReport& report, std::size_t point) {
 
 std::optional<double> metres(const SpectrumReport& report, const std::optional<double>& length) {
   return length ? std::optional(*length * report.physical.scales.length_m) : std::nullopt;
+}
+
+std::optional<double> locked_from_s(const SpectrumReport& report,
+                                    const design::SpectrumFigures& figures) {
+  return figures.locked_from ? std::optional(*figures.locked_from * report.physical.scales.time_s)
+                             : std::nullopt;
 }
 
 void add_figures(ordered_json& json, const SpectrumReport& report,
@@ -49,7 +57,10 @@ ordered_json points_json(const SpectrumReport& report,
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < points.size(); ++i) {
     ordered_json point{{"period_s", number(period_s(report, i))}};
-    add_figures(point, report, points[i].with_notch);
+    const design::SpectrumFigures& with_notch = points[i].with_notch;
+    add_figures(point, report, with_notch);
+    point["locked_from_s"] = number(locked_from_s(report, with_notch));
+    point["largest_load_while_locked"] = number(with_notch.largest_load_while_locked);
     add_figures(point["without_notch"], report, points[i].without);
     list.push_back(std::move(point));
   }
@@ -67,7 +78,8 @@ void for_each_row(const SpectrumReport& report, const Write& write) {
       const auto& [with_notch, without] = records[record][i];
       write(SpectrumRow{static_cast<double>(record + 1), period_s(report, i),
                         metres(report, with_notch.peak), metres(report, with_notch.residual),
-                        with_notch.acceleration, metres(report, without.peak),
+                        with_notch.acceleration, locked_from_s(report, with_notch),
+                        with_notch.largest_load_while_locked, metres(report, without.peak),
                         metres(report, without.residual), without.acceleration});
     }
   }

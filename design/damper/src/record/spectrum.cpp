@@ -32,7 +32,8 @@ SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
   options.half_cycle_limit = most_suite_half_cycles;
   try {
     const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
-    SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt};
+    SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt,
+                        motion.locked_from, motion.largest_load_while_locked};
     if (motion.stop_position && rests_in_time(motion.half_cycles.value())) {
       all.residual = std::abs(*motion.stop_position);
     }
@@ -69,6 +70,11 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
       add(*all.residual, *one.residual);
     } else {
       all.residual.reset();
+    }
+    if (one.locked_from) {
+      all.locked_from = std::min(*one.locked_from, all.locked_from.value_or(HUGE_VAL));
+      all.largest_load_while_locked =
+          std::max(*one.largest_load_while_locked, all.largest_load_while_locked.value_or(0));
     }
   }
   return all;

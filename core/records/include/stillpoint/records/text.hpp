@@ -42,9 +42,11 @@ inline constexpr std::size_t longest_path = 300;
 /// "robust, amplitude, time or acceleration"; of at least two.
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
-/// "; did you mean NAME?" for the name that is at most two slips away, else "".
+/// "; did you mean NAME?" for the name that is at most two slips away, else ""; the prefix is put
+/// before it.
 [[nodiscard]] std::string suggestion(std::string_view wrong,
-                                     std::span<const std::string_view> names);
+                                     std::span<const std::string_view> names,
+                                     std::string_view prefix = "");
 
 /// A part of a file as messages quote it.
 [[nodiscard]] std::string quoted(std::string_view text);

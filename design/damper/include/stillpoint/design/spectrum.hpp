@@ -29,6 +29,9 @@ struct SpectrumFigures {
   double acceleration{0};  ///< largest transmitted one, in g
   /// |x| at the final rest; empty where the motion never rests, or not within 10 000 half-cycles.
   std::optional<double> residual{};
+  /// As of a ForcedResponse; under several records the earliest and the largest.
+  std::optional<double> locked_from{};
+  std::optional<double> largest_load_while_locked{};
 };
 
 struct SpectrumPoint {
