@@ -209,15 +209,17 @@ std::string felt(const design::Finding& finding, const Response& response,
                 with_unit(example_m, "m"));
 }
 
-/// Of the ranges of a pulse.
-void add_worst(Section& answer, const design::PulseCheck& check, const Physical& physical) {
+/// Of the ranges of a pulse; a range of k alone needs no samples.
+void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
+               const Physical& physical) {
   answer.row("ranges",
              format("up to {}, {} and {} with any pulse and spring; shown is the largest peak, "
-                    "of lambda = {} and p = {:.6g}; lambda is sampled",
+                    "of lambda = {} and p = {:.6g}{}",
                     length_shown(physical, check.worst->peak),
                     acceleration_shown(check.worst->acceleration),
                     time_shown(physical, check.worst->stop_time),
-                    frequency_text(physical, design::angular_frequency(check.pulse)), check.p));
+                    frequency_text(physical, design::angular_frequency(check.pulse)), check.p,
+                    sampled ? "; lambda/p is sampled" : ""));
 }
 
 /// What it does, and how far it can be trusted.
@@ -244,7 +246,7 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
   }
   answer.row("acceleration", felt(finding, response, physical));
   if (pulsed && finding.pulse->worst) {
-    add_worst(answer, *finding.pulse, physical);
+    add_worst(answer, *finding.pulse, ranges.lambda_high || problem.p_high, physical);
   } else if (problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
