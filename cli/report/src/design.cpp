@@ -271,6 +271,30 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
 
 }  // namespace
 
+Optimum optimum_of(const design::DesignResult& result) {
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  const design::Finding& finding = *result.finding;
+  if (pulse) {
+    return {finding.pulse->searched, finding.pulse->bracketed};
+  }
+  Optimum optimum{{}, design::optimum_along_f(problem, limits, search.objective)};
+  switch (search.objective) {
+    case design::Objective::robust:
+      optimum.found = finding.point.tolerance;
+      break;
+    case design::Objective::amplitude:
+      optimum.found = finding.response.peak_amplitude;
+      break;
+    case design::Objective::time:
+      optimum.found = finding.response.stop_time;
+      break;
+    case design::Objective::acceleration:
+      optimum.found = finding.response.peak_absolute_acceleration;
+      break;
+  }
+  return optimum;
+}
+
 Document document(const DesignReport& report) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   Physical physical = report.physical;
@@ -335,11 +359,12 @@ Document document(const DesignReport& report) {
   sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
                      finding.search.algorithm, finding.search.status, finding.search.evaluations,
                      1e3 * finding.search.wall_time_s));
-  if (finding.pulse && finding.pulse->bracketed) {
-    sought.line(
-        format("{} by NLopt: {}; along f alone: {}",
-               search.objective == design::Objective::robust ? "tolerance" : name(search.objective),
-               digits(finding.pulse->searched), digits(finding.pulse->bracketed)));
+  const Optimum optimum = optimum_of(report.result);
+  if (optimum.along_f) {
+    sought.line(format(
+        "{} {}: {}; along f alone: {}",
+        search.objective == design::Objective::robust ? "tolerance" : name(search.objective),
+        pulse ? "by NLopt" : "of the design", digits(*optimum.found), digits(*optimum.along_f)));
   }
   return document;
 }
