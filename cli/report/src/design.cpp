@@ -214,15 +214,17 @@ std::string felt(const design::Finding& finding, const Response& response,
                 with_unit(example_m, "m"));
 }
 
-/// Of the ranges of a pulse.
-void add_worst(Section& answer, const design::PulseCheck& check, const Physical& physical) {
+/// Of the ranges of a pulse; a range of k alone needs no samples.
+void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
+               const Physical& physical) {
   answer.row("ranges",
              format("up to {}, {} and {} with any pulse and spring; shown is the largest peak, "
-                    "of lambda = {} and p = {:.6g}; lambda is sampled",
+                    "of lambda = {} and p = {:.6g}{}",
                     length_shown(physical, check.worst->peak),
                     acceleration_shown(check.worst->acceleration),
                     time_shown(physical, check.worst->stop_time),
-                    frequency_text(physical, design::angular_frequency(check.pulse)), check.p));
+                    frequency_text(physical, design::angular_frequency(check.pulse)), check.p,
+                    sampled ? "; lambda/p is sampled" : ""));
 }
 
 /// What it does, and how far it can be trusted.
@@ -249,7 +251,7 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
   }
   answer.row("acceleration", felt(finding, response, limits, physical));
   if (pulsed && finding.pulse->worst) {
-    add_worst(answer, *finding.pulse, physical);
+    add_worst(answer, *finding.pulse, ranges.lambda_high || problem.p_high, physical);
   } else if (problem.p_high) {  // the motion shown is that of the softest spring
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
@@ -273,6 +275,30 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
 }
 
 }  // namespace
+
+Optimum optimum_of(const design::DesignResult& result) {
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  const design::Finding& finding = *result.finding;
+  if (pulse) {
+    return {finding.pulse->searched, finding.pulse->bracketed};
+  }
+  Optimum optimum{{}, design::optimum_along_f(problem, limits, search.objective)};
+  switch (search.objective) {
+    case design::Objective::robust:
+      optimum.found = finding.point.tolerance;
+      break;
+    case design::Objective::amplitude:
+      optimum.found = finding.response.peak_amplitude;
+      break;
+    case design::Objective::time:
+      optimum.found = finding.response.stop_time;
+      break;
+    case design::Objective::acceleration:
+      optimum.found = finding.response.peak_absolute_acceleration;
+      break;
+  }
+  return optimum;
+}
 
 Document document(const DesignReport& report) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
@@ -338,11 +364,12 @@ Document document(const DesignReport& report) {
   sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
                      finding.search.algorithm, finding.search.status, finding.search.evaluations,
                      1e3 * finding.search.wall_time_s));
-  if (finding.pulse && finding.pulse->bracketed) {
-    sought.line(
-        format("{} by NLopt: {}; along f alone: {}",
-               search.objective == design::Objective::robust ? "tolerance" : name(search.objective),
-               digits(finding.pulse->searched), digits(finding.pulse->bracketed)));
+  const Optimum optimum = optimum_of(report.result);
+  if (optimum.along_f) {
+    sought.line(format(
+        "{} {}: {}; along f alone: {}",
+        search.objective == design::Objective::robust ? "tolerance" : name(search.objective),
+        pulse ? "by NLopt" : "of the design", digits(*optimum.found), digits(*optimum.along_f)));
   }
   return document;
 }

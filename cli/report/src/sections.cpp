@@ -188,8 +188,23 @@ std::string bound(double value, bool upwards) {
   return format("at {} {}", upwards ? "least" : "most", limit_digits(value, upwards));
 }
 
+/// "0.9 to 1.1 times f and 0.95 to 1.05 times delta": that of each side, as it can be asked for.
+std::string least_box(const design::BoxShape& shape, double tolerance) {
+  const auto factors = [&](double low, double high) {
+    return format("{} to {}", limit_digits(1 - tolerance * low, true),
+                  limit_digits(1 + tolerance * high, false));
+  };
+  return format("{} times f and {} times delta", factors(shape.f_low, shape.f_high),
+                factors(shape.delta_low, shape.delta_high));
+}
+
 /// "v0 at most 0.34"; of a physical input that one, in its unit.
-void add_mend(Section& section, const design::Mend& mend, const Physical& physical) {
+void add_mend(Section& section, const design::Mend& mend, const design::BoxShape& shape,
+              const Physical& physical) {
+  if (mend.field == "tolerance" && shape != design::BoxShape{}) {
+    section.row("tolerance", least_box(shape, mend.value));
+    return;
+  }
   if (const auto now = physical ? physical_mend(*physical, mend) : std::nullopt) {
     section.row(std::string(now->name),
                 format("{} {}   ({} {})", bound(now->value, now->upwards), now->unit, mend.field,
@@ -237,7 +252,7 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty,
         "Changing any one of these makes it feasible; each value is the nearest that does:");
   }
   for (const design::Mend& mend : joint ? joint->mends : mends) {
-    add_mend(section, mend, physical);
+    add_mend(section, mend, limits.shape, physical);
   }
 }
 

@@ -54,6 +54,14 @@ struct DeltaNeeds {
 };
 [[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 
+/// The objective's value of the design (of a pulse of NLopt's best point), and of the best along f
+/// alone, without NLopt; empty where that is not known.
+struct Optimum {
+  std::optional<double> found;
+  std::optional<double> along_f;
+};
+[[nodiscard]] Optimum optimum_of(const design::DesignResult& result);
+
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
                    const design::Limits& limits, const Physical& physical);

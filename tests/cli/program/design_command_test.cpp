@@ -269,6 +269,25 @@ BOOST_AUTO_TEST_CASE(robust_design_has_the_largest_tolerance) {
   BOOST_TEST(std::abs(tolerance(0.8, "exact") - 0.22219797) <= digits);
 }
 
+BOOST_AUTO_TEST_CASE(optimum_stands_beside_that_along_f) {
+  constexpr double same = 2e-9;  // both stay a relative 1e-9 inside of open edges
+  const Arguments plain{"design", "--v0", "1", "--p", "1", "--beta", "2", "--tolerance", "0.05"};
+  for (const std::string objective : {"robust", "amplitude", "time", "acceleration"}) {
+    for (const Arguments& more : {Arguments{}, Arguments{"--arrivals", "3", "--f-max", "0.02"},
+                                  Arguments{"--residual", "0.05", "--arrivals", "2"}}) {
+      const Arguments asked = joined(joined(plain, {"--objective", objective}), more);
+      const json search = run(joined(asked, {"--json"})).json()["search"];
+      if (objective == "time" && !more.empty() && more.front() == "--residual") {
+        BOOST_TEST(search["optimum_along_f"].is_null());
+        continue;
+      }
+      const double along_f = search["optimum_along_f"].get<double>();
+      BOOST_TEST(std::abs(search["optimum"].get<double>() - along_f) <= same * along_f);
+      BOOST_TEST(run(joined(asked, {"--verbose"})).out.find("along f alone") != std::string::npos);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(each_objective_is_best_at_its_own) {
   std::map<std::string, json> reports;
   for (const char* objective : {"robust", "amplitude", "time", "acceleration"}) {

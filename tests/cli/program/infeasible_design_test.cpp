@@ -75,6 +75,18 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
   BOOST_TEST(other_fault["most_tolerant"].is_null());
 }
 
+// (f3 - f2)/(0.2 f3 + 0.2 f2) of 0.2, and a quarter of it for Delta, as they can be asked for.
+BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_mended_on_each_side) {
+  const Arguments too_much =
+      design(0.75, {"--tolerance-f", "0.8:1.2", "--tolerance-delta", "0.05"});
+  const std::string out = run(too_much).out;
+  const std::string box = "0.9040843148 to 1.095915685 times f and 0.9760210787 to 1.023978921";
+  BOOST_TEST(std::regex_replace(out, std::regex("\\s+"), " ").find(box) != std::string::npos, out);
+  BOOST_TEST(run(design(0.75, {"--tolerance-f", "0.9040843148:1.095915685", "--tolerance-delta",
+                               "0.9760210787:1.023978921"}))
+                 .exit_code == 0);
+}
+
 BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart) {
   const ProgramRun text = run(design(0.8, {"--tolerance", "0.222198"}));
   BOOST_TEST(text.out.find("22.22 %") == std::string::npos, text.out);

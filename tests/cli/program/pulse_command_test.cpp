@@ -113,7 +113,12 @@ BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
   BOOST_TEST(report["input"]["lambda_range"].is_null());
   BOOST_TEST(near(report["pulse"]["worst"]["peak_amplitude"], 2 * (0.55 - 0.1625), 1e-8));
   BOOST_TEST(report["pulse"]["p"] == 1);
-  BOOST_TEST(run(ranged).out.find("\n  ranges ") != std::string::npos);
+  const std::string shown = run(ranged).out;
+  BOOST_TEST(shown.find("\n  ranges ") != std::string::npos);
+  BOOST_TEST(shown.find("sampled") == std::string::npos);
+  Arguments of_lengths = ranged;
+  of_lengths[6] = "0.9:1";
+  BOOST_TEST(run(of_lengths).out.find("lambda/p is sampled") != std::string::npos);
 }
 
 // In metres and seconds as without them, and every way to say how long the pulse is.

@@ -398,6 +398,40 @@ BOOST_AUTO_TEST_CASE(the_strips_have_the_tolerance_of_the_best_design) {
 }
 
 // Over f it has two maxima, of which the higher one is where the box just fits below the cap of f.
+BOOST_AUTO_TEST_CASE(the_search_finds_what_is_found_along_f_alone) {
+  // Each stays a relative 1e-9 inside of open edges, in its own way; golden sections end within
+  // 1e-9 of f.
+  constexpr double same = 2e-9;
+  int compared = 0;
+  for (int i = 0; i < 300; ++i) {
+    RandomSource random(1'209'000 + static_cast<std::uint64_t>(i));
+    const Task task = random_task(random);
+    const auto& [problem, limits, seed] = task;
+    for (const Objective objective : objectives) {
+      const auto along_f = optimum_along_f(problem, limits, objective);
+      const auto found = search(problem, limits, {objective, "", 20'000, 10});
+      BOOST_TEST_CONTEXT(name(objective) << ", " << context_of(task)) {
+        if (!along_f) {
+          BOOST_TEST((!found || objective == Objective::robust ||
+                      (objective == Objective::time && problem.residual)));
+          continue;
+        }
+        BOOST_REQUIRE(found.has_value());
+        const auto& [f, delta, tolerance] = found->point;
+        const Response motion = free_response({problem.p, f, delta}, {0, problem.v0});
+        const double its = objective == Objective::robust      ? tolerance
+                           : objective == Objective::amplitude ? motion.peak_amplitude
+                           : objective == Objective::time      ? *motion.stop_time
+                                                               : motion.peak_absolute_acceleration;
+        BOOST_TEST(std::abs(its - *along_f) <=
+                   same * (objective == Objective::robust ? 1 : *along_f));
+        ++compared;
+      }
+    }
+  }
+  BOOST_TEST(compared > 400);
+}
+
 BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_a_strip_is_the_higher_of_two) {
   const Problem problem{.v0 = 0.42299466034777228,
                         .p = 0.93224266359929842,

@@ -60,13 +60,17 @@ ordered_json strips_json(const std::vector<design::Strip>& strips) {
   return list;
 }
 
-ordered_json search_json(const design::SearchRecord& search) {
+ordered_json search_json(const design::DesignResult& result) {
+  const design::SearchRecord& search = result.finding->search;
+  const Optimum optimum = optimum_of(result);
   return {{"library", "NLopt"},
           {"library_version", design::nlopt_version()},
           {"algorithm", search.algorithm},
           {"status", search.status},
           {"evaluations", search.evaluations},
-          {"wall_time_s", number(search.wall_time_s)}};
+          {"wall_time_s", number(search.wall_time_s)},
+          {"optimum", number(optimum.found)},
+          {"optimum_along_f", number(optimum.along_f)}};
 }
 
 ordered_json cross_check_json(const design::CrossCheck& check) {
@@ -204,7 +208,7 @@ ordered_json json(const DesignReport& report) {
     json["response"] =
         finding.pulse ? forced_json(finding.pulse->response) : response_json(finding.response);
     if (!report.catalogue) {
-      json["search"] = search_json(finding.search);
+      json["search"] = search_json(report.result);
     }
     json["cross_check"] = cross_check_json(finding.cross_check);
     if (finding.pulse) {
