@@ -97,7 +97,7 @@ def test_interrupt_ends_a_motion(interrupt):
 
 def test_interrupt_ends_a_sweep(interrupt):
     with pytest.raises(KeyboardInterrupt):
-        stillpoint.sweep(v0=1, p=1, f="1e-7:1.1e-7:1000000", delta=0.001, columns="peak_amplitude")
+        stillpoint.sweep(v0=1, p=1, f="1e-7:1.1e-7:1000000", delta=1e-5, columns="peak_amplitude")
 
 
 def test_interrupt_ends_a_design_under_records(interrupt):
