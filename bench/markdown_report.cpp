@@ -18,7 +18,8 @@ void heading(Text& text, const Comparison& comparison) {
       "setting of every method, with its errors, counts and quartiles, and what each method is. "
       "[performance.html](performance.html) shows the values under the pointer.\n\n"
       "![Time against error, one panel per scene](performance.svg)\n\n"
-      "Measured {} on {}, {} cores, {}: {}, `{}` for all methods, {}.\n\n",
+      "Measured {} on {}, {} cores, {}: {}, `{}` for all methods, with `-fno-tree-slp-vectorize` "
+      "for the kernel, {}.\n\n",
       machine.date, machine.processor, machine.cores, machine.system, machine.compiler,
       machine.flags, fmt::join(machine.libraries, ", "));
 }
