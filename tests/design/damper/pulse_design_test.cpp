@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "pulse_scan.hpp"
 #include "random_source.hpp"
 #include "testing/printing.hpp"
 
@@ -73,15 +74,6 @@ std::string first_outside(const PulseRequest& request, const DesignPoint& point,
   return "";
 }
 
-struct Scanned {
-  double f{0};
-  bool holds{false};
-  double need{0};
-  double peak{0};
-  double time{0};
-  double acceleration{0};
-};
-
 std::vector<Scanned> scan(const PulseRequest& request) {
   constexpr int even = 160;
   constexpr int small = 60;
@@ -103,36 +95,10 @@ std::vector<Scanned> scan(const PulseRequest& request) {
   std::ranges::sort(grid);
   std::vector<Scanned> points;
   points.reserve(grid.size());
-  constexpr double unpassable = 1e200;
   for (const double f : grid) {
-    const ForcedResponse motion = simulated(problem, f, unpassable);
-    const double w = motion.arrival_speed.value_or(0);
-    const double phi = problem.criterion == Criterion::published ? f / problem.p : 0;
-    points.push_back(
-        {f,
-         motion.stops_at_zero && motion.half_cycles == 1.0 &&
-             motion.peak_amplitude <= problem.beta && f <= limits.f_max.value_or(HUGE_VAL) &&
-             motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL),
-         (w * w + phi * phi) / 2, motion.peak_amplitude, motion.stop_time.value_or(0),
-         motion.peak_absolute_acceleration});
+    points.push_back(scanned(request, problem.pulse, problem.p, f));
   }
   return points;
-}
-
-/// The largest tolerance of a box whose ends in f are points of the scan; negative without any.
-double best_tolerance(const std::vector<Scanned>& points, const Limits& limits) {
-  double best = -1;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    double need = 0;
-    for (std::size_t j = i; j < points.size() && points[j].holds; ++j) {
-      need = std::max(need, points[j].need);
-      const double tolerance = (points[j].f - points[i].f) / (points[j].f + points[i].f);
-      if (need * (1 + tolerance) <= limits.delta_max.value_or(HUGE_VAL) * (1 - tolerance)) {
-        best = std::max(best, tolerance);
-      }
-    }
-  }
-  return best;
 }
 
 double value_of(Objective objective, double peak, double time, double acceleration) {

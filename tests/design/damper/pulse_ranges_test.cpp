@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/region.hpp"
+#include "pulse_scan.hpp"
 #include "random_source.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -46,27 +47,6 @@ Pulse pulse_of(int kind, double k, double lambda) {
   }
 }
 
-/// One pulse with one spring, by its own run.
-struct Single {
-  double f{0};
-  bool holds{false};
-  double need{0};
-};
-
-Single run(const PulseRequest& request, int kind, double k, double lambda, double p, double f) {
-  const auto& [problem, limits, search] = request;
-  constexpr double unpassable = 1e200;
-  const ForcedResponse motion =
-      forced_response({p, f, unpassable}, {}, excitation(pulse_of(kind, k, lambda)));
-  const double w = motion.arrival_speed.value_or(0);
-  const double phi = problem.criterion == Criterion::published ? f / p : 0;
-  return {f,
-          motion.stops_at_zero && motion.half_cycles == 1.0 &&
-              motion.peak_amplitude <= problem.beta && f <= limits.f_max.value_or(HUGE_VAL) &&
-              motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL),
-          (w * w + phi * phi) / 2};
-}
-
 struct Ends {
   double low{1};
   double high{1};
@@ -81,14 +61,15 @@ struct Task {
 };
 
 /// The worst of a grid of pulses and springs.
-Single worst(const Task& task, double f) {
+Scanned worst(const Task& task, double f) {
   constexpr double steps = 4;
-  Single worst{f, true, 0};
+  Scanned worst{.f = f, .holds = true};
   for (int i = 0; i <= 2 && worst.holds; ++i) {
     for (int j = 0; j <= 4 && worst.holds; ++j) {
       for (int n = 0; n <= 2; ++n) {
-        const Single now = run(task.request, task.kind, task.k.at(i / 2.0),
-                               task.lambda.at(j / steps), task.p.at(n / 2.0), f);
+        const Scanned now = scanned(
+            task.request, pulse_of(task.kind, task.k.at(i / 2.0), task.lambda.at(j / steps)),
+            task.p.at(n / 2.0), f);
         worst.holds = worst.holds && now.holds;
         worst.need = std::max(worst.need, now.need);
       }
@@ -99,27 +80,15 @@ Single worst(const Task& task, double f) {
 
 /// The largest tolerance of a box with its ends on a grid of f; negative without any.
 double scanned_tolerance(const Task& task) {
-  const auto& [problem, limits, search] = task.request;
   constexpr int steps = 60;
   constexpr double least = 1e-3;
   const double far = std::min(task.k.low, 4 * task.k.high * task.p.high / task.lambda.low);
-  std::vector<Single> points;
+  std::vector<Scanned> points;
   points.reserve(steps + 1);
   for (int i = 0; i <= steps; ++i) {
     points.push_back(worst(task, far * std::pow(least, 1 - static_cast<double>(i) / steps)));
   }
-  double best = -1;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    double need = 0;
-    for (std::size_t j = i; j < points.size() && points[j].holds; ++j) {
-      need = std::max(need, points[j].need);
-      const double tolerance = (points[j].f - points[i].f) / (points[j].f + points[i].f);
-      if (need * (1 + tolerance) <= limits.delta_max.value_or(HUGE_VAL) * (1 - tolerance)) {
-        best = std::max(best, tolerance);
-      }
-    }
-  }
-  return best;
+  return best_tolerance(points, task.request.limits);
 }
 
 Task random_task(RandomSource& random) {
@@ -213,8 +182,9 @@ int outside(const Task& task, const DesignPoint& point, int points, RandomSource
     const double r = point.tolerance * (1 - inset);
     const double f = point.f * (1 + r * (2 * part(i) - 1));
     const double delta = point.delta * (1 + r * (2 * part(i) - 1));
-    const Single now = run(task.request, task.kind, task.k.at(part(i)), task.lambda.at(part(i)),
-                           task.p.at(part(i)), f);
+    const Scanned now =
+        scanned(task.request, pulse_of(task.kind, task.k.at(part(i)), task.lambda.at(part(i))),
+                task.p.at(part(i)), f);
     bad +=
         !now.holds || now.need > delta || delta > task.request.limits.delta_max.value_or(HUGE_VAL);
   }

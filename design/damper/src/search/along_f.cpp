@@ -61,6 +61,9 @@ double unit_of(Objective objective, const Problem& problem) {
 std::optional<double> optimum_along_f(const Problem& problem, const Limits& limits,
                                       Objective objective) {
   require_valid(problem, limits);
+  if (objective == Objective::time && problem.residual.value_or(0) > 0) {
+    return std::nullopt;  // it jumps
+  }
   const bool robust = objective == Objective::robust;
   double least = robust ? 0 : HUGE_VAL;
   if (robust && problem.residual.value_or(0) > 0) {  // mostly the best: it spares the others
@@ -77,10 +80,8 @@ std::optional<double> optimum_along_f(const Problem& problem, const Limits& limi
     }
     return true;
   });
-  const bool jumps = objective == Objective::time && problem.residual.value_or(0) > 0;
-  return jumps || least == (robust ? 0 : HUGE_VAL)
-             ? std::nullopt
-             : std::optional(least * unit_of(objective, problem));
+  return least == (robust ? 0 : HUGE_VAL) ? std::nullopt
+                                          : std::optional(least * unit_of(objective, problem));
 }
 
 }  // namespace stillpoint::design
