@@ -9,7 +9,6 @@
 #include "verdict.hpp"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace stillpoint::bench {

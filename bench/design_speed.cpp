@@ -8,6 +8,8 @@
 // the machine can only add to it. With CASE only those whose names contain it. A case is repeated
 // for beta from 0.8 to 1.2, so that no single task decides.
 
+#include "pulse/search.hpp"
+
 #include <stillpoint/design.hpp>
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@
 #include <ctime>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::bench {
@@ -96,6 +99,13 @@ std::vector<Case> cases() {
                                   Objective::acceleration};
   constexpr Limits within_10_percent{.tolerance = 0.1};
   const auto parts = thousand_parts();
+  // With k = 1 they would swing a mass without friction to 1.5 to 1.9.
+  constexpr double most_of_free = 1.2;
+  const std::array<std::pair<const char*, design::Pulse>, 4> pulses{
+      {{"half-sine, p/lambda 0.8", HalfSine{1, 1.25}},
+       {"rectangle, p/lambda 0.8", Rectangle{1, 1.25}},
+       {"full sine, p/lambda 0.8", FullSine{1, 1.25}},
+       {"half-sine, p/lambda 4", HalfSine{1, 0.25}}}};
   std::vector<Case> all;
   for (const Objective objective : objectives) {
     const SearchOptions options{.objective = objective};
@@ -134,6 +144,17 @@ std::vector<Case> cases() {
                    }});
     all.push_back({fmt::format("front of 25, arrivals {}", arrivals),
                    [=](double beta) { (void)design::trade_off(problem(beta, arrivals), {}, 25); }});
+  }
+  for (const auto& row : pulses) {
+    const auto pulse = row.second;  // a lambda of C++20 in clang 14 does not capture a binding
+    for (const Objective objective : objectives) {
+      const SearchOptions options{.objective = objective};
+      const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
+      all.push_back({fmt::format("search, {}, {}", name(objective), row.first), [=](double beta) {
+                       const design::PulseProblem task{pulse, 1, most_of_free * beta};
+                       (void)design::search(design::PulseRegion(task, limits), options);
+                     }});
+    }
   }
   return all;
 }

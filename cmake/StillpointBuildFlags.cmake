@@ -34,11 +34,15 @@ target_compile_options(stillpoint_build_flags INTERFACE -ffp-contract=off)
 if(STILLPOINT_SANITIZE)
   # The first finding ends the program, so that a test cannot pass over it.
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(STILLPOINT_BUILD_FUZZERS)
+    list(APPEND sanitizers -fsanitize=fuzzer-no-link)
+  endif()
   # A target with STILLPOINT_NOT_SANITIZED is only linked with what is.
   target_compile_options(stillpoint_build_flags INTERFACE
     "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:STILLPOINT_NOT_SANITIZED>>>:${sanitizers}>")
   # Instrumented code confuses GCC's data flow: <regex> alone gives a dozen false reports.
-  target_compile_options(stillpoint_build_flags INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(stillpoint_build_flags INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(stillpoint_build_flags INTERFACE ${sanitizers})
   target_compile_definitions(stillpoint_build_flags INTERFACE _GLIBCXX_ASSERTIONS
     EIGEN_MALLOC_ALREADY_ALIGNED=0)  # Eigen's choice where it is instrumented, so everywhere

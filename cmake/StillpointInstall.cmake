@@ -25,6 +25,9 @@ install(FILES "${generated_dir}/stillpoint.fish"
         DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT program)
 install(DIRECTORY data/schemas/ DESTINATION "${CMAKE_INSTALL_DATADIR}/stillpoint/schemas"
         COMPONENT program FILES_MATCHING PATTERN "*.schema.json")
+# The page, where ./dev explorer has made it.
+install(FILES "${PROJECT_SOURCE_DIR}/build/explorer/stillpoint.html"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/stillpoint" COMPONENT program OPTIONAL)
 install(DIRECTORY data/scenes DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COMPONENT program)
 

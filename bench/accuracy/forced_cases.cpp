@@ -4,9 +4,9 @@
 #include "testing/forced_scene.hpp"
 #include "testing/scene_s5.hpp"
 
-#include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/state.hpp>
+#include <stillpoint/core/trajectory.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -161,8 +161,7 @@ HardCase release_at_the_crest() {
   };
   now.kernel = [](const Inputs<double>& in) {
     const ForcedTrajectory path({in[1], in[2], 0}, {}, Harmonic{in[4], in[5], 0}, {in[7]});
-    const auto release =
-        std::ranges::find(path.events(), ForcedEventKind::release, &ForcedEvent::kind);
+    const auto release = std::ranges::find(path.events(), EventKind::release, &Event::kind);
     return release->state.tau;
   };
   now.exact = [](const Inputs<Exact>& in) { return Exact(asin(Exact(in[2] / in[4])) / in[5]); };

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 // Inputs in the order V0, p, f, Delta; the motion starts at x = 0.
 

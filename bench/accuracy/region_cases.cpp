@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "hard_case.hpp"
 
-#include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <cmath>

@@ -9,12 +9,17 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -74,18 +79,39 @@ bool compare_with_dense_scans(const std::vector<NamedSuite>& all) {
   return good;
 }
 
-/// The best design with one of these notches; empty where none was found.
-std::optional<RecordDesign> best_of(const RecordDesignRequest& suite,
-                                    const std::vector<RecordDesignRequest>& notches) {
-  std::optional<RecordDesign> best;
-  for (const RecordDesignRequest& request : notches) {
-    RecordDesign now = design::design(request);
-    if (now.finding && (!best || value_of(now.finding->point.figures, suite.objective) <
-                                     value_of(best->finding->point.figures, suite.objective))) {
-      best = std::move(now);
+/// Where the best of a notch's values lies is looked for between its neighbours so often.
+constexpr int refinements = 3;
+
+double objective_of(const std::optional<RecordDesign>& design) {
+  return design ? value_of(design->finding->point.figures, design->request.objective) : HUGE_VAL;
+}
+
+/// The best design with a notch made by `notch` from any of `values`, which rise, or from one
+/// between two of them; empty where none was found.
+std::optional<RecordDesign> best_of(const std::vector<double>& values,
+                                    const std::function<RecordDesignRequest(double)>& notch) {
+  std::map<double, std::optional<RecordDesign>> tried;
+  const auto attempt = [&](double value) {
+    RecordDesign now = design::design(notch(value));
+    tried[value] = now.finding ? std::optional(std::move(now)) : std::nullopt;
+  };
+  const auto best = [&] {
+    return std::ranges::min_element(tried, {},
+                                    [](const auto& each) { return objective_of(each.second); });
+  };
+  std::ranges::for_each(values, attempt);
+  for (int i = 0; i < refinements && best()->second; ++i) {
+    const auto here = best();
+    std::vector<double> between;
+    if (here != tried.begin()) {
+      between.push_back((here->first + std::prev(here)->first) / 2);
     }
+    if (std::next(here) != tried.end()) {
+      between.push_back((here->first + std::next(here)->first) / 2);
+    }
+    std::ranges::for_each(between, attempt);
   }
-  return best;
+  return best()->second;
 }
 
 void print_gains(const std::vector<NamedSuite>& all) {
@@ -94,45 +120,46 @@ void print_gains(const std::vector<NamedSuite>& all) {
       "removed |\n|---|---|---|---|---|---|---|---|---|\n");
   std::string last;
   for (const auto& [name, suite] : all) {
-    if (std::exchange(last, name) == name) {
-      continue;  // another notch of the same suite
+    if (std::exchange(last, name) == name || suite.p.low < suite.p.high) {
+      continue;  // another notch of the same suite, or a period that varies
     }
     RecordDesignRequest paper = suite;
     paper.hold = std::numeric_limits<double>::infinity();
     paper.notch_width.reset();
-    paper.delta.reset();
     RecordDesignRequest none = paper;
     none.delta = SearchRange{0, 0};
-    std::vector<RecordDesignRequest> holding;
-    for (const double hold : {0.05, 0.1, 0.2}) {
-      holding.push_back(paper);
-      holding.back().hold = hold;
-    }
-    std::vector<RecordDesignRequest> wide;
-    for (const double width : {20, 50, 100}) {
-      wide.push_back(paper);
-      wide.back().notch_width = width * 1e-3 * metre;
-    }
+    const auto with_hold = [&](double hold) {
+      RecordDesignRequest request = paper;
+      request.hold = hold;
+      return request;
+    };
+    const auto with_width = [&](double mm) {
+      RecordDesignRequest request = paper;
+      request.notch_width = mm * 1e-3 * metre;
+      return request;
+    };
     std::optional<double> without;
-    for (const auto& notches : {std::vector{none}, std::vector{paper}, holding, wide}) {
-      const bool is_none = notches[0].delta.has_value();
-      const std::optional<RecordDesign> best = best_of(suite, notches);
+    for (const auto& [words, best] :
+         {std::pair("none", best_of({0}, [&](double) { return none; })),
+          std::pair("the paper's", best_of({0}, [&](double) { return paper; })),
+          std::pair("any capacity", best_of({0, 0.0125, 0.025, 0.05, 0.1, 0.2, 0.4}, with_hold)),
+          std::pair("any width", best_of({5, 10, 20, 50, 100, 200, 400}, with_width))}) {
+      const bool is_none = words == std::string_view("none");
       if (!best) {
-        fmt::print(
-            "| {} | {} | no damper found | | | | | | |\n", name,
-            is_none ? "none" : notch_words(notches[0]) + (notches.size() > 1 ? ", or more" : ""));
+        fmt::print("| {} | {} | no damper found | | | | | | |\n", name, words);
         continue;
       }
       const auto& [damper, figures] = best->finding->point;
       if (is_none) {
         without = figures.residual;
       }
-      fmt::print("| {} | {} | {} | {:.4f} g | {:.1f} mm | {:.2f} mm | {} |\n", name,
-                 is_none ? "none" : notch_words(best->request), damper_text(damper),
-                 figures.acceleration, 1e3 * figures.peak / metre, 1e3 * figures.residual / metre,
-                 is_none || !without || *without == 0
-                     ? std::string()
-                     : fmt::format("{:.0f} %", 100 * (1 - figures.residual / *without)));
+      fmt::print(
+          "| {} | {} | {} | {:.4f} g | {:.1f} mm | {:.2f} mm | {} |\n", name,
+          is_none ? "none" : notch_words(best->request), damper_text(damper), figures.acceleration,
+          1e3 * figures.peak / metre, 1e3 * figures.residual / metre,
+          is_none || !without || *without == 0
+              ? std::string()
+              : fmt::format("{:.0f} %", std::round(100 * (1 - figures.residual / *without)) + 0.0));
       std::fflush(stdout);
     }
   }

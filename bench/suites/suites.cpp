@@ -12,7 +12,6 @@ namespace stillpoint::bench {
 namespace {
 
 using design::RecordDesignRequest;
-using design::SearchRange;
 using design::SuiteObjective;
 using design::SuiteRecord;
 
@@ -40,34 +39,26 @@ SuiteRecord sine(double seconds, int half_waves) {
   return {fmt::format("{} s", seconds), std::move(record), 1};
 }
 
-/// Delta up to twice the energy of a free motion to the limit of the stroke.
-void bound_delta(RecordDesignRequest& request) {
-  const double speed = request.p.high * *request.limits.peak;
-  request.delta = SearchRange{0, speed * speed};
-}
-
 NamedSuite suite(const std::string& name, std::vector<SuiteRecord> records, double stroke_mm,
                  double residual_mm) {
   RecordDesignRequest request;
   request.records = std::move(records);
   request.limits.peak = stroke_mm * 1e-3 * metre;
   request.limits.residual = residual_mm * 1e-3 * metre;
-  bound_delta(request);
   return {fmt::format("{}; stroke {} mm, residual {} mm", name, stroke_mm, residual_mm),
           std::move(request)};
 }
 
 void vary_period(RecordDesignRequest& request, double shortest_s, double longest_s) {
   request.p = {2.8 / longest_s, 2.8 / shortest_s};
-  bound_delta(request);
 }
 
 }  // namespace
 
 std::string notch_words(const RecordDesignRequest& request) {
-  return request.notch_width ? fmt::format("{:.0f} mm wide", 1e3 * *request.notch_width / metre)
+  return request.notch_width ? fmt::format("{:.4g} mm wide", 1e3 * *request.notch_width / metre)
          : std::isinf(request.hold) ? std::string("the paper's")
-                                    : fmt::format("holds {} g", request.hold);
+                                    : fmt::format("holds {:.4g} g", request.hold);
 }
 
 std::vector<NamedSuite> suites(const std::string& folder,

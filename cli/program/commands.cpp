@@ -8,7 +8,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/progress_words.hpp>
-#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
 
@@ -66,39 +65,6 @@ Simulation watched(const SimulationRequest& request) {
   return answer;
 }
 
-}  // namespace
-
-ExitCode exit_code(const design::DesignResult& result) {
-  if (!result.finding) {
-    return exit_infeasible;
-  }
-  return result.finding->cross_check.passed ? exit_done : exit_check_failed;
-}
-
-ExitCode exit_code(const design::RecordDesign& result) {
-  if (result.search.interrupted) {
-    return exit_interrupted;
-  }
-  if (!result.finding) {
-    return exit_infeasible;
-  }
-  return result.finding->check.passed ? exit_done : exit_check_failed;
-}
-
-namespace {
-
-/// An interrupt ends the search with the best so far.
-design::RecordDesign watched(const report::RecordDesignInput& input) {
-  design::RecordProgress last;
-  Progress progress([&](double, double) { return report::progress_words(last, input.physical); },
-                    1);
-  return design::design(input.request, [&](const design::RecordProgress& now) {
-    last = now;
-    return progress.goes_on(
-        std::min(1.0, static_cast<double>(now.evaluations) / static_cast<double>(now.expected)));
-  });
-}
-
 /// Interrupted where it was.
 design::Spectrum watched(const design::SpectrumRequest& request) {
   Progress progress([](double done, double) { return fmt::format("{:.0f} %", 100 * done); }, 1);
@@ -110,79 +76,26 @@ design::Spectrum watched(const design::SpectrumRequest& request) {
   return result;
 }
 
-}  // namespace
-
-report::DesignReport design_report(const Settings& settings) {
-  require_options_for(settings, DesignFor::hit);
-  DesignInput input = design_input(settings);
-  const std::optional<double> width = notch_width(settings, input.physical);
-  require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
-  report::DesignReport report;
-  report.physical = input.physical;
-  if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
-    design::Choice choice = design::choose(input.request, *parts);
-    report.result = std::move(choice.result);
-    report.catalogue = {*settings.text("catalogue"), std::move(choice.parts)};
-  } else {
-    report.result = design::design(input.request);
-  }
-  report.trade_offs = settings.integer("trade-off");
-  if (report.trade_offs) {
-    const auto& [problem, limits, search, pulse, ranges] = input.request;
-    if (pulse) {
-      throw UsageError("trade-off and pulse exclude each other: the front is that of a velocity");
-    }
-    report.trade_off = design::trade_off(problem, limits, *report.trade_offs);
-  }
-  if (width && report.result.finding) {
-    design::DesignRequest shown = report.result.request;
-    if (const auto& check = report.result.finding->pulse) {
-      shown.pulse = check->pulse;
-      shown.problem.p = check->p;
-    }
-    report.built_notch = built_notch(shown, report.result.finding->point, *width);
-  }
-  return report;
-}
-
-report::RegionReport region_report(const Settings& settings) {
-  const RegionInput input = region_input(settings);
-  report::RegionReport report{input.request, design::answer(input.request), input.physical, {}};
-  if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
-    const auto& [problem, limits, f, delta] = input.request;
-    report.catalogue = {*settings.text("catalogue"),
-                        design::ranked(problem, limits, design::Objective::robust, *parts)};
-  }
-  return report;
-}
-
-namespace {
-
 ExitCode run_design(const Settings& settings, Output& output) {
-  const auto show = [&](const auto& report) {
-    finish(report, Command::design, settings, output);
-    return exit_code(report.result);
-  };
   if (designs_under_records(settings)) {
-    const report::RecordDesignInput input = record_design_input(settings);
-    return show(report::RecordDesignReport{watched(input), input.physical});
+    return run_record_design(settings, output);
   }
-  return show(design_report(settings));
+  const report::DesignReport report = design_report(settings);
+  finish(report, Command::design, settings, output);
+  return exit_code(report);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {
   const report::RegionReport report = region_report(settings);
   finish(report, Command::region, settings, output);
-  return report.answer.region.feasible ? exit_done : exit_infeasible;
+  return exit_code(report);
 }
 
 ExitCode run_simulate(const Settings& settings, Output& output) {
   const SimulateInput input = simulate_input(settings);
   const report::MotionReport report{input.request, watched(input.request), input.record,
                                     input.physical};
-  if (const std::string locked = report::lock_sentence(report); !locked.empty()) {
-    remark(locked);
-  }
+  warn_of_lock(report::lock_sentence(report));
   const std::optional<std::string>& trajectory = input.trajectory;
   if (trajectory) {
     const std::string rows = report::trajectory_csv(report.answer.trajectory, report.physical);
@@ -203,6 +116,7 @@ ExitCode run_spectrum(const Settings& settings, Output& output) {
   }
   report::SpectrumReport report = spectrum_input(settings);
   report.result = watched(report.result.request);
+  warn_of_lock(report::lock_sentence(report));
   if (table == "-") {
     output.print(report::spectrum_csv(report));
   } else if (table) {

@@ -8,7 +8,9 @@
 #include "progress.hpp"
 #include "written_files.hpp"
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/browser.hpp>
+#include <stillpoint/report/explorer.hpp>
 
 #include <fmt/format.h>
 
@@ -31,6 +33,24 @@ void note_unused(const Settings& scene, const Settings& settings, Command comman
   }
 }
 
+/// Opens the page with the program in it, or prints where it is.
+ExitCode explore(const std::optional<std::string>& wanted, Output& output) {
+  if (wanted && wanted != "open" && wanted != "path") {
+    throw InputError("explore", *wanted, "must be open or path");
+  }
+  const std::optional<std::string> page = report::explorer();
+  if (!page) {
+    throw UsageError("explore: the page is not installed: ./dev explorer in the source makes it");
+  }
+  if (wanted == "path") {
+    output.print(*page + "\n");
+    output.commit();
+  } else {
+    report::open_page(report::browser(), *page);
+  }
+  return exit_done;
+}
+
 ExitCode answer(const Invocation& invocation, Output& output) {
   if (invocation.reply) {
     output.print(*invocation.reply);
@@ -38,7 +58,12 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     return exit_done;
   }
   if (invocation.merge) {
-    const ExitCode code = run_merge(*invocation.merge, output);
+    if (invocation.flags.flag("quiet")) {
+      hush();
+    }
+    const ExitCode code = invocation.command == Command::sweep
+                              ? run_merge(*invocation.merge, output)
+                              : run_design_merge(*invocation.merge, invocation.flags, output);
     output.commit();
     return code;
   }
@@ -46,6 +71,9 @@ ExitCode answer(const Invocation& invocation, Output& output) {
     output.print(starter_scene(invocation.scene));
     output.commit();
     return exit_done;
+  }
+  if (invocation.command == Command::explore) {
+    return explore(invocation.scene, output);
   }
   Settings settings = invocation.flags;
   Settings scene;
@@ -72,9 +100,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   if (opens && !settings.has("html")) {
     settings.set(*find_option("html"), temporary.emplace().path());
   }
-  if (invocation.command == Command::sweep) {
-    resolve_part(settings);
-  }
+  resolve_part(settings);
   require_files_apart(invocation.command, settings, invocation.scene);
   const ExitCode code = run(invocation.command, settings, output);
   output.commit();

@@ -34,4 +34,10 @@ void remark(const std::string& text) {
   }
 }
 
+void warn_of_lock(const std::string& sentence) {
+  if (!sentence.empty()) {
+    remark(sentence);
+  }
+}
+
 }  // namespace stillpoint::cli

@@ -15,4 +15,7 @@ void say(const std::string& text);
 /// What is no error: "note: ..." or "warning: ...". Not after hush.
 void remark(const std::string& text);
 
+/// A damper that is locked protects nothing: remarked too, where `sentence` says so.
+void warn_of_lock(const std::string& sentence);
+
 }  // namespace stillpoint::cli

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output.hpp"
 
+#include "input/request.hpp"
+
+#include <stillpoint/report/explorer.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
@@ -14,6 +17,7 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -63,6 +67,7 @@ std::span<const std::string_view> figure_names(Command command) {
       return report::sweep_figures;
     case Command::accuracy:
     case Command::init:
+    case Command::explore:
       break;
   }
   return {};
@@ -85,9 +90,38 @@ void prepare_page(const Settings& settings) {
   }
 }
 
+namespace {
+
+/// Below the answer, where the page with the program in it is installed: the same task there.
+void link_explorer(const Settings& settings, figures::HtmlPage& page) {
+  const auto explorer = report::installed_explorer();
+  if (!explorer || designs_under_records(settings)) {
+    return;
+  }
+  std::vector<std::pair<std::string, std::string>> options;
+  for (const auto& [name, value] : settings.values()) {
+    const Option& option = *find_option(name);
+    if (option.traits.role == Role::input && option.serves(Command::design) &&
+        option.traits.file == FileUse::none) {
+      const nlohmann::ordered_json plain = as_json(value);
+      options.emplace_back(name, settings.with_unit(name).value_or(
+                                     plain.is_string()  ? plain.get<std::string>()
+                                     : plain.is_array() ? plain[0].dump() + ":" + plain[1].dump()
+                                                        : plain.dump()));
+    }
+  }
+  page.answer += fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n",
+                             figures::escaped(report::explorer_link(*explorer, options)));
+}
+
+}  // namespace
+
 void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output) {
   report::add_frame(
       page, {settings.text("title").value_or(""), name(command), scene_of(settings, command)});
+  if (command == Command::design) {
+    link_explorer(settings, page);
+  }
   if (const auto path = settings.text("html")) {
     output.write_file("html", *path, html(page));
   }

@@ -70,9 +70,21 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
   }
 }
 
-/// The report of the part that is to be computed, if its file is there already and --resume is
-/// given. Throws UsageError for another part of the same sweep.
-std::optional<report::ReductionReport> find_part(const Settings& settings, const SweepSpec& spec) {
+report::ReductionReport reduction_report(const Settings& settings, const SweepSpec& spec) {
+  if (auto found = find_reduced_part(settings, spec)) {
+    return *std::move(found);
+  }
+  sweep::Reducer reducer(spec);
+  sweep::NoRows none;
+  const SweepSummary summary = run_watched(spec, none, nullptr, &reducer);
+  require_complete(summary, none);
+  return report::reduction_report(spec, summary, reducer.result());
+}
+
+}  // namespace
+
+std::optional<report::ReductionReport> find_reduced_part(const Settings& settings,
+                                                         const SweepSpec& spec) {
   if (!spec.part) {
     if (spec.resume) {
       throw UsageError("resume and reduce exclude each other: split the sweep with --part");
@@ -98,19 +110,6 @@ std::optional<report::ReductionReport> find_part(const Settings& settings, const
   }
   return spec.resume ? std::move(found) : std::nullopt;
 }
-
-report::ReductionReport reduction_report(const Settings& settings, const SweepSpec& spec) {
-  if (auto found = find_part(settings, spec)) {
-    return *std::move(found);
-  }
-  sweep::Reducer reducer(spec);
-  sweep::NoRows none;
-  const SweepSummary summary = run_watched(spec, none, nullptr, &reducer);
-  require_complete(summary, none);
-  return report::reduction_report(spec, summary, reducer.result());
-}
-
-}  // namespace
 
 ExitCode run_sweep(const Settings& settings, Output& output) {
   const SweepSpec spec = sweep_request(settings);

@@ -53,18 +53,18 @@ Visit visit(const cli_test::Sandbox& sandbox, const std::string& file,
             const cli_test::Arguments& options) {
   // `timeout` ends the browser together with the processes that it started. The sandbox of the
   // browser itself needs rights that a container lacks; these pages are our own.
-  const std::vector<std::string> command{"timeout",
-                                         "-k",
-                                         "5",
-                                         "60",
-                                         STILLPOINT_BROWSER,
-                                         "--headless",
-                                         "--no-sandbox",
-                                         "--disable-gpu",
-                                         "--no-first-run",
-                                         "--disable-dev-shm-usage",
-                                         "--enable-logging=stderr",
-                                         "--user-data-dir=" + sandbox.path("profile").string()};
+  const cli_test::Arguments command{"timeout",
+                                    "-k",
+                                    "5",
+                                    "60",
+                                    STILLPOINT_BROWSER,
+                                    "--headless",
+                                    "--no-sandbox",
+                                    "--disable-gpu",
+                                    "--no-first-run",
+                                    "--disable-dev-shm-usage",
+                                    "--enable-logging=stderr",
+                                    "--user-data-dir=" + sandbox.path("profile").string()};
   std::vector<std::string> words = cli_test::joined(command, options);
   words.push_back("file://" + sandbox.path(file).string());
   Visit result;

@@ -1,6 +1,6 @@
 # The scripts of docs/scaling, each with its engine, where that is installed; else the test is skipped.
 if(NOT STILLPOINT_SANITIZE)
-  foreach(engine IN ITEMS parallel mpirun slurm)
+  foreach(engine IN ITEMS parallel openmpi mpich slurm)
     add_test(NAME scaling_${engine}
       COMMAND sh "${CMAKE_CURRENT_LIST_DIR}/run.sh" ${engine} $<TARGET_FILE:stillpoint>
         "${PROJECT_SOURCE_DIR}/docs/scaling")

@@ -3,6 +3,7 @@
 # killed while it computes; the same command again must end with the bytes of the whole sweep. 77: not installed.
 set -eu
 engine=$1
+script=$1
 program=$2
 scripts=$3
 dir=$(mktemp -d)
@@ -21,9 +22,15 @@ case $engine in
     PARALLEL_HOME=$dir/home
     export PARALLEL_HOME
     mkdir home && touch home/will-cite ;;
-  mpirun)
-    need mpirun
-    MPIRUN="mpirun --allow-run-as-root --oversubscribe"
+  openmpi)
+    need mpirun.openmpi
+    script=mpirun
+    MPIRUN="mpirun.openmpi --allow-run-as-root --oversubscribe"
+    export MPIRUN ;;
+  mpich)
+    need mpirun.mpich
+    script=mpirun
+    MPIRUN=mpirun.mpich
     export MPIRUN ;;
   slurm)
     PATH=$PATH:/usr/sbin
@@ -54,12 +61,12 @@ export PATH
 
 set -- --p 1 --f 0.001:0.01:24 --delta 0:0.001:50 --excitation harmonic --k 0.1 --lambda 0.9 --t-end 700
 "$program" sweep "$@" --output whole.csv --quiet > whole.log
-if sh "$scripts/$engine.sh" 4 rows.csv "$@"; then
+if sh "$scripts/$script.sh" 4 rows.csv "$@"; then
   echo "a part was killed and nobody noticed"
   exit 1
 fi
 [ -d killed ] && [ ! -e rows.csv ]
-sh "$scripts/$engine.sh" 4 rows.csv "$@"
+sh "$scripts/$script.sh" 4 rows.csv "$@"
 cmp rows.csv whole.csv
 
 if [ "$engine" = slurm ]; then

@@ -9,7 +9,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <string>
 

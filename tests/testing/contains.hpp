@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <boost/test/unit_test.hpp>
+
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::test {
 
 [[nodiscard]] inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
+}
+
+inline void check_contains(std::string_view text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    BOOST_TEST(contains(text, part), "no " << part << " in\n" << text);
+  }
 }
 
 }  // namespace stillpoint::test

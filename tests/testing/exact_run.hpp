@@ -13,7 +13,6 @@
 #include <stillpoint/core/outcome.hpp>
 
 #include <array>
-#include <cstddef>
 #include <optional>
 
 namespace stillpoint::test {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace stillpoint::test {
@@ -19,7 +20,7 @@ class Folder {
     if (::mkdtemp(name.data()) == nullptr) {
       throw std::runtime_error("no directory for the test");
     }
-    path_ = name;
+    path_ = std::filesystem::canonical(name);
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
@@ -30,16 +31,19 @@ class Folder {
     std::filesystem::remove_all(path_, ignored);
   }
 
-  [[nodiscard]] std::string path(const std::string& name) const { return (path_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
+  [[nodiscard]] std::filesystem::path path(std::string_view name) const { return path_ / name; }
+  void write(std::string_view name, std::string_view text) const {
+    std::ofstream file(path(name), std::ios::binary);
+    if (!(file << text).flush()) {
+      throw std::runtime_error("cannot write " + path(name).string());
+    }
   }
-  [[nodiscard]] std::string read(const std::string& name) const {
-    std::ifstream stream(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  [[nodiscard]] bool has(const std::string& name) const {
-    return std::filesystem::exists(path(name));
+  [[nodiscard]] std::string read(std::string_view name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    if (!file) {
+      throw std::runtime_error("there is no file " + path(name).string());
+    }
+    return {std::istreambuf_iterator<char>(file), {}};
   }
 
  private:

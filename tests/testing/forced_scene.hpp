@@ -12,13 +12,11 @@
 #include "testing/scene.hpp"
 
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/forced_event.hpp>
+#include <stillpoint/core/state.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <ostream>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -54,8 +52,7 @@ class Recorder {
  public:
   static constexpr bool watches = true;
 
-  void event(ForcedEventKind kind, const ExactSum<Real>& now, const Real& /*u*/,
-             const Real& /*v*/) {
+  void event(EventKind kind, const ExactSum<Real>& now, const Real& /*u*/, const Real& /*v*/) {
     kinds.push_back(kind);
     times.push_back(now.value());
   }
@@ -68,7 +65,7 @@ class Recorder {
     }
   }
 
-  std::vector<ForcedEventKind> kinds;
+  std::vector<EventKind> kinds;
   std::vector<Real> times;  ///< p tau
   std::vector<SeenPiece<Real>> pieces;
 };

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::test {

@@ -8,7 +8,6 @@
 #include "testing/scene.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace stillpoint::test {

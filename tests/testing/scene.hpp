@@ -7,8 +7,6 @@
 #include <stillpoint/core/oscillator.hpp>
 
 #include <array>
-#include <cstddef>
-#include <iomanip>
 #include <ostream>
 
 namespace stillpoint::test {

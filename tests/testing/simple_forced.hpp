@@ -18,9 +18,12 @@ inline constexpr double by_hand = 1e-14;
 inline ForcedResponse run(const Oscillator& oscillator, const Start& start,
                           const Excitation& excitation, std::optional<double> t_end = {},
                           const Surface& surface = {}) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options, surface);
+  return forced_response(oscillator, start, excitation, {.t_end = t_end}, surface);
+}
+
+inline ForcedResponse until(double t_end, const Oscillator& oscillator, const Start& start,
+                            const Excitation& excitation) {
+  return run(oscillator, start, excitation, t_end);
 }
 
 inline void close(double value, double expected) {

@@ -13,8 +13,6 @@ namespace stillpoint::figures {
 
 namespace {
 
-using fmt::format;
-
 template <class... Args>
 void add(std::string& text, fmt::format_string<Args...> what, Args&&... args) {
   fmt::format_to(std::back_inserter(text), what, std::forward<Args>(args)...);
@@ -30,7 +28,7 @@ double hatch_angle(std::size_t index) {
 std::string cell_names(const FigureMap& map) {
   std::string names;
   for (std::size_t i = 0; i < map.names.size(); ++i) {
-    names += format("{}{} {}", i == 0 ? "" : "|", map.palette[i], escaped(map.names[i]));
+    names += fmt::format("{}{} {}", i == 0 ? "" : "|", map.palette[i], escaped(map.names[i]));
   }
   return names;
 }
@@ -85,7 +83,7 @@ std::string map(const Figure& figure, const Layout& layout) {
     return text;
   }
   const std::string& id = figure.id;
-  const std::string size = format(R"(width="{}" height="{}")", layout.width, figure.height);
+  const std::string size = fmt::format(R"(width="{}" height="{}")", layout.width, figure.height);
   add(text,
       "<image id=\"{}-map\" {} preserveAspectRatio=\"none\" data-names=\"{}\" "
       "href=\"data:image/png;base64,{}\"/>\n",

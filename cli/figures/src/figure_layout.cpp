@@ -2,7 +2,6 @@
 #include "figure_layout.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace stillpoint::figures {
 

@@ -10,8 +10,6 @@ namespace stillpoint::figures {
 
 namespace {
 
-using fmt::format;
-
 constexpr double line_height = 20;
 
 }  // namespace
@@ -23,25 +21,26 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
     }
   };
   for (const MapKey& key : figure.map.key) {
-    enter(key.name, format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
-                           key.hatched ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/>)" : ""));
+    enter(key.name,
+          fmt::format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
+                      key.hatched ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/>)" : ""));
   }
   for (const FigureArea& area : figure.areas) {
     enter_unless_named(
         area.name,
         area.look == AreaLook::hatched
-            ? format(R"(<path class="hatch {}" d="M2-10h20v12h-20ZM2 2L14-10M10 2L22-10"/>)",
-                     word(area.ink))
-            : format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
-                     area.look == AreaLook::box ? "box" : "area", word(area.ink)));
+            ? fmt::format(R"(<path class="hatch {}" d="M2-10h20v12h-20ZM2 2L14-10M10 2L22-10"/>)",
+                          word(area.ink))
+            : fmt::format(R"(<path class="{} {}" d="M2-10h20v12h-20Z"/>)",
+                          area.look == AreaLook::box ? "box" : "area", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
-    enter_unless_named(band.name,
-                       format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)", word(band.ink)));
+    enter_unless_named(
+        band.name, fmt::format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)", word(band.ink)));
   }
   for (const FigureCurve& curve : figure.curves) {
-    enter_unless_named(curve.name, format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
-                                          word(curve.ink), word(curve.dash)));
+    enter_unless_named(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",
+                                               word(curve.ink), word(curve.dash)));
   }
   for (const FigureMarks& marks : figure.marks) {
     if (!marks.points.empty()) {
@@ -77,9 +76,9 @@ double FigureLegend::height() const {
 std::string FigureLegend::drawn(double x, double y) const {
   std::string text;
   for (const Entry& entry : entries_) {
-    text +=
-        format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"30\">{}</text></g>\n",
-               x + entry.x, y + 14 + line_height * entry.line, entry.sample, escaped(entry.name));
+    text += fmt::format(
+        "<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"30\">{}</text></g>\n", x + entry.x,
+        y + 14 + line_height * entry.line, entry.sample, escaped(entry.name));
   }
   return text;
 }

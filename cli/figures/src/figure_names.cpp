@@ -172,8 +172,9 @@ class Places {
     for (const bool upright : {false, true}) {
       const double w = upright ? text_height : width;
       const double h = upright ? width : text_height;
+      const std::vector<FigurePoint> places = free_places(inside, w, h);
       for (const double margin : {40.0, 20.0, 10.0, 3.0, 0.0}) {
-        if (const auto centre = fit(inside, w, h, margin)) {
+        if (const auto centre = fit(places, inside, w, h, margin)) {
           put(text, *centre, upright);
           return true;
         }
@@ -182,19 +183,30 @@ class Places {
     return false;
   }
 
-  /// The middle of the places where a box with a margin fits and covers the least.
-  [[nodiscard]] std::optional<FigurePoint> fit(const Raster& inside, double w, double h,
-                                               double margin) const {
-    std::vector<std::pair<int, FigurePoint>> fitting;
-    FigurePoint mean;
+  [[nodiscard]] std::vector<FigurePoint> free_places(const Raster& inside, double w,
+                                                     double h) const {
+    std::vector<FigurePoint> places;
     for (double y = h / 2; y < plane_.height; y += step) {
       for (double x = w / 2; x < plane_.width; x += step) {
         const Box box = box_around({x, y}, w, h);
-        const Box wider = box_around({x, y}, w + 2 * margin, h + 2 * margin);
-        if (is_free(box) && inside.set_in(wider) == inside.cells_in(wider)) {
-          fitting.emplace_back(ink_.set_in(box), FigurePoint{x, y});
-          mean = {mean.x + x, mean.y + y};
+        if (is_free(box) && inside.is_full(box)) {
+          places.push_back({x, y});
         }
+      }
+    }
+    return places;
+  }
+
+  /// The middle of the places where a box with a margin fits and covers the least.
+  [[nodiscard]] std::optional<FigurePoint> fit(const std::vector<FigurePoint>& places,
+                                               const Raster& inside, double w, double h,
+                                               double margin) const {
+    std::vector<std::pair<int, FigurePoint>> fitting;
+    FigurePoint mean;
+    for (const FigurePoint& at : places) {
+      if (inside.is_full(box_around(at, w + 2 * margin, h + 2 * margin))) {
+        fitting.emplace_back(ink_.set_in(box_around(at, w, h)), at);
+        mean = {mean.x + at.x, mean.y + at.y};
       }
     }
     const auto count = static_cast<double>(fitting.size());

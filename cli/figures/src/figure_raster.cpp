@@ -12,13 +12,17 @@ Raster::Raster(double width, double height)
       cells_(columns_ * rows_, 0) {}
 
 Raster::Range Raster::range(const Box& box) const {
-  const auto index = [](double at, std::size_t most, double (*whole)(double)) {
-    return static_cast<std::size_t>(std::clamp(whole(at / cell), 0.0, static_cast<double>(most)));
+  const auto within = [](double at, std::size_t most) {
+    return std::clamp(at / cell, 0.0, static_cast<double>(most));
   };
-  const auto down = [](double v) { return std::floor(v); };
-  const auto up = [](double v) { return std::ceil(v); };
-  return {index(box.left, columns_, down), index(box.right, columns_, up),
-          index(box.top, rows_, down), index(box.bottom, rows_, up)};
+  const auto down = [&](double at, std::size_t most) {
+    return static_cast<std::size_t>(within(at, most));
+  };
+  const auto up = [&](double at, std::size_t most) {
+    return static_cast<std::size_t>(std::ceil(within(at, most)));
+  };
+  return {down(box.left, columns_), up(box.right, columns_), down(box.top, rows_),
+          up(box.bottom, rows_)};
 }
 
 void Raster::set(const Box& box) {
@@ -43,8 +47,8 @@ void Raster::set_line(const std::vector<FigurePoint>& points) {
     const FigurePoint& b = points[i];
     const double steps =
         std::min(most_steps, std::ceil(std::hypot(b.x - a.x, b.y - a.y) / cell) + 1);
-    for (double step = 0; step <= steps; ++step) {
-      set(FigurePoint{a.x + (b.x - a.x) * step / steps, a.y + (b.y - a.y) * step / steps});
+    for (double done = 0; done <= steps; ++done) {
+      set(FigurePoint{a.x + (b.x - a.x) * done / steps, a.y + (b.y - a.y) * done / steps});
     }
   }
 }
@@ -85,19 +89,24 @@ void Raster::sum() const {
   summed_ = true;
 }
 
-int Raster::set_in(const Box& box) const {
+int Raster::set_in(const Range& range) const {
   if (!summed_) {
     sum();
   }
-  const auto [first_column, last_column, first_row, last_row] = range(box);
+  const auto& [first_column, last_column, first_row, last_row] = range;
   const std::size_t wide = columns_ + 1;
   return sums_[last_row * wide + last_column] - sums_[first_row * wide + last_column] -
          sums_[last_row * wide + first_column] + sums_[first_row * wide + first_column];
 }
 
-int Raster::cells_in(const Box& box) const {
-  const auto [first_column, last_column, first_row, last_row] = range(box);
-  return static_cast<int>((last_column - first_column) * (last_row - first_row));
+int Raster::set_in(const Box& box) const {
+  return set_in(range(box));
+}
+
+bool Raster::is_full(const Box& box) const {
+  const Range cells = range(box);
+  return set_in(cells) == static_cast<int>((cells.last_column - cells.first_column) *
+                                           (cells.last_row - cells.first_row));
 }
 
 }  // namespace stillpoint::figures

@@ -42,9 +42,9 @@ class Raster {
     summed_ = false;
   }
 
-  /// The cells that the box touches within the plot: how many are set, how many there are.
+  /// Of the cells that the box touches within the plot: how many are set, whether all are.
   [[nodiscard]] int set_in(const Box& box) const;
-  [[nodiscard]] int cells_in(const Box& box) const;
+  [[nodiscard]] bool is_full(const Box& box) const;
 
  private:
   struct Range {
@@ -54,6 +54,7 @@ class Raster {
     std::size_t last_row;
   };
   [[nodiscard]] Range range(const Box& box) const;
+  [[nodiscard]] int set_in(const Range& range) const;
   [[nodiscard]] static double middle(std::size_t index) {
     return (static_cast<double>(index) + 0.5) * cell;
   }

@@ -16,8 +16,6 @@ namespace stillpoint::figures {
 
 namespace {
 
-using fmt::format;
-
 std::string_view scale_name(const FigureAxis& axis) {
   return axis.scale == Scale::linear ? "linear" : "logarithmic";
 }
@@ -75,7 +73,7 @@ class Drawing {
       }
       add("<path class=\"curve {}{}{}\" d=\"{}\"{}/>\n", word(curve.ink), word(curve.dash),
           curve.hover ? " hover" : "", d,
-          curve.hover ? format(" data-name=\"{}\"", escaped(curve.name)) : "");
+          curve.hover ? fmt::format(" data-name=\"{}\"", escaped(curve.name)) : "");
     }
     areas(plot, true);
   }
@@ -91,7 +89,7 @@ class Drawing {
           boxes     ? "box"
           : hatched ? "hatched"
                     : "area",
-          word(area.ink), hatched ? format(" fill=\"url(#{}-hatch-{})\"", figure_.id, i) : "",
+          word(area.ink), hatched ? fmt::format(" fill=\"url(#{}-hatch-{})\"", figure_.id, i) : "",
           path(plot, area.outline), escaped(area.name));
     }
   }
@@ -163,7 +161,7 @@ class Drawing {
       for (const FigurePoint& at : marks.points) {
         if (part.holds(at)) {
           const auto [px, py] = part.pixel(at);
-          text_ += mark(marks, format(" transform=\"translate({:.2f} {:.2f})\"", px, py));
+          text_ += mark(marks, fmt::format(" transform=\"translate({:.2f} {:.2f})\"", px, py));
         }
       }
     }
@@ -198,7 +196,7 @@ std::string FigureDrawing::drawn() const {
 }
 
 std::string FigureDrawing::opened(std::string_view place, double height) const {
-  return format(
+  return fmt::format(
       "<svg {}class=\"figure\" viewBox=\"0 0 {} {}\" role=\"img\" "
       "aria-labelledby=\"{}-title {}-desc\" data-x=\"{} {}\" data-y=\"{} {}\" "
       "data-scales=\"{} {}\" data-plot=\"{} {} {} {}\">\n"
@@ -210,12 +208,12 @@ std::string FigureDrawing::opened(std::string_view place, double height) const {
 }
 
 std::string paper(std::string_view style, double wide, double high) {
-  return format("<style>{}</style>\n<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", style,
-                wide, high);
+  return fmt::format("<style>{}</style>\n<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n",
+                     style, wide, high);
 }
 
 std::string size_alone(double wide, double high) {
-  return format(R"(xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" )", wide, high);
+  return fmt::format(R"(xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" )", wide, high);
 }
 
 std::string svg(const Figure& figure, Frame frame, double left) {

@@ -11,8 +11,6 @@ namespace stillpoint::figures {
 
 namespace {
 
-using fmt::format;
-
 constexpr std::string_view page_style = R"(
 :root{color-scheme:light dark}
 body{font:15px/1.45 "DejaVu Sans",Arial,sans-serif;margin:0 auto;max-width:1180px;padding:16px;color:#222;background:#fff}
@@ -68,7 +66,7 @@ std::string figures(const std::vector<Figure>& list) {
   for (auto first = list.begin(); first != list.end();) {
     const auto last = std::find_if(std::next(first), list.end(),
                                    [](const Figure& figure) { return !figure.below; });
-    text += column({first, last});
+    text += column({&*first, static_cast<std::size_t>(last - first)});
     first = last;
   }
   return text + "</div>\n";
@@ -77,7 +75,7 @@ std::string figures(const std::vector<Figure>& list) {
 }  // namespace
 
 std::string html(const HtmlPage& page) {
-  std::string text = format(
+  std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{}</title>\n<style>{}{}@media screen and (prefers-color-scheme: dark){{{}{}}}\n"
@@ -86,11 +84,13 @@ std::string html(const HtmlPage& page) {
       print_style, prose(page.title), prose(page.verdict));
   text += page.answer + figures(page.figures) + page.body;
   if (!page.report.empty()) {
-    text += format("<details><summary>The full report as text</summary>\n<pre>{}</pre></details>\n",
-                   escaped(page.report));
+    text += fmt::format(
+        "<details><summary>The full report as text</summary>\n<pre>{}</pre></details>\n",
+        escaped(page.report));
   }
-  text += format("<footer>{}</footer>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",
-                 escaped(page.footer), html_script());
+  text +=
+      fmt::format("<footer>{}</footer>\n<script>//<![CDATA[{}//]]></script>\n</body>\n</html>\n",
+                  escaped(page.footer), html_script());
   return text;
 }
 

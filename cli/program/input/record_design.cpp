@@ -3,13 +3,16 @@
 
 #include "input/motion.hpp"
 #include "input/record.hpp"
+#include "options/scene.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/record_file.hpp>
+#include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <limits>
 #include <numbers>
 #include <string_view>
@@ -17,6 +20,9 @@
 namespace stillpoint::cli {
 
 namespace {
+
+/// A scan keeps some 100 bytes of each.
+constexpr std::int64_t most_scan_points = 10'000'000;
 
 /// "LOW:HIGH", each with its unit where it has one.
 std::optional<design::SearchRange> search_range(const Settings& settings, const char* name) {
@@ -71,10 +77,14 @@ void require_options_for(const Settings& settings, DesignFor design) {
   for (const Option& option : options()) {
     const DesignFor only = option.design_for();
     if (only != DesignFor::both && only != design && settings.has(option.name)) {
-      throw UsageError(fmt::format("{} is {}", option.name,
-                                   design == DesignFor::hit
-                                       ? "for a design under records: give --record as well"
-                                       : "not for a design under records"));
+      throw UsageError(
+          design == DesignFor::records
+              ? fmt::format("{} is not for a design under records", option.name)
+              : fmt::format("{} is for a design under records: give --record as well{}",
+                            option.name,
+                            option.serves(Command::simulate)
+                                ? fmt::format(", or --{} to simulate", option.name)
+                                : ""));
     }
   }
 }
@@ -115,8 +125,28 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
+  request.scan_points = settings.count("scan-points", request.scan_points, 1, most_scan_points);
   request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
   return input;
+}
+
+std::string record_design_identity(const Settings& settings,
+                                   const design::RecordDesignRequest& request) {
+  sweep::Digest digest;
+  for (const design::SuiteRecord& record : request.records) {
+    digest.add(sweep::digest(Excitation(design::scaled(record))));
+  }
+  nlohmann::ordered_json result = inputs(settings, Command::design);
+  result["version"] = report::program_version();
+  result["record_digest"] = digest.value();
+  return result.dump();
+}
+
+Settings record_design_settings(const std::string& identity) {
+  nlohmann::json scene = nlohmann::json::parse(identity);
+  scene.erase("version");
+  scene.erase("record_digest");
+  return scene_settings(scene, Command::design);
 }
 
 }  // namespace stillpoint::cli

@@ -9,6 +9,7 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/sweep/spec.hpp>
@@ -60,6 +61,12 @@ struct SimulateInput {
 /// The request, and what a report needs beside it. Throws UsageError, InputError and FileError.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
 
+/// Everything that the design depends on, as a JSON object, and the settings that it was made of.
+/// A design is merged only of parts in which it is the same.
+[[nodiscard]] std::string record_design_identity(const Settings& settings,
+                                                 const design::RecordDesignRequest& request);
+[[nodiscard]] Settings record_design_settings(const std::string& identity);
+
 /// UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);
 
@@ -68,6 +75,10 @@ void require_options_for(const Settings& settings, DesignFor design);
 void resolve_part(Settings& settings);
 /// Opens the list and reads its header; of a part, all of it. The part must be resolved.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
+/// Of a sweep without rows the report of the part that is to be computed, if its file is there
+/// already and --resume is given. Throws UsageError for another part of the same sweep.
+[[nodiscard]] std::optional<report::ReductionReport> find_reduced_part(
+    const Settings& settings, const sweep::SweepSpec& spec);
 
 /// The box of --tolerance-f and --tolerance-delta around the tolerance of `limits`. Throws
 /// InputError.

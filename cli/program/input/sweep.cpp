@@ -21,7 +21,6 @@
 #include <string>
 #include <string_view>
 #include <thread>
-#include <utility>
 
 namespace stillpoint::cli {
 
@@ -276,12 +275,7 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
     result["columns"].push_back(name(column));
   }
   result["list"] = spec.list != nullptr;
-  for (const auto& [option, value] : settings.values()) {
-    const Option& known = *find_option(option);
-    if (known.traits.role == Role::input && known.serves(Command::sweep)) {
-      result[std::string(option)] = as_json(value);
-    }
-  }
+  result.update(inputs(settings, Command::sweep));
   result["record_digest"] = sweep::digest(spec.excitation);
   if (!spec.parts.empty()) {
     result["catalogue_digest"] = sweep::digest(spec.parts);

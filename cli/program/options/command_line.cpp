@@ -43,6 +43,8 @@ const std::array command_helps{
     command_row(Command::accuracy,
                 "time and error of each method on one motion, against 50 digits"),
     command_row(Command::init, "print a commented scene to start from", starter_names()),
+    command_row(Command::explore, "open the page with the program in it: sliders, figures, motion",
+                {"open", "path"}),
 };
 
 constexpr std::string_view about =
@@ -89,11 +91,18 @@ void add_options(CLI::App& app, const CommandHelp& help, Collected& collected) {
   app.allow_extras();
 }
 
-/// "merge OUT PART..." behind "sweep".
-void add_merge(CLI::App& sweep, MergeFiles& files) {
-  CLI::App& merge = *sweep.add_subcommand("merge", "join the parts of a sweep, see --part");
+/// "merge OUT PART..." behind "sweep" and "design".
+void add_merge(CLI::App& command, MergeFiles& files) {
+  const bool sweep = command.get_name() == "sweep";
+  CLI::App& merge = *command.add_subcommand(
+      "merge", sweep ? "join the parts of a sweep, see --part"
+                     : "make a design under records of its parts, see --part; --html, --json and "
+                       "the like may follow");
   merge.set_help_flag("-h,--help", "print this text");
-  merge.add_option("OUT", files.output, "the file of the whole sweep")->required()->type_name("");
+  merge.fallthrough();
+  merge.add_option("OUT", files.output, sweep ? "the file of the whole sweep" : "the JSON report")
+      ->required()
+      ->type_name("");
   merge.add_option("PART", files.parts, "the file of each part, in any order")
       ->required()
       ->type_name("");
@@ -112,26 +121,17 @@ void refuse_extras(const CLI::App& app, Command command) {
   bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
   bare = bare.substr(0, bare.find('='));
   const Option* known = find_option(bare);
-  throw UsageError(
-      known != nullptr
-          ? fmt::format("{}: is not an option of {}", first, app.get_name())
-          : fmt::format("{}: unknown option{}", first, suggestion(bare, command, "--")));
-}
-
-void set_typed(Settings& settings, const Option& option, const std::string& text, Command command) {
-  switch (option.kind_in(command)) {
-    case OptionKind::axis:
-      return settings.set(option, axis_value(option, text, command));
-    case OptionKind::number:
-      return option.takes_range_in(command) ? settings.set_number_or_range(option, text)
-                                            : settings.set_number(option, text);
-    case OptionKind::integer:
-      return settings.set(option, parse_integer(option.name, text));
-    case OptionKind::text:
-    case OptionKind::flag:
-      break;
+  if (known == nullptr) {
+    throw UsageError(fmt::format("{}: unknown option{}", first, suggestion(bare, command, "--")));
   }
-  settings.set(option, text);
+  std::vector<std::string_view> takers;
+  for (const CommandHelp& help : command_helps) {
+    if (known->serves(help.command)) {
+      takers.push_back(name(help.command));
+    }
+  }
+  throw UsageError(fmt::format("{}: is not an option of {}, only of {}", first, app.get_name(),
+                               fmt::join(takers, ", ")));
 }
 
 Settings from_flags(const CLI::App& app, const Collected& collected, Command command) {
@@ -149,14 +149,31 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
       settings.set(option, collected.flags.at(option.name));
     } else {
       const std::vector<std::string>& texts = collected.texts.at(option.name);
-      set_typed(settings, option, fmt::format("{}", fmt::join(texts, "\n")), command);
+      settings.set_text(option, fmt::format("{}", fmt::join(texts, "\n")), command);
     }
   }
   return settings;
 }
 
+/// The task stands in the parts. Only how a design is shown is still to be said.
+void refuse_beside_merge(const Invocation& invocation) {
+  constexpr std::array<std::string_view, 7> shown{"html",    "json",  "quiet",  "svg",
+                                                  "threads", "title", "verbose"};
+  const bool design = invocation.command == Command::design;
+  const auto is_wrong = [&](const auto& option) {
+    return !design || std::ranges::find(shown, option.first) == shown.end();
+  };
+  if (invocation.scene || std::ranges::any_of(invocation.flags.values(), is_wrong)) {
+    throw UsageError(fmt::format(
+        "{} merge: takes OUT and the files of the parts, no scene{}", name(invocation.command),
+        design ? fmt::format(", and of the options only {}", listed(shown)) : " and no options"));
+  }
+}
+
 void require_command(const std::optional<std::string>& given) {
   const std::span<const std::string_view> names = command_names();
+  std::vector<std::string_view> known(names.begin(), names.end());
+  known.emplace_back("help");
   const std::string word = given.value_or("");
   if (word.starts_with('-')) {
     throw UsageError(fmt::format("{}: an option comes after its command: {} (stillpoint --help)",
@@ -166,17 +183,21 @@ void require_command(const std::optional<std::string>& given) {
     throw UsageError(fmt::format(
         "{}: must be {} (stillpoint --help){}",
         given ? "command " + records::shortened(word, records::longest_word) : "no command",
-        listed(names), suggestion(word, names)));
+        listed(names), suggestion(word, known)));
   }
 }
 
-/// "help" is for people alone: with a command it is that command's --help.
+/// "help" is for people alone: with a command it is that command's --help, with itself the
+/// program's.
 std::vector<std::string> without_help_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
     if (words.size() > 1 && !words[1].starts_with('-')) {
       throw UsageError(fmt::format("help {}: one command at a time", words.front()));
+    }
+    if (words == std::vector<std::string>{"help"}) {
+      words.clear();
     }
     if (!words.empty() && !words[0].starts_with('-')) {
       require_command(words[0]);
@@ -222,7 +243,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
     // To set up the options of all commands would take longer than most answers do.
     if (std::ranges::find(words, command.get_name()) != words.end()) {
       add_options(command, help, collected[i]);
-      if (help.command == Command::sweep) {
+      if (help.command == Command::sweep || help.command == Command::design) {
         add_merge(command, merge);
       }
     }
@@ -260,10 +281,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
     invocation.scene = collected[index].scene;
   }
   if (!chosen.get_subcommands().empty()) {
-    if (invocation.scene || !invocation.flags.values().empty()) {
-      throw UsageError(
-          "sweep merge: takes OUT and the files of the parts, no scene and no options");
-    }
+    refuse_beside_merge(invocation);
     invocation.merge = std::move(merge);
   }
   return invocation;

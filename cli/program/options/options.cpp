@@ -11,8 +11,6 @@
 #include <stillpoint/sweep/list.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -59,7 +57,8 @@ constexpr Names names(std::to_array<Named<Command>>({{design, "design"},
                                                      {spectrum, "spectrum"},
                                                      {sweep, "sweep"},
                                                      {accuracy, "accuracy"},
-                                                     {init, "init"}}));
+                                                     {init, "init"},
+                                                     {explore, "explore"}}));
 
 std::vector<std::string_view> all_of(std::span<const std::string_view> list) {
   return {list.begin(), list.end()};
@@ -219,6 +218,9 @@ std::vector<Option> rows() {
       row("search-period", text, "LOW:HIGH", searching,
           "under records: the period is searched as well, here, in s", design,
           under_records(in_si(Dimension::time))),
+      row("scan-points", integer, "N", searching,
+          "under records: about so many dampers are scanned before the searches; default 10000",
+          design, under_records()),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           for_hits({.values = all_of(design::algorithm_names())})),
 
@@ -305,12 +307,12 @@ std::vector<Option> rows() {
           "with --reduce: the rows of the ten smallest, peak_amplitude:10, or tolerance:10:largest",
           sweep, {.repeats = true}),
       row("part", text, "I/N", sweeping,
-          "one of N parts, for sweep merge; auto or auto/N: from the launcher. {part} in the "
-          "output's name becomes I-of-N",
-          sweep, {.role = Role::execution}),
+          "one of N parts, for sweep merge or, under records, design merge; auto or auto/N: from "
+          "the launcher. {part} in the output's name becomes I-of-N",
+          design | sweep, under_records({.role = Role::execution})),
       row("resume", flag, "", sweeping,
-          "continue an interrupted sweep; leave a complete part as it is", sweep,
-          {.role = Role::execution}),
+          "continue an interrupted sweep; leave a complete part as it is", design | sweep,
+          under_records({.role = Role::execution})),
 
       row("max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate,
           {.role = Role::content}),
@@ -380,33 +382,6 @@ std::span<const std::string_view> command_names() {
 
 std::span<const Option> options() {
   return table();
-}
-
-const Option* find_option(std::string_view name) {
-  const auto found = std::ranges::find(table(), name, &Option::name);
-  return found == table().end() ? nullptr : &*found;
-}
-
-std::vector<const Option*> physical_rivals(const Option& option) {
-  std::vector<const Option*> rivals;
-  for (const Option& other : table()) {
-    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
-        other.traits.dimension != Dimension::none) {
-      rivals.push_back(&other);
-    }
-  }
-  return rivals;
-}
-
-std::string suggestion(std::string_view wrong, std::optional<Command> command,
-                       std::string_view prefix) {
-  std::vector<std::string_view> names;
-  for (const Option& option : table()) {
-    if (!command || option.serves(*command)) {
-      names.push_back(option.name);
-    }
-  }
-  return records::suggestion(wrong, names, prefix);
 }
 
 }  // namespace stillpoint::cli

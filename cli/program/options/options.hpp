@@ -15,7 +15,7 @@
 
 namespace stillpoint::cli {
 
-enum class Command { design, region, simulate, spectrum, sweep, accuracy, init };
+enum class Command { design, region, simulate, spectrum, sweep, accuracy, init, explore };
 
 [[nodiscard]] std::string_view name(Command command) noexcept;
 [[nodiscard]] std::optional<Command> parse_command(std::string_view name) noexcept;

@@ -10,10 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
-#include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 

@@ -129,6 +129,22 @@ void Settings::set_number_or_range(const Option& option, std::string_view text) 
   }
 }
 
+void Settings::set_text(const Option& option, const std::string& text, Command command) {
+  switch (option.kind_in(command)) {
+    case OptionKind::axis:
+      return set(option, axis_value(option, text, command));
+    case OptionKind::number:
+      return option.takes_range_in(command) ? set_number_or_range(option, text)
+                                            : set_number(option, text);
+    case OptionKind::integer:
+      return set(option, parse_integer(option.name, text));
+    case OptionKind::text:
+    case OptionKind::flag:
+      break;
+  }
+  set(option, text);
+}
+
 std::optional<std::string> Settings::with_unit(std::string_view name) const {
   const auto found = with_units_.find(name);
   return found == with_units_.end() ? std::nullopt : std::optional(found->second);
@@ -195,6 +211,19 @@ nlohmann::ordered_json as_json(const Settings::Value& value) {
         }
       },
       value);
+}
+
+nlohmann::ordered_json inputs(const Settings& settings, Command command) {
+  nlohmann::ordered_json scene = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : settings.values()) {
+    const Option& option = *find_option(name);
+    if (option.traits.role == Role::input && option.serves(command)) {
+      scene[std::string(name)] = option.repeats_in(command)
+                                     ? nlohmann::ordered_json(settings.texts(name))
+                                     : as_json(value);
+    }
+  }
+  return scene;
 }
 
 }  // namespace stillpoint::cli

@@ -50,6 +50,8 @@ class Settings {
   void set_number(const Option& option, std::string_view text);
   /// The same for an option that takes a range as well.
   void set_number_or_range(const Option& option, std::string_view text);
+  /// Of any kind but a flag, as the command line has it. Throws InputError.
+  void set_text(const Option& option, const std::string& text, Command command);
   [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
 
   /// A range; empty where not set or a number.
@@ -99,5 +101,8 @@ class Settings {
 
 /// As a scene has it; an axis as its text.
 [[nodiscard]] nlohmann::ordered_json as_json(const Settings::Value& value);
+
+/// The options that decide the numbers of a command, as a scene.
+[[nodiscard]] nlohmann::ordered_json inputs(const Settings& settings, Command command);
 
 }  // namespace stillpoint::cli

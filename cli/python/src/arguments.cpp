@@ -59,7 +59,9 @@ Settings from_scene(Command command, const py::object& scene) {
 bool takes(Command command, const Option& option) {
   const bool of_rows =
       command == Command::sweep && (option.name == "output" || option.name == "columns");
-  return option.serves(command) && option.name != "title" &&
+  const bool of_parts =
+      command == Command::design && (option.name == "part" || option.name == "resume");
+  return option.serves(command) && option.name != "title" && !of_parts &&
          (option.traits.role != cli::Role::output || option.name == "samples" || of_rows);
 }
 
@@ -84,6 +86,7 @@ std::string type_of(const Option& option, Command command) {
              ? option.repeats_in(command) ? "Path | Sequence[Path]" : "Path"
          : option.name == "excitation"     ? "str | Mapping[str, Any]"
          : option.name == "friction-zones" ? "str | Sequence[Mapping[str, Any]]"
+         : option.repeats_in(command)      ? "str | Sequence[str]"
                                            : "str";
 }
 

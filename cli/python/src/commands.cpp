@@ -2,9 +2,8 @@
 // The commands that answer with a report: settings from keyword arguments, then what the program
 // does.
 
-#include "commands.hpp"
+#include "answer.hpp"
 #include "arguments.hpp"
-#include "input/request.hpp"
 #include "interruptible.hpp"
 #include "method.hpp"
 #include "parts.hpp"
@@ -12,44 +11,18 @@
 #include "values.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
-#include <stillpoint/report/spectrum.hpp>
 
 #include <array>
 #include <memory>
-#include <optional>
+#include <utility>
 
 namespace stillpoint::python {
 
 namespace py = pybind11;
 using cli::Command;
-using cli::Settings;
 
 namespace {
-
-using Answer = std::unique_ptr<Result>;
-
-template <class Report>
-Answer answer(Report report) {
-  return std::make_unique<ResultOf<Report>>(std::move(report));
-}
-
-/// An interrupt ends a search.
-Answer design(const Settings& settings, const std::stop_token& stop) {
-  if (!cli::designs_under_records(settings)) {
-    return answer(cli::design_report(settings));
-  }
-  const report::RecordDesignInput input = cli::record_design_input(settings);
-  return answer(report::RecordDesignReport{
-      design::design(input.request,
-                     [&](const auto& /*progress*/) { return !stop.stop_requested(); }),
-      input.physical});
-}
-
-Answer region(const Settings& settings, const std::stop_token& /*stop*/) {
-  return answer(cli::region_report(settings));
-}
 
 /// The region of v0, p and beta alone, which is there at once: the rest of the report when someone
 /// looks.
@@ -81,59 +54,40 @@ class Bounds final : public Result {
 };
 
 /// With a trajectory, if samples or an end were asked for.
-class Motion final : public ResultOf<report::MotionReport> {
+class Motion final : public Answered {
  public:
-  using ResultOf::ResultOf;
+  using Answered::Answered;
 
   /// The memory is that of the result.
   [[nodiscard]] static py::object trajectory(const py::object& self) {
-    const std::vector<State>& states = self.cast<const Motion&>().made().answer.trajectory;
+    const auto& motion = static_cast<const cli::AnswerOf<report::MotionReport>&>(
+        self.cast<const Motion&>().answer());
+    const std::vector<State>& states = motion.made().answer.trajectory;
     if (states.empty()) {
       return py::none();
     }
-    const py::array rows(py::dtype::of<State>(), states.size(), states.data(), self);
+    py::array rows(py::dtype::of<State>(), states.size(), states.data(), self);
     rows.attr("flags").attr("writeable") = false;
     return rows;
   }
 };
 
-Answer simulate(const Settings& settings, const std::stop_token& stop) {
-  Settings wanted = settings;
-  const bool forced = settings.has("excitation") || settings.has("record");
-  if (settings.has("samples") || (!forced && (settings.has("t-end") || settings.has("end-time")))) {
-    wanted.set(*cli::find_option("trajectory"), std::string("-"));
-  }
-  cli::SimulateInput input = cli::simulate_input(wanted);
-  Simulation motion =
-      stillpoint::simulate(input.request, [&](double /*tau*/) { return !stop.stop_requested(); });
-  return std::make_unique<Motion>(report::MotionReport{std::move(input.request), std::move(motion),
-                                                       input.record, input.physical});
-}
-
-Answer spectrum(const Settings& settings, const std::stop_token& stop) {
-  report::SpectrumReport found = cli::spectrum_input(settings);
-  found.result = design::spectrum(found.result.request,
-                                  [&](double /*done*/) { return !stop.stop_requested(); });
-  return answer(std::move(found));
-}
-
 /// A new command that answers with a report is a row.
 struct Row {
   Command command;
-  Answer (*run)(const Settings& settings, const std::stop_token& stop);
   std::string_view about;
 };
 constexpr std::array rows{
-    Row{Command::design, design,
+    Row{Command::design,
         "Designs a damper: the admissible region, the search in it, its motion and its check; with "
         "record, for a suite of acceleration records."},
-    Row{Command::region, region,
+    Row{Command::region,
         "The admissible region of f and delta, without a search; with f and delta, how this damper "
         "stands in it. With v0, p and beta alone, as floats, it takes less than a microsecond."},
-    Row{Command::simulate, simulate,
+    Row{Command::simulate,
         "One motion, free or forced: metrics and half-cycles. With samples, or t_end of a free "
         "motion, the result has a trajectory: an array of (tau, x, v)."},
-    Row{Command::spectrum, spectrum,
+    Row{Command::spectrum,
         "Peak, residual and transmitted acceleration of one damper under records over the period, "
         "an axis as of sweep, beside the same without its notch."},
 };
@@ -182,11 +136,16 @@ PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t 
   return PyObject_Vectorcall(general_region, values, static_cast<std::size_t>(count), names);
 }
 
-Answer run(const Row& row, const py::object& scene, const py::dict& options) {
-  const Settings given = settings(row.command, scene, options);
-  Answer found = interruptible([&](const std::stop_token& stop) { return row.run(given, stop); });
+std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::dict& options) {
+  const cli::Settings given = settings(row.command, scene, options);
+  std::unique_ptr<cli::Answer> found = interruptible([&](const std::stop_token& stop) {
+    return cli::answer(row.command, given, [&] { return !stop.stop_requested(); });
+  });
   warn_of_doubts(given, row.command);
-  return found;
+  if (row.command == Command::simulate) {
+    return std::make_unique<Motion>(std::move(found));
+  }
+  return std::make_unique<Answered>(std::move(found));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <stillpoint/sweep/sink.hpp>
 
 #include <exception>
+#include <utility>
 
 namespace stillpoint::python {
 
@@ -33,7 +34,7 @@ void add_errors(py::module_& module) {
   module.add_object("InputError", input_error);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      std::rethrow_exception(thrown);
+      std::rethrow_exception(std::move(thrown));
     } catch (const InputError& error) {
       refuse(error);
     } catch (const ArgumentError& error) {

@@ -6,14 +6,13 @@
 #include <stillpoint/report/version.hpp>
 
 PYBIND11_MODULE(_stillpoint, module) {
-  using namespace stillpoint::python;
   module.attr("__version__") = stillpoint::report::program_version();
   pybind11::options signatures;
   signatures.disable_function_signatures();  // each text begins with its own
-  add_errors(module);
-  add_result(module);
-  add_commands(module);
-  add_sweep(module);
-  add_arrays(module);
-  add_records(module);
+  stillpoint::python::add_errors(module);
+  stillpoint::python::add_result(module);
+  stillpoint::python::add_commands(module);
+  stillpoint::python::add_sweep(module);
+  stillpoint::python::add_arrays(module);
+  stillpoint::python::add_records(module);
 }

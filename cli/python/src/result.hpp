@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "answer.hpp"
+
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 
 #include <pybind11/numpy.h>
 #include <nlohmann/json.hpp>
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -37,21 +40,20 @@ class Result {
   pybind11::dict report_{pybind11::reinterpret_steal<pybind11::dict>(nullptr)};
 };
 
-/// Of a report that has json(), document() and page().
-template <class Report>
-class ResultOf : public Result {
+/// What the program answers.
+class Answered : public Result {
  public:
-  explicit ResultOf(Report report) : report_(std::move(report)) {}
+  explicit Answered(std::unique_ptr<cli::Answer> answer) : answer_(std::move(answer)) {}
 
-  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(report_); }
-  [[nodiscard]] report::Document document() const override { return report::document(report_); }
-  [[nodiscard]] figures::HtmlPage page() const override { return report::page(report_); }
+  [[nodiscard]] nlohmann::ordered_json json() const override { return answer_->json(); }
+  [[nodiscard]] report::Document document() const override { return answer_->document(); }
+  [[nodiscard]] figures::HtmlPage page() const override { return answer_->page(); }
 
  protected:
-  [[nodiscard]] const Report& made() const { return report_; }
+  [[nodiscard]] const cli::Answer& answer() const { return *answer_; }
 
  private:
-  Report report_;
+  std::unique_ptr<cli::Answer> answer_;
 };
 
 void add_result(pybind11::module_& module);

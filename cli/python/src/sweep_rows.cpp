@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The command sweep, with its rows in memory: what a file of the format npy holds, as an array.
+// The command sweep, with its rows in memory: what a file of the format npy holds, as an array. Or
+// without rows.
 
 #include "arguments.hpp"
 #include "input/request.hpp"
 #include "interruptible.hpp"
+#include "output.hpp"
 #include "parts.hpp"
 #include "result.hpp"
 #include "values.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/run.hpp>
 
@@ -66,11 +69,31 @@ class RowsInMemory final : public sweep::RowSink {
   std::vector<char> bytes_;
 };
 
-class Sweep final : public Result {
+class Sweep : public Result {
  public:
-  Sweep(SweepSpec spec, sweep::SweepSummary summary, std::optional<sweep::SweepMap> map,
-        py::object table)
-      : spec_(std::move(spec)), summary_(summary), map_(std::move(map)), table_(std::move(table)) {}
+  explicit Sweep(py::object table) : table_(std::move(table)) {}
+
+  [[nodiscard]] const py::object& table() const { return table_; }
+
+ protected:
+  /// The verdict alone.
+  [[nodiscard]] figures::HtmlPage page_without_figures() const {
+    report::Document said = document();
+    figures::HtmlPage page;
+    page.title = std::move(said.title);
+    page.verdict = std::move(said.verdict);
+    return page;
+  }
+
+ private:
+  py::object table_;
+};
+
+class SweepOfRows final : public Sweep {
+ public:
+  SweepOfRows(SweepSpec spec, sweep::SweepSummary summary, std::optional<sweep::SweepMap> map,
+              py::object table)
+      : Sweep(std::move(table)), spec_(std::move(spec)), summary_(summary), map_(std::move(map)) {}
 
   [[nodiscard]] nlohmann::ordered_json json() const override {
     return report::json(spec_, summary_);
@@ -79,21 +102,26 @@ class Sweep final : public Result {
     return report::document(spec_, summary_);
   }
   [[nodiscard]] figures::HtmlPage page() const override {
-    if (map_) {
-      return report::page(spec_, summary_, *map_);
-    }
-    figures::HtmlPage page;
-    page.title = "Sweep";
-    page.verdict = fmt::format("{} rows", summary_.state.rows);
-    return page;
+    return map_ ? report::page(spec_, summary_, *map_) : page_without_figures();
   }
-  [[nodiscard]] const py::object& table() const { return table_; }
 
  private:
   SweepSpec spec_;
   sweep::SweepSummary summary_;
   std::optional<sweep::SweepMap> map_;
-  py::object table_;
+};
+
+class SweepWithoutRows final : public Sweep {
+ public:
+  explicit SweepWithoutRows(report::ReductionReport report)
+      : Sweep(py::none()), report_(std::move(report)) {}
+
+  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(report_); }
+  [[nodiscard]] report::Document document() const override { return report::document(report_); }
+  [[nodiscard]] figures::HtmlPage page() const override { return page_without_figures(); }
+
+ private:
+  report::ReductionReport report_;
 };
 
 /// Only a plane of f and delta has a map.
@@ -105,18 +133,24 @@ std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
   }
 }
 
-std::unique_ptr<Result> run_sweep(const py::object& scene, const py::kwargs& options) {
-  Settings given = settings(Command::sweep, scene, options);
-  const bool in_memory = !given.has("output");
-  if (in_memory) {
-    given.set(*cli::find_option("format"), std::string("npy"));
-  }
-  cli::resolve_part(given);
-  cli::require_files_apart(Command::sweep, given, std::nullopt);
-  SweepSpec spec = cli::sweep_request(given);
-  if (spec.reduction) {
-    throw InputError("reduce", "true", "is for the program alone: the table can be reduced here");
-  }
+/// A part goes to its file as well.
+std::unique_ptr<Sweep> reduced(const Settings& given, const SweepSpec& spec) {
+  report::ReductionReport found = interruptible([&](const std::stop_token& stop) {
+    if (auto before = cli::find_reduced_part(given, spec)) {
+      return *std::move(before);
+    }
+    sweep::Reducer reducer(spec);
+    sweep::NoRows none;
+    const sweep::SweepSummary summary = sweep::run(spec, none, {stop, {}, nullptr, &reducer});
+    return report::reduction_report(spec, summary, reducer.result());
+  });
+  cli::Output output;
+  cli::print_report(found, given, output, false);
+  output.commit();
+  return std::make_unique<SweepWithoutRows>(std::move(found));
+}
+
+std::unique_ptr<Sweep> with_rows(SweepSpec spec, bool in_memory) {
   std::optional<sweep::SweepMap> map = map_of(spec);
   const py::dtype type = dtype_of(spec);
   RowsInMemory memory(in_memory
@@ -127,7 +161,6 @@ std::unique_ptr<Result> run_sweep(const py::object& scene, const py::kwargs& opt
     const std::unique_ptr<sweep::RowSink> file = in_memory ? nullptr : sweep::open_rows(spec);
     return sweep::run(spec, file ? *file : memory, {stop, {}, map ? &*map : nullptr});
   });
-  warn_of_doubts(given, Command::sweep);
   py::object table = py::none();
   if (in_memory) {
     auto bytes = std::make_unique<std::vector<char>>(memory.take());
@@ -135,7 +168,22 @@ std::unique_ptr<Result> run_sweep(const py::object& scene, const py::kwargs& opt
     table =
         py::array(type, static_cast<py::ssize_t>(summary.state.rows), data, kept(std::move(bytes)));
   }
-  return std::make_unique<Sweep>(std::move(spec), summary, std::move(map), std::move(table));
+  return std::make_unique<SweepOfRows>(std::move(spec), summary, std::move(map), std::move(table));
+}
+
+std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& options) {
+  Settings given = settings(Command::sweep, scene, options);
+  const bool in_memory = !given.has("output");
+  if (in_memory && !given.flag("reduce")) {
+    given.set(*cli::find_option("format"), std::string("npy"));
+  }
+  cli::resolve_part(given);
+  cli::require_files_apart(Command::sweep, given, std::nullopt);
+  SweepSpec spec = cli::sweep_request(given);
+  std::unique_ptr<Sweep> found =
+      spec.reduction ? reduced(given, spec) : with_rows(std::move(spec), in_memory);
+  warn_of_doubts(given, Command::sweep);
+  return found;
 }
 
 }  // namespace
@@ -144,7 +192,7 @@ void add_sweep(py::module_& module) {
   py::class_<Sweep, Result>(module, "Sweep", "What sweep found.")
       .def_property_readonly("table", &Sweep::table,
                              "a structured array with a field for each column; None where the rows "
-                             "went to a file");
+                             "went to a file, and with reduce");
   module.def(
       "sweep", &run_sweep, py::arg("scene") = py::none(), py::pos_only(),
       documentation(Command::sweep,
@@ -152,7 +200,8 @@ void add_sweep(py::module_& module) {
                     "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
                     "\"a,b,c\". The result has a table, a structured array with a field for each "
                     "column; outcome is an index in stillpoint.outcomes. With output the rows "
-                    "go to that file instead.")
+                    "go to that file instead. With reduce there are no rows, but counts, extremes, "
+                    "quantiles, histograms and the best.")
           .c_str());
 }
 

@@ -42,7 +42,7 @@ json list(const std::string& field, py::handle values) {
 json object(py::handle values) {
   json all = json::object();
   for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(values)) {
-    const std::string name = py::str(key).cast<std::string>();
+    const auto name = py::str(key).cast<std::string>();
     all[name] = to_json(name, value);
   }
   return all;
@@ -109,8 +109,9 @@ py::object to_python(const ordered_json& value) {
     case ordered_json::value_t::boolean:
       return py::bool_(value.get<bool>());
     case ordered_json::value_t::number_integer:
-    case ordered_json::value_t::number_unsigned:
       return py::int_(value.get<std::int64_t>());
+    case ordered_json::value_t::number_unsigned:
+      return py::int_(value.get<std::uint64_t>());
     case ordered_json::value_t::number_float:
       return py::float_(value.get<double>());
     case ordered_json::value_t::string:

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "format.hpp"
 #include "json/parts.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/report.hpp>
 
-#include <fmt/format.h>
-
 #include <variant>
 
 namespace stillpoint::report {
 
-using fmt::format;
 using nlohmann::ordered_json;
 
 namespace {
@@ -81,6 +79,26 @@ std::string_view reason(const SimulationRequest& request) {
 
 }  // namespace
 
+namespace {
+
+/// Null with dimensionless input.
+ordered_json physical_json(const AccuracyReport& report) {
+  if (!report.physical) {
+    return nullptr;
+  }
+  const design::Scales& scales = report.physical->scales;
+  const peers::Result& truth = report.comparison.exact.rounded;
+  const bool stops = truth.outcome != Outcome::running;
+  return {{"length_unit_m", scales.length_m},
+          {"time_unit_s", scales.time_s},
+          {"peak_m", truth.peak * scales.length_m},
+          {"end_time_s", truth.end_time * scales.time_s},
+          {"final_position_m", truth.x * scales.length_m},
+          {"final_velocity_m_per_s", stops ? 0 : truth.v * scales.velocity_m_per_s}};
+}
+
+}  // namespace
+
 ordered_json json(const AccuracyReport& report) {
   const peers::Result& truth = report.comparison.exact.rounded;
   const bool stops = truth.outcome != Outcome::running;
@@ -102,18 +120,27 @@ ordered_json json(const AccuracyReport& report) {
             {"turning_points", truth.turns},
             {"sticks", truth.sticks}}},
           {"methods", methods},
-          {"why", reason(report.request)}};
+          {"why", reason(report.request)},
+          {"physical", physical_json(report)}};
 }
 
 namespace {
 
-void add_truth(Document& document, const peers::Result& truth, bool stops) {
+/// All digits, and with physical input what people think in.
+std::string exact_text(const Physical& physical, double value, const std::string& words) {
+  return format("{:.17g}{}", value, physical ? " = " + words : "");
+}
+
+void add_truth(Document& document, const AccuracyReport& report, bool stops) {
+  const peers::Result& truth = report.comparison.exact.rounded;
+  const FigureUnits units(report.physical);
   Section& section = document.section("In 50 digits");
-  section.row("peak", format("{:.17g}", truth.peak));
-  section.row(stops ? "rests at tau" : "ends at tau", format("{:.17g}", truth.end_time));
-  section.row("x there", format("{:.17g}", truth.x));
+  section.row("peak", exact_text(report.physical, truth.peak, units.length_words(truth.peak)));
+  section.row(stops ? "rests at tau" : "ends at tau",
+              exact_text(report.physical, truth.end_time, units.time_words(truth.end_time)));
+  section.row("x there", exact_text(report.physical, truth.x, units.length_words(truth.x)));
   if (!stops) {
-    section.row("v there", format("{:.17g}", truth.v));
+    section.row("v there", exact_text(report.physical, truth.v, units.velocity_words(truth.v)));
   }
   section.row("counts", counts(truth) + " (passages, turning points, sticks)");
 }
@@ -162,7 +189,10 @@ Document document(const AccuracyReport& report) {
   if (is_forced(report.request)) {
     add_excitation(scene, report.request.excitation, report.record, report.physical);
   }
-  add_truth(document, truth, stops);
+  if (report.physical) {
+    add_physical_input(scene, *report.physical);
+  }
+  add_truth(document, report, stops);
   Table table{{"", "setting", "time", "error of peak", stops ? "of rest" : "of end", "counts", ""},
               {}};
   for (const peers::MethodRow& now : report.comparison.rows) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
+#include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace stillpoint::report {
-
-using fmt::format;
 
 namespace {
 
@@ -260,6 +257,12 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
                               ? format("f and delta may both be off by +-{:.4g} %", 100 * tolerance)
                               : box_text(limits, tolerance));
   add_works_for(answer, finding.works_for, physical);
+  // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 1.
+  if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
+    const std::string words = FigureUnits(physical).velocity_words(caught);
+    answer.row("weak hits", format("below {} are held and felt in full: {}", words,
+                                   impulse_shown(physical, caught)));
+  }
   if (finding.cross_check.passed) {
     answer.row("checks", checks_agree(finding.cross_check), Tone::good);
   }

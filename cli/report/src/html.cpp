@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/figures/figure.hpp>
-#include <stillpoint/report/document.hpp>
 
-#include <fmt/format.h>
+#include <stillpoint/report/document.hpp>
+#include "format.hpp"
 
 #include <cstddef>
 #include <string>
@@ -15,7 +15,6 @@ namespace {
 
 using figures::escaped;
 using figures::prose;
-using fmt::format;
 
 /// The class that the page's style knows.
 std::string_view look_of(Tone tone) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace stillpoint::report {
-
-using fmt::format;
 
 namespace {
 
@@ -135,6 +132,10 @@ void add_answer(Section& answer, const MotionReport& report) {
   answer.row("acceleration",
              format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
                     felt_where(report)));
+  if (response.outcome == Outcome::caught_at_start) {
+    answer.row("impulse", format("{}: the notch passes the hit on in full",
+                                 impulse_shown(physical, std::abs(report.request.start.v0))));
+  }
   constexpr double worth_saying = 0.01;  // no damper is built nearer to its drawing
   if (response.decision_margin && *response.decision_margin < worth_saying) {
     answer.row(

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -45,30 +47,29 @@ std::string words_of(const design::Mend& mend, const Physical& physical) {
   return words(mend.field, mend.value, mend.upwards, "");
 }
 
-/// Where nothing is admissible: the title of the region's figure. The page's verdict says what
-/// would help.
-std::string mend_title(HtmlPage& page, const design::RegionVerdict& empty,
-                       const Physical& physical) {
-  std::string title = "No damper is admissible";
+/// Of several mends that of beta, which is the stroke.
+const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
+  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
+  return of_beta == mends.end() ? mends.front() : *of_beta;
+}
+
+/// "No damper: max-displacement must be at least 0.127 m", the title of the region's figure.
+std::string mend_title(const design::RegionVerdict& empty, const Physical& physical) {
+  return empty.mends.empty() ? "No damper is admissible"
+                             : "No damper: " + words_of(named_mend(empty.mends), physical);
+}
+
+/// What the verdict goes on with where nothing is admissible.
+std::string what_would_help(const design::RegionVerdict& empty, const Physical& physical) {
+  std::string all;
   if (!empty.mends.empty()) {
-    const auto of_beta = std::ranges::find(empty.mends, "beta", &design::Mend::field);
-    const design::Mend& mend = of_beta == empty.mends.end() ? empty.mends.front() : *of_beta;
-    title = "No damper: " + words_of(mend, physical);
-    page.verdict += fmt::format(" To get one, {}.", words_of(mend, physical));
+    all = words_of(named_mend(empty.mends), physical);
   } else if (empty.joint_mend) {
-    std::string all;
     for (const design::Mend& mend : empty.joint_mend->mends) {
       all += (all.empty() ? "" : " and ") + words_of(mend, physical);
     }
-    page.verdict += fmt::format(" To get one, {}.", all);
   }
-  return title;
-}
-
-void add_empty_region(HtmlPage& page, DrawnRegion drawn, const design::RegionVerdict& empty,
-                      const Physical& physical) {
-  drawn.mend = mend_title(page, empty, physical);
-  page.figures = {region_figure(drawn, FigureUnits(physical))};
+  return all.empty() ? all : fmt::format(" To get one, {}.", all);
 }
 
 /// The design as its pulse moves it, from rest.
@@ -96,7 +97,8 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
                          {},
                          {}};
   if (!report.result.finding) {
-    drawn.mend = mend_title(page, report.result, report.physical);
+    drawn.mend = mend_title(report.result, report.physical);
+    page.verdict += what_would_help(report.result, report.physical);
     page.figures = {pulse_region_figure(drawn, units)};
     if (report.catalogue) {
       add_parts(page.figures.front(), *report.catalogue, units);
@@ -128,8 +130,10 @@ HtmlPage page(const DesignReport& report) {
     return pulse_page(std::move(page), report, units);
   }
   if (!report.result.finding) {
-    add_empty_region(page, {problem, limits, report.result.region, {}, {}}, report.result,
-                     report.physical);
+    page.verdict += what_would_help(report.result, report.physical);
+    page.figures = {region_figure(
+        {problem, limits, report.result.region, {}, mend_title(report.result, report.physical)},
+        units)};
     if (report.catalogue) {
       add_parts(page.figures.front(), *report.catalogue, units);
     }
@@ -156,50 +160,74 @@ HtmlPage page(const DesignReport& report) {
   return page;
 }
 
-HtmlPage page(const RegionReport& report) {
+std::vector<Figure> drawings(const RegionReport& report) {
   const auto& [problem, limits, f, delta] = report.request;
   const design::RegionAnswer& answer = report.answer;
-  HtmlPage page = page_of(document(report));
-  std::optional<DrawnDamper> damper;
+  const FigureUnits units(report.physical);
+  DrawnRegion drawn{problem, limits, answer.region, {}, {}};
   if (answer.admissible) {
-    damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
-              answer.tolerance.value_or(0)};
+    drawn.damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
+                    answer.tolerance.value_or(0)};
   }
-  const DrawnRegion drawn{problem, limits, answer.region, damper, {}};
-  if (answer.region.feasible) {
-    page.figures = {region_figure(drawn, FigureUnits(report.physical))};
-  } else {
-    add_empty_region(page, drawn, answer, report.physical);
+  if (!answer.region.feasible) {
+    drawn.mend = mend_title(answer, report.physical);
   }
+  std::vector<Figure> figures{region_figure(drawn, units)};
   if (report.catalogue) {
-    add_parts(page.figures.front(), *report.catalogue, FigureUnits(report.physical));
+    add_parts(figures.front(), *report.catalogue, units);
   }
   if (f && delta) {
-    page.figures.push_back(
-        hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
+    figures.push_back(hits_figure(problem, *f, *delta, answer.works_for, units));
   }
+  return figures;
+}
+
+HtmlPage page(const RegionReport& report) {
+  HtmlPage page = page_of(document(report));
+  if (!report.answer.region.feasible) {
+    page.verdict += what_would_help(report.answer, report.physical);
+  }
+  page.figures = drawings(report);
   return page;
 }
 
-HtmlPage page(const MotionReport& report) {
+namespace {
+
+std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& motion) {
   const FigureUnits units(report.physical);
+  std::vector<Figure> figures{motion_figure(motion, units)};
+  if (is_forced(report.request)) {
+    figures.push_back(excitation_figure(report.request.excitation, motion, units));
+  }
+  figures.push_back(phase_figure(motion, units));
+  if (!is_forced(report.request) && report.request.surface.plain()) {
+    figures.push_back(energy_figure(motion, units));
+  }
+  return figures;
+}
+
+bool moves(const DrawnMotion& motion) {
+  return motion.states.back().tau > 0;
+}
+
+}  // namespace
+
+std::vector<Figure> drawings(const MotionReport& report) {
+  const DrawnMotion motion = drawn_motion(report.request, report.answer);
+  return moves(motion) ? drawings_of(report, motion) : std::vector<Figure>{};
+}
+
+HtmlPage page(const MotionReport& report) {
   HtmlPage page = page_of(document(report));
   const DrawnMotion motion = drawn_motion(report.request, report.answer);
-  if (motion.states.back().tau == 0) {
+  if (!moves(motion)) {
     page.verdict += " Nothing moves, so there is nothing to draw.";
     return page;
   }
   if (!motion.whole) {
     page.verdict += " The figures show the beginning of the motion.";
   }
-  page.figures = {motion_figure(motion, units)};
-  if (is_forced(report.request)) {
-    page.figures.push_back(excitation_figure(report.request.excitation, motion, units));
-  }
-  page.figures.push_back(phase_figure(motion, units));
-  if (!is_forced(report.request) && report.request.surface.plain()) {
-    page.figures.push_back(energy_figure(motion, units));
-  }
+  page.figures = drawings_of(report, motion);
   return page;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/record_design.hpp>
+#include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +12,6 @@
 #include <numbers>
 
 namespace stillpoint::report {
-
-using fmt::format;
 
 namespace {
 
@@ -46,7 +43,7 @@ std::string period_words(const Physical& physical, double p) {
                   : format("p = {}", digits(p));
 }
 
-/// Which records lock the mass, if any.
+/// Which records lock the mass; empty if none.
 std::string lock_words(const design::RecordDesign& result) {
   std::size_t count = 0;
   double most = 0;
@@ -56,11 +53,11 @@ std::string lock_words(const design::RecordDesign& result) {
       most = std::max(most, *response.largest_load_while_locked);
     }
   }
-  return count == 0 ? "no record locks it while the load goes on"
-                    : format(
-                          "under {} of {} records the notch holds it to the end, against up to "
-                          "{}",
-                          count, result.finding->responses.size(), acceleration_shown(most));
+  const std::size_t all = result.finding->responses.size();
+  return count == 0
+             ? ""
+             : format("under {} of {} record{} the notch holds it to the end, against up to {}",
+                      count, all, all == 1 ? "" : "s", acceleration_shown(most));
 }
 
 std::string verdict(const RecordDesignReport& report) {
@@ -83,7 +80,8 @@ std::string verdict(const RecordDesignReport& report) {
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result) {
-  answer.row("locked", lock_words(result));
+  const std::string locked = lock_words(result);
+  answer.row("locked", locked.empty() ? "no record locks it while the load goes on" : locked);
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance", format("{} of {} samples within +-{:.3g} % meet the limits",
                                  near.admissible, near.samples, 100 * near.tolerance));
@@ -202,6 +200,11 @@ void add_search(Document& document, const design::SuiteSearch& search) {
 }
 
 }  // namespace
+
+std::string lock_sentence(const RecordDesignReport& report) {
+  const std::string words = report.result.finding ? lock_words(report.result) : "";
+  return words.empty() ? "" : "locked: " + words;
+}
 
 std::string shortfall_sentence(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;

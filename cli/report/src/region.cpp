@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
+#include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
 #include <utility>
 
 namespace stillpoint::report {
-
-using fmt::format;
 
 namespace {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sections.hpp"
+#include "format.hpp"
 
 #include <stillpoint/records/record_scaling.hpp>
 #include <stillpoint/report/digits.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,6 @@
 #include <variant>
 
 namespace stillpoint::report {
-
-using fmt::format;
 
 void add_physical_input(Section& section, const design::PhysicalInput& physical) {
   const design::Scales& scales = physical.scales;

@@ -15,7 +15,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace stillpoint::report {
 
@@ -30,6 +29,8 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
 /// How much of the notch the stop takes, and how wide it must be.
 void add_notch(Section& section, const std::optional<design::Practice>& lines,
                const Physical& physical);
+/// "480 kN s", of a speed; "0.4 m/s per mass" where the mass is not known.
+[[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
                   const Physical& physical);
 /// What differs from the paper's notch and friction.

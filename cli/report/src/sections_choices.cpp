@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
+#include "format.hpp"
 
 #include <stillpoint/report/digits.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +12,6 @@
 #include <utility>
 
 namespace stillpoint::report {
-
-using fmt::format;
 
 namespace {
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a report says of a pulse.
+#include "format.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/report/digits.hpp>
-
-#include <fmt/format.h>
-
 namespace stillpoint::report {
-
-using fmt::format;
 
 void add_pulse_region(Document& document, const design::DesignResult& result,
                       const Physical& physical) {

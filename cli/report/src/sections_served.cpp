@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a damper serves and what practice asks of it.
+#include "format.hpp"
 #include "sections.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
-#include <fmt/format.h>
-
 namespace stillpoint::report {
-
-using fmt::format;
 
 std::string interval_text(const design::ServedInterval& interval) {
   if (!interval.high) {
@@ -53,6 +50,13 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
   }
 }
 
+std::string impulse_shown(const Physical& physical, double impulse) {
+  return physical && physical->scales.mass_kg
+             ? with_unit(impulse * physical->scales.velocity_m_per_s * *physical->scales.mass_kg,
+                         "N s")
+             : format("{} per mass", FigureUnits(physical).velocity_words(impulse));
+}
+
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
                   const Physical& physical) {
   if (!lines) {
@@ -76,13 +80,7 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
                                       *lines->energy_ratio, *lines->residual_ratio));
   }
   if (lines->impulse_at_stop) {
-    std::string impulse = digits(*lines->impulse_at_stop);
-    if (physical && physical->scales.mass_kg) {
-      impulse += " = " + with_unit(*lines->impulse_at_stop * physical->scales.velocity_m_per_s *
-                                       *physical->scales.mass_kg,
-                                   "N s");
-    }
-    section.row("impulse at stop", impulse);
+    section.row("impulse at stop", impulse_shown(physical, *lines->impulse_at_stop));
   }
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/spectrum.hpp>
+#include "format.hpp"
 #include "units.hpp"
 
 #include <stillpoint/report/digits.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,6 @@
 #include <numbers>
 
 namespace stillpoint::report {
-
-using fmt::format;
 
 namespace {
 
@@ -23,39 +20,8 @@ using design::SpectrumPoint;
 /// More do not fit a screen; a file has all.
 constexpr std::size_t most_shown_periods = 20;
 
-std::size_t count_lower(const std::vector<SpectrumPoint>& points,
-                        double (*value)(const SpectrumFigures&)) {
-  return static_cast<std::size_t>(std::ranges::count_if(points, [&](const SpectrumPoint& point) {
-    return value(point.with_notch) < value(point.without);
-  }));
-}
-
-std::string verdict(const SpectrumReport& report) {
-  const std::vector<SpectrumPoint>& points = report.result.combined;
-  const design::SpectrumRequest& task = report.result.request;
-  if (task.delta == 0) {
-    return "Delta is 0, so there is no notch to compare with.";
-  }
-  const auto count = [&](double (*value)(const SpectrumFigures&)) {
-    const std::size_t lower = count_lower(points, value);
-    return lower == 0               ? std::string("at no period")
-           : lower == points.size() ? std::string("at every period")
-                                    : format("at {} of {} periods", lower, points.size());
-  };
-  const bool largest = *task.combine == design::Combine::max;
-  const std::string of =
-      task.records.size() == 1
-          ? std::string("under the record")
-          : format("({} of {} records)", largest ? "largest" : "mean", task.records.size());
-  return format(
-      "The notch lowers the residual {} {}, the transmitted acceleration {}, the peak {}.", of,
-      count([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
-      count([](const SpectrumFigures& one) { return one.acceleration; }),
-      count([](const SpectrumFigures& one) { return one.peak; }));
-}
-
-/// Where the notch holds the mass while the load goes on, if anywhere.
-void add_lock(Section& answer, const SpectrumReport& report) {
+/// Where the notch holds the mass while the load goes on; empty if nowhere.
+std::string lock_words(const SpectrumReport& report) {
   const std::vector<SpectrumPoint>& points = report.result.combined;
   std::size_t count = 0;
   double most = 0;
@@ -65,11 +31,11 @@ void add_lock(Section& answer, const SpectrumReport& report) {
       most = std::max(most, *point.with_notch.largest_load_while_locked);
     }
   }
-  if (count > 0) {
-    answer.row("locked", format("at {} of {} periods the notch holds it to the end of a record, "
-                                "against up to {}",
-                                count, points.size(), acceleration_shown(most)));
-  }
+  return count == 0 ? ""
+                    : format(
+                          "at {} of {} periods the notch holds it to the end of a record, "
+                          "against up to {}",
+                          count, points.size(), acceleration_shown(most));
 }
 
 /// In the units of the figures.
@@ -120,12 +86,19 @@ void add_damper(Document& document, const SpectrumReport& report) {
 
 }  // namespace
 
+std::string lock_sentence(const SpectrumReport& report) {
+  const std::string words = lock_words(report);
+  return words.empty() ? "" : "locked: " + words;
+}
+
 Document document(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
   Document document;
   document.title = "Response spectrum";
-  document.verdict = verdict(report);
-  add_lock(document.answer, report);
+  document.verdict = summary(result);
+  if (const std::string locked = lock_words(report); !locked.empty()) {
+    document.answer.row("locked", locked);
+  }
   const std::size_t count = result.records.size();
   add_points(document.section(count == 1 ? "With the notch and without it"
                               : *result.request.combine == design::Combine::max

@@ -36,22 +36,6 @@ constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
     "stop at x = 0", "stop in dead zone", "never stop",   "caught at start",
     "running",       "over the limit",    "stop in notch"};
 
-std::int64_t count(const SweepState& state, Outcome outcome) {
-  return state.outcomes[sweep::sweep_outcome(outcome)];
-}
-
-/// How many motions or problems come out well.
-std::string verdict(const SweepState& state, bool design) {
-  if (design) {
-    return fmt::format("{} of {} problems have an admissible design.", state.feasible, state.rows);
-  }
-  const std::int64_t in_notch = count(state, Outcome::stopped_in_notch);
-  return fmt::format("{} of {} motions stop at x = 0{}, {} off centre.",
-                     count(state, Outcome::stopped_at_zero) + in_notch, state.rows,
-                     in_notch > 0 ? " or in the notch" : "",
-                     count(state, Outcome::stopped_in_dead_zone));
-}
-
 }  // namespace
 
 ordered_json outcomes_json(const SweepState& state) {
@@ -69,7 +53,7 @@ void outcomes_from_json(const ordered_json& outcomes, SweepState& state) {
 }
 
 void add_outcomes(Document& document, const SweepState& state, bool design) {
-  document.verdict = verdict(state, design);
+  document.verdict = summary(state, design);
   Section& section = document.section(design ? "Designs" : "Outcomes");
   if (design) {
     section.row("feasible", fmt::format("{}", state.feasible));

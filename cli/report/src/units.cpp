@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "units.hpp"
+#include "format.hpp"
 
 #include <stillpoint/report/digits.hpp>
 
-#include <fmt/format.h>
-
 namespace stillpoint::report {
-
-using fmt::format;
 
 std::string length_shown(const Physical& physical, double length) {
   return physical && length != 0 ? with_unit(length * physical->scales.length_m, "m")

@@ -3,8 +3,8 @@
 #include "kernel/forced_run.hpp"
 #include "kernel/on_surface.hpp"
 
-#include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 
 #include <cmath>
 #include <functional>
@@ -24,24 +24,24 @@ class HalfCycleCollector {
   HalfCycleCollector(double p, std::optional<double> notch, std::int64_t most)
       : p_(p), notch_(notch), most_(most) {}
 
-  void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
+  void event(EventKind kind, const ExactSum<double>& now, double u, double v) {
     const double tau = now.value() / p_;
     reach(tau, u);
     switch (kind) {
-      case ForcedEventKind::start:
+      case EventKind::start:
         now_.departure_speed = std::abs(v);
         break;
-      case ForcedEventKind::arrival:
+      case EventKind::arrival:
         now_.arrival_speed = std::abs(v);
         arrival_ = tau;
         break;
-      case ForcedEventKind::passage:
+      case EventKind::passage:
         feel_the_notch(std::abs(v));
         close(arrival_, 0);
         now_.start_time = now_.peak_time = tau;  // later, where the notch held the mass for a while
         now_.departure_speed = std::abs(v);
         break;
-      case ForcedEventKind::rest:
+      case EventKind::rest:
         finish(tau, u);
         break;
       default:

@@ -8,8 +8,8 @@
 #include "sampling.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/trajectory.hpp>
 
 #include <fmt/format.h>
 
@@ -77,16 +77,16 @@ class ForcedTrajectory::Watcher {
 
   Watcher(ForcedTrajectory& path, Pieces& pieces) : path_(path), pieces_(pieces) {}
 
-  void event(ForcedEventKind kind, const ExactSum<double>& now, double u, double v) {
-    const ForcedEvent event{
-        kind, {std::min(now.value() / pieces_.p(), path_.horizon_), u / pieces_.p(), v}};
+  void event(EventKind kind, const ExactSum<double>& now, double u, double v) {
+    const Event event{kind,
+                      {std::min(now.value() / pieces_.p(), path_.horizon_), u / pieces_.p(), v}};
     // Only the end of the excitation may show that a rest is final.
-    const auto later = std::upper_bound(
-        path_.events_.begin(), path_.events_.end(), event,
-        [](const ForcedEvent& a, const ForcedEvent& b) { return a.state.tau < b.state.tau; });
+    const auto later =
+        std::upper_bound(path_.events_.begin(), path_.events_.end(), event,
+                         [](const Event& a, const Event& b) { return a.state.tau < b.state.tau; });
     path_.events_.insert(later, event);
-    const bool rests = kind == ForcedEventKind::stick || kind == ForcedEventKind::rest;
-    if (rests || kind == ForcedEventKind::start) {
+    const bool rests = kind == EventKind::stick || kind == EventKind::rest;
+    if (rests || kind == EventKind::start) {
       keep({now, 1, Pieces::Rest{u}});
     }
   }
@@ -124,19 +124,19 @@ ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& st
       });
   if (limits.to_rest && state.outcome && state.rest_begin.value() > 0) {
     horizon_ = state.rest_begin.value() / p;
-    std::erase_if(events_, [this](const ForcedEvent& event) { return event.state.tau > horizon_; });
+    std::erase_if(events_, [this](const Event& event) { return event.state.tau > horizon_; });
   }
   if (!state.outcome) {
-    events_.push_back({ForcedEventKind::end, {horizon_, state.u / p, state.v}});
+    events_.push_back({EventKind::end, {horizon_, state.u / p, state.v}});
   }
 }
 
 State ForcedTrajectory::at(double tau) const {
   require_within("tau", tau, 0, horizon_);
-  const auto event = std::ranges::upper_bound(
-      events_, tau, {}, [](const ForcedEvent& later) { return later.state.tau; });
+  const auto event = std::ranges::upper_bound(events_, tau, {},
+                                              [](const Event& later) { return later.state.tau; });
   assert(event != events_.begin());
-  const ForcedEvent& before = *std::prev(event);
+  const Event& before = *std::prev(event);
   if (before.state.tau == tau) {
     return {tau, before.state.x, before.state.v};
   }

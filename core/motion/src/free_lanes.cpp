@@ -16,6 +16,8 @@
 
 #include "free_lanes.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -387,7 +389,7 @@ class FreeLanes {
     put(direction.x, abscissa, 0);
     put(direction.y, ordinate, 0);
     for (Index lane = 0; lane < width; ++lane) {
-      angle[lane] = std::atan2(ordinate[lane], abscissa[lane]);
+      angle[lane] = elementary::atan2(ordinate[lane], abscissa[lane]);
     }
     const V phase = hn::Add(hn::Mul(all(std::numbers::pi), half_turns),
                             hn::Add(hn::Mul(all(std::numbers::pi / 2), quarters), at(angle, 0)));

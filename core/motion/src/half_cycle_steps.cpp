@@ -2,7 +2,7 @@
 #include "kernel/half_cycle_steps.hpp"
 #include "kernel/phase_clock.hpp"
 
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 namespace stillpoint {
 
@@ -16,16 +16,16 @@ constexpr Names outcomes(std::to_array<Named<Outcome>>({
     {Outcome::running, "running"},
 }));
 
-constexpr Names kinds(std::to_array<Named<ForcedEventKind>>({
-    {ForcedEventKind::start, "start"},
-    {ForcedEventKind::arrival, "arrival"},
-    {ForcedEventKind::passage, "passage"},
-    {ForcedEventKind::turn, "turn"},
-    {ForcedEventKind::excitation_end, "excitation_end"},
-    {ForcedEventKind::stick, "stick"},
-    {ForcedEventKind::release, "release"},
-    {ForcedEventKind::rest, "rest"},
-    {ForcedEventKind::end, "end"},
+constexpr Names kinds(std::to_array<Named<EventKind>>({
+    {EventKind::start, "start"},
+    {EventKind::arrival, "arrival"},
+    {EventKind::passage, "passage"},
+    {EventKind::turn, "turn"},
+    {EventKind::excitation_end, "excitation_end"},
+    {EventKind::stick, "stick"},
+    {EventKind::release, "release"},
+    {EventKind::rest, "rest"},
+    {EventKind::end, "end"},
 }));
 
 }  // namespace
@@ -38,11 +38,11 @@ std::optional<Outcome> parse_outcome(std::string_view name) noexcept {
   return outcomes.parse(name);
 }
 
-std::string_view name(ForcedEventKind kind) noexcept {
+std::string_view name(EventKind kind) noexcept {
   return kinds.name(kind);
 }
 
-std::optional<ForcedEventKind> parse_forced_event_kind(std::string_view name) noexcept {
+std::optional<EventKind> parse_event_kind(std::string_view name) noexcept {
   return kinds.parse(name);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/core/elementary.hpp>
+#include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/pulse_speed.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -14,13 +15,15 @@ namespace {
 /// and friction, from where the load exceeds friction, sin t = ratio.
 struct Push {
   double ratio{0};
-  double begin{std::asin(ratio)};
+  double begin{elementary::asin(ratio)};
   double cosine{std::sqrt((1 - ratio) * (1 + ratio))};
 
-  [[nodiscard]] double speed(double t) const { return cosine - std::cos(t) - ratio * (t - begin); }
+  [[nodiscard]] double speed(double t) const {
+    return cosine - elementary::sin_cos(t).cosine - ratio * (t - begin);
+  }
   [[nodiscard]] double distance(double t) const {
     const double since = t - begin;
-    return cosine * since - std::sin(t) + ratio - ratio * since * since / 2;
+    return cosine * since - elementary::sin_cos(t).sine + ratio - ratio * since * since / 2;
   }
 
   /// The end of the pulse, or the turn where friction stops the mass before it.

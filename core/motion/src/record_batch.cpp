@@ -5,8 +5,8 @@
 #include "record_motion.hpp"
 #include "scene_check.hpp"
 
+#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/record_batch.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_half_cycles.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/trajectory.hpp>

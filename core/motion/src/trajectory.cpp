@@ -2,8 +2,8 @@
 #include "kernel/half_cycle_steps.hpp"
 #include "sampling.hpp"
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
 #include <algorithm>
@@ -12,26 +12,6 @@
 #include <limits>
 
 namespace stillpoint {
-
-namespace {
-
-constexpr Names kinds(std::to_array<Named<EventKind>>({
-    {EventKind::start, "start"},
-    {EventKind::turn, "turn"},
-    {EventKind::arrival, "arrival"},
-    {EventKind::passage, "passage"},
-    {EventKind::rest, "rest"},
-}));
-
-}  // namespace
-
-std::string_view name(EventKind kind) noexcept {
-  return kinds.name(kind);
-}
-
-std::optional<EventKind> parse_event_kind(std::string_view name) noexcept {
-  return kinds.parse(name);
-}
 
 /// Takes the half-cycles of a walk one by one.
 class Trajectory::Builder {
@@ -118,10 +98,10 @@ State Trajectory::at(double tau) const {
   }
   const Arc& arc = *std::prev(std::ranges::upper_bound(arcs_, tau, {}, &Arc::begin));
   const double phase = p_ * (tau - arc.begin);
-  const double sine = std::sin(phase);
-  const double half_sine = std::sin(phase / 2);
+  const auto [sine, cosine] = elementary::sin_cos(phase);
+  const double half_sine = elementary::sin_cos(phase / 2).sine;
   return {tau, arc.x + arc.v / p_ * sine - 2 * arc.lever * (half_sine * half_sine),
-          arc.v * std::cos(phase) - p_ * arc.lever * sine};
+          arc.v * cosine - p_ * arc.lever * sine};
 }
 
 Eigen::ArrayX3d Trajectory::at(const Eigen::ArrayXd& tau) const {

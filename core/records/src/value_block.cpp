@@ -21,14 +21,15 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Where the number that `word` begins with ends: at the sign of the next one.
+/// Where the number that `word` begins with ends: at the sign of the next one. A sign in front of
+/// the last three digits may be that of an exponent without its E. Nothing is read twice: a word
+/// may be as long as a file.
 std::size_t number_end(std::string_view word) {
-  if (is_number(word)) {
-    return word.size();
-  }
+  constexpr std::size_t exponent = 4;
   for (std::size_t i = 1; i < word.size(); ++i) {
     const bool of_exponent = std::string_view("eEdD").find(word[i - 1]) != std::string_view::npos;
-    if ((word[i] == '+' || word[i] == '-') && !of_exponent) {
+    if ((word[i] == '+' || word[i] == '-') && !of_exponent &&
+        !(word.size() - i == exponent && is_number(word))) {
       return i;
     }
   }

@@ -30,9 +30,8 @@ PulseRequest pulse_request(const DesignRequest& request) {
     throw InputError("arrivals", fmt::format("{}", problem.arrivals),
                      "must be 1 with a pulse: a design for a pulse stops at the first arrival");
   }
-  if (problem.residual || limits.shape != BoxShape{}) {
-    throw InputError("pulse", std::string(name(*pulse)),
-                     "takes neither a residual nor a tolerance of f or delta alone");
+  if (problem.residual) {
+    throw InputError("pulse", std::string(name(*pulse)), "takes no residual");
   }
   return {{*pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high},
           limits,
@@ -71,6 +70,12 @@ double even_tolerance(const Problem& problem, const Limits& limits, const Design
   Limits even = limits;
   even.shape = {};
   return largest_tolerance(problem, even, point.f, point.delta).value_or(0);
+}
+
+double even_tolerance(const DesignResult& result) {
+  const Finding& found = *result.finding;
+  return found.pulse ? found.pulse->even_tolerance
+                     : even_tolerance(result.request.problem, result.request.limits, found.point);
 }
 
 std::string summary(const DesignResult& result) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // In speeds: phi = f/p, d = 2 Delta, and the radius r_n of the n-th half-cycle. An edge is a radius
 // r_n followed back to r_1 and V0 by (39).
+#include "wide.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
@@ -12,8 +13,6 @@
 namespace stillpoint::design {
 
 namespace {
-
-using Wide = long double;
 
 constexpr Names hit_ends(std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
                                                        {HitEnd::centred, "centred"},
@@ -30,16 +29,16 @@ struct Damper {
   Wide d;
 
   /// The radius of the half-cycle before, (39).
-  [[nodiscard]] Wide before(Wide radius) const { return 2 * phi + std::sqrt(radius * radius + d); }
+  [[nodiscard]] Wide before(Wide radius) const { return 2 * phi + root(radius * radius + d); }
   /// The V0 of a first radius.
   [[nodiscard]] Wide speed(Wide radius) const {
-    return std::sqrt(std::max(Wide(0), (radius - phi) * (radius + phi)));
+    return root(std::max(Wide(0), (radius - phi) * (radius + phi)));
   }
   [[nodiscard]] Wide radius_of_half_cycle(int n, Wide v0) const {
-    Wide radius = std::sqrt(v0 * v0 + phi * phi);
+    Wide radius = root(v0 * v0 + phi * phi);
     for (int i = 1; i < n; ++i) {
       const Wide t = radius - 2 * phi;
-      radius = std::sqrt(std::max(Wide(0), t * t - d));
+      radius = root(std::max(Wide(0), t * t - d));
     }
     return radius;
   }
@@ -110,9 +109,9 @@ std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most
   require_within("v0", v0_most, smallest_speed, largest_speed);
   const auto& [p, f, delta, hold] = oscillator;
   const Damper damper{p, f / Wide(p), 2 * Wide(delta)};
-  const Wide start = std::min(Wide(v0_most), std::sqrt(damper.d));
+  const Wide start = std::min(Wide(v0_most), root(damper.d));
   const Wide speed = Wide(beta) * p;
-  const Wide peak_limit = std::sqrt(speed) * std::sqrt(speed + 2 * damper.phi);
+  const Wide peak_limit = root(speed) * root(speed + 2 * damper.phi);
   Listing now{start, std::clamp(peak_limit, start, Wide(v0_most)), {}};
   if (start > 0) {
     now.add(0, start, HitEnd::held);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/design/practice.hpp>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ std::optional<double> last_passage(const Oscillator& oscillator, const Response&
   }
   // (7) backwards: the arrival that stops has the radius r, and v+^2 = r^2 - phi^2.
   const double phi = oscillator.f / oscillator.p;
-  const double r = 2 * phi + std::hypot(w, phi);
+  const double r = 2 * phi + elementary::hypot(w, phi);
   return impulse_of_passage(delta, std::sqrt((r - phi) * (r + phi)));
 }
 

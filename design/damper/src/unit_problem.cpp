@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "unit_problem.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -61,7 +63,8 @@ double peak_slope(double a) {
 double stop_phase(double a) {
   assert(a >= 0 && a <= a3);
   const double s = radius(a);
-  return std::numbers::pi - std::asin(a / s) + std::asin(std::min(1.0, a / (s - 2 * a)));
+  return std::numbers::pi - elementary::asin(a / s) +
+         elementary::asin(std::min(1.0, a / (s - 2 * a)));
 }
 
 double stop_phase_slope(double a) {

@@ -159,7 +159,7 @@ Axis parse_axis(std::string_view field, std::string_view text, const NumberReade
 
 Range parse_range(std::string_view field, std::string_view text, const NumberReader& number) {
   const std::vector<std::string_view> ends = split(text, ':');
-  if (ends.size() != 2) {
+  if (ends.size() != 2 || ends[0].empty() || ends[1].empty()) {
     throw InputError(std::string(field), std::string(text),
                      "must be a number, or a range LOW:HIGH");
   }

@@ -15,6 +15,9 @@ namespace stillpoint::sweep {
 
 namespace {
 
+/// Of any variable: far beyond every launcher, and differences stay whole numbers.
+constexpr std::int64_t farthest = 1'000'000'000'000;
+
 /// What one launcher says.
 struct Word {
   std::string_view launcher;
@@ -65,7 +68,14 @@ class Launchers {
 
   [[nodiscard]] std::optional<std::int64_t> value(const char* name) const {
     const char* const text = environment_(name);
-    return text == nullptr ? std::nullopt : std::optional(records::parse_integer(name, text));
+    if (text == nullptr) {
+      return std::nullopt;
+    }
+    const std::int64_t number = records::parse_integer(name, text);
+    if (number < -farthest || number > farthest) {
+      throw InputError(name, text, fmt::format("must be from {} to {}", -farthest, farthest));
+    }
+    return number;
   }
 
   /// `number` from 1, as the variable `name` has it with an offset.

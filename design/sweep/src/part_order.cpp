@@ -52,7 +52,7 @@ void PartOrder::add(PartLabel label) {
     const PartLabel& first = labels_.front();
     const std::string differs = difference(first, label);
     if (!differs.empty()) {
-      refuse_part(label, fmt::format("is of another sweep than {}: {}", first.path, differs));
+      refuse_part(label, fmt::format("is of another {} than {}: {}", whole_, first.path, differs));
     }
     if (first.part.count != label.part.count) {
       refuse_part(label, fmt::format("is part {}, but {} is part {}", text(label.part), first.path,

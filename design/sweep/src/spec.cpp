@@ -40,7 +40,9 @@ constexpr std::array forced_results{peak_amplitude,
                                     final_velocity,
                                     sticks,
                                     stick_time,
-                                    peak_absolute_acceleration};
+                                    peak_absolute_acceleration,
+                                    locked_from,
+                                    largest_load_while_locked};
 constexpr std::array design_results{feasible,      f,         delta,
                                     tolerance,     arrival,   peak_amplitude,
                                     stop_position, stop_time, peak_absolute_acceleration};

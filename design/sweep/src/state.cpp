@@ -3,6 +3,8 @@
 
 #include "block.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -77,6 +79,25 @@ void SweepState::add(const SweepBlock& block) {
   if (block[Quantity::feasible].size() == block.size) {
     feasible += static_cast<std::int64_t>(block[Quantity::feasible].sum());
   }
+}
+
+namespace {
+
+std::int64_t count(const SweepState& state, Outcome outcome) {
+  return state.outcomes[sweep_outcome(outcome)];
+}
+
+}  // namespace
+
+std::string summary(const SweepState& state, bool of_designs) {
+  if (of_designs) {
+    return fmt::format("{} of {} problems have an admissible design.", state.feasible, state.rows);
+  }
+  const std::int64_t in_notch = count(state, Outcome::stopped_in_notch);
+  return fmt::format("{} of {} motions stop at x = 0{}, {} off centre.",
+                     count(state, Outcome::stopped_at_zero) + in_notch, state.rows,
+                     in_notch > 0 ? " or in the notch" : "",
+                     count(state, Outcome::stopped_in_dead_zone));
 }
 
 }  // namespace stillpoint::sweep

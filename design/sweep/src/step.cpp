@@ -79,6 +79,8 @@ void set_forced(SweepBlock& block, Index i, const ForcedResponse& response) {
   block[final_velocity][i] = response.final_velocity.value_or(absent);
   block[sticks][i] = response.sticks;
   block[stick_time][i] = response.stick_time;
+  block[locked_from][i] = response.locked_from.value_or(absent);
+  block[largest_load_while_locked][i] = response.largest_load_while_locked.value_or(absent);
 }
 
 bool writes(const SweepSpec& spec, Quantity column) {
@@ -111,9 +113,13 @@ std::optional<Designed> designed(const design::DesignRequest& request,
                                  const FreeOptions& options) {
   if (request.pulse) {
     const auto result = parts.empty() ? design::design(request) : choose(request, parts).result;
-    return result.finding ? std::optional(Designed{result.finding->point, result.finding->arrival,
-                                                   result.finding->pulse->response})
-                          : std::nullopt;
+    if (!result.finding) {
+      return std::nullopt;
+    }
+    const auto& [f, delta, tolerance] = result.finding->point;
+    return Designed{{f, delta, design::even_tolerance(result)},
+                    result.finding->arrival,
+                    result.finding->pulse->response};
   }
   const auto found = point_of(request, parts);
   if (!found) {

@@ -35,6 +35,7 @@ constexpr std::array physical_forms{
     PhysicalForm{Quantity::final_position, "final_position_m", Dimension::length},
     PhysicalForm{Quantity::final_velocity, "final_velocity_m_per_s", Dimension::velocity},
     PhysicalForm{Quantity::stick_time, "stick_time_s", Dimension::time},
+    PhysicalForm{Quantity::locked_from, "locked_from_s", Dimension::time},
 };
 
 /// Of p or p_high.

@@ -140,8 +140,8 @@ BOOST_AUTO_TEST_CASE(a_low_figure_has_two_values_beside_it_at_least) {
   figure.height = 160;
   figure.y = {"W", -0.37, 0.31};
   const std::string text = svg(figure, Frame::in_page);
-  BOOST_TEST(text.find(">-0.2</text>") != std::string::npos);
-  BOOST_TEST(text.find(">0.2</text>") != std::string::npos);
+  BOOST_TEST(contains(text, ">-0.2</text>"));
+  BOOST_TEST(contains(text, ">0.2</text>"));
 }
 
 BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(sheet_draws_every_figure_and_one_legend) {
   BOOST_TEST(contains(text, "all-title"));
   BOOST_TEST(contains(text, "x=\"450\" y=\""));
   const std::string entry = ">mark</text>";
-  BOOST_TEST(text.find(entry) != std::string::npos);
+  BOOST_TEST(contains(text, entry));
   BOOST_TEST(text.find(entry) == text.rfind(entry));
 }
 

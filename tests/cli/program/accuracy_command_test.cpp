@@ -8,7 +8,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,10 @@ using namespace stillpoint::cli_test;
 using nlohmann::json;
 namespace data = boost::unit_test::data;
 
-const Arguments s1{"accuracy", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"};
-const Arguments s4{"accuracy", "--v0",     "0.5",  "--p",          "1",        "--f",
-                   "0.18",     "--delta",  "0",    "--excitation", "harmonic", "--k",
-                   "0.2",      "--lambda", "0.35", "--t-end",      "200"};
+const Arguments s1("accuracy --v0 1 --p 1 --f 0.02 --delta 0.02");
+const Arguments s4(
+    "accuracy --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 "
+    "--t-end 200");
 
 /// The first of a name, the kernel's, or the one of a setting.
 json method(const json& report, const std::string& name, const std::string& setting = "") {
@@ -55,6 +54,23 @@ BOOST_AUTO_TEST_CASE(reference_is_that_of_the_tables) {
   BOOST_TEST(forced["reference"]["sticks"] == 22);
 }
 
+// H = 0.4^2/9.80665/p^2 with p = 2 pi/2.8 s * 0.4 m/s / g.
+BOOST_AUTO_TEST_CASE(physical_input_has_its_answer_in_metres_too) {
+  const Arguments scene{"accuracy", "--velocity", "0.4",       "--period", "2.8s",
+                        "--f",      "0.02",       "--delta-m", "6mm"};
+  const json report = report_of(*this, scene);
+  const json& physical = report["physical"];
+  const double length_m = 0.4 * 2.8 / (2 * std::acos(-1.0));
+  BOOST_TEST(near(physical["length_unit_m"], length_m, 1e-15));
+  BOOST_TEST(near(physical["peak_m"],
+                  report["reference"]["peak_amplitude"].get<double>() * length_m, 1e-15));
+  BOOST_TEST(physical["final_velocity_m_per_s"] == 0);
+  const std::string text = run(scene).out;
+  BOOST_TEST((text.find(" mm\n") != std::string::npos && text.find(" s\n") != std::string::npos),
+             text);
+  BOOST_TEST(report_of(*this, s1)["physical"].is_null());
+}
+
 BOOST_AUTO_TEST_CASE(kernel_is_the_one_that_simulate_uses_and_is_right) {
   for (const Arguments& scene : {s1, s4}) {
     const json report = report_of(*this, scene);
@@ -84,21 +100,18 @@ BOOST_AUTO_TEST_CASE(integrators_are_as_good_as_their_setting) {
 
 // 424 half-cycles: what a loose setting gets wrong is said to be wrong.
 BOOST_AUTO_TEST_CASE(wrong_count_is_shown_as_wrong) {
-  const json report =
-      report_of(*this, {"accuracy", "--v0", "1", "--p", "1", "--f", "1e-3", "--delta", "1e-4"});
+  const json report = report_of(*this, "accuracy --v0 1 --p 1 --f 1e-3 --delta 1e-4");
   BOOST_TEST(method(report, "regularised")["counts_right"] == false);
   BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
-  const ProgramRun page =
-      run({"accuracy", "--v0", "1", "--p", "1", "--f", "1e-3", "--delta", "1e-4"});
-  BOOST_TEST(page.out.find("wrong") != std::string::npos);
+  const ProgramRun page = run("accuracy --v0 1 --p 1 --f 1e-3 --delta 1e-4");
+  BOOST_TEST(contains(page.out, "wrong"));
 }
 
 BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
   write("w.txt", "0.3\n-0.2\n0.1\n");
-  const Arguments shaken{"accuracy", "--p", "1", "--f", "0.05", "--delta", "0.001"};
-  for (const Arguments& excitation :
-       {Arguments{"--excitation", "half-sine", "--k", "0.5", "--lambda", "4"},
-        Arguments{"--record", "w.txt", "--record-step", "0.5"}}) {
+  const Arguments shaken("accuracy --p 1 --f 0.05 --delta 0.001");
+  for (const Arguments& excitation : {Arguments("--excitation half-sine --k 0.5 --lambda 4"),
+                                      Arguments("--record w.txt --record-step 0.5")}) {
     const json report = report_of(*this, joined(shaken, excitation));
     BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
     BOOST_TEST(method(report, "dopri5", "tolerance 1e-12")["counts_right"] == true);
@@ -107,14 +120,13 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
 }
 
 BOOST_AUTO_TEST_CASE(real_notches_are_compared_too) {
-  const Arguments motion{"accuracy", "--v0", "1", "--p", "1", "--f", "0.05", "--delta", "0.05"};
-  const json wide =
-      report_of(*this, joined(motion, {"--notch-width", "0.1", "--friction-zones", "0.3:0.1"}));
+  const Arguments motion("accuracy --v0 1 --p 1 --f 0.05 --delta 0.05");
+  const json wide = report_of(*this, joined(motion, "--notch-width 0.1 --friction-zones 0.3:0.1"));
   BOOST_TEST(wide["input"]["notch_width"] == 0.1);
   BOOST_TEST(wide["input"]["friction_zones"][0]["f"] == 0.1);
   BOOST_TEST(wide["reference"]["outcome"] == "stopped_in_notch");
-  const json held = report_of(*this, joined(motion, {"--hold", "0.2", "--excitation", "half-sine",
-                                                     "--k", "0.5", "--lambda", "1"}));
+  const json held =
+      report_of(*this, joined(motion, "--hold 0.2 --excitation half-sine --k 0.5 --lambda 1"));
   BOOST_TEST(held["input"]["hold"] == 0.2);
   for (const json& report : {wide, held}) {
     for (const char* const name : {"stillpoint", "dopri5", "RK4"}) {
@@ -124,14 +136,13 @@ BOOST_AUTO_TEST_CASE(real_notches_are_compared_too) {
 }
 
 BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
-  const Arguments held{"--v0", "0",    "--p",          "1",         "--f", "1",   "--delta",  "0",
-                       "--x0", "-0.5", "--excitation", "half-sine", "--k", "0.5", "--lambda", "1"};
-  const Arguments stops{"--v0",     "1",  "--p",          "1",         "--f", "0.8",
-                        "--delta",  "0",  "--excitation", "rectangle", "--k", "0.5",
-                        "--lambda", "0.1"};
+  const Arguments held(
+      "--v0 0 --p 1 --f 1 --delta 0 --x0 -0.5 --excitation half-sine --k 0.5 --lambda 1");
+  const Arguments stops(
+      "--v0 1 --p 1 --f 0.8 --delta 0 --excitation rectangle --k 0.5 --lambda 0.1");
   for (const Arguments& scene : {held, stops}) {
-    const json report = report_of(*this, joined({"accuracy"}, scene));
-    const json simulated = report_of(*this, joined({"simulate"}, scene))["response"];
+    const json report = report_of(*this, joined("accuracy", scene));
+    const json simulated = report_of(*this, joined("simulate", scene))["response"];
     BOOST_TEST(report["reference"]["outcome"] == "stopped_in_dead_zone");
     BOOST_TEST(simulated["outcome"] == "stopped_in_dead_zone");
     BOOST_TEST(near(report["reference"]["end_time"], simulated["stop_time"], 1e-15));
@@ -140,8 +151,7 @@ BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
 }
 
 BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
-  const json report =
-      report_of(*this, {"accuracy", "--v0", "1", "--p", "1", "--f", "1e-4", "--delta", "1e-4"});
+  const json report = report_of(*this, "accuracy --v0 1 --p 1 --f 1e-4 --delta 1e-4");
   const json fine = method(report, "RK4", "step 0.001");
   BOOST_TEST(fine["wall_time_s"].is_null());
   BOOST_TEST(fine["counts_right"].is_null());
@@ -151,22 +161,20 @@ BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
 
 // Friction holds the mass: each of these used to run without end.
 BOOST_AUTO_TEST_CASE(where_nothing_moves_it_says_so) {
-  for (const Arguments& still :
-       {Arguments{"accuracy", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.2"},
-        Arguments{"accuracy", "--v0", "0", "--p", "1", "--f", "0.1", "--delta", "0", "--excitation",
-                  "rectangle", "--k", "0.05", "--lambda", "1"}}) {
+  for (const Arguments& still : {Arguments("accuracy --v0 0.1 --p 1 --f 0.1 --delta 0.2"),
+                                 Arguments("accuracy --v0 0 --p 1 --f 0.1 --delta 0 --excitation "
+                                           "rectangle --k 0.05 --lambda 1")}) {
     const json report = report_of(*this, still);
     BOOST_TEST(method(report, "dopri5")["not_run"] == "nothing_moves");
     BOOST_TEST(method(report, "regularised")["not_run"] == "nothing_moves");
     BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
-    BOOST_TEST(run(still).out.find("not run: nothing moves") != std::string::npos);
+    BOOST_TEST(contains(run(still).out, "not run: nothing moves"));
   }
 }
 
 // The scene S1 in units of 1e-5: counts and relative errors do not depend on units.
 BOOST_AUTO_TEST_CASE(dopri5_is_as_good_on_a_small_motion) {
-  const json report =
-      report_of(*this, {"accuracy", "--v0", "1e-5", "--p", "1", "--f", "2e-7", "--delta", "2e-12"});
+  const json report = report_of(*this, "accuracy --v0 1e-5 --p 1 --f 2e-7 --delta 2e-12");
   const json loose = method(report, "dopri5", "tolerance 1e-06");
   BOOST_TEST(loose["counts_right"] == true);
   BOOST_TEST(loose["peak_error"].get<double>() > 1e-8);
@@ -178,17 +186,12 @@ BOOST_AUTO_TEST_SUITE_END()
 namespace {
 
 const std::vector<Wrong> wrong_scenes{
-    {"never_stops",
-     {"accuracy", "--v0", "1", "--p", "1", "--f", "0", "--delta", "0"},
-     {"never stops"}},
-    {"too_many_half_cycles",
-     {"accuracy", "--v0", "1", "--p", "1", "--f", "1e-9", "--delta", "1e-9"},
-     {"half-cycles"}},
-    {"too_far",
-     joined(Arguments(s4.begin(), s4.end() - 1), {"1e9"}),
+    {"accuracy --v0 1 --p 1 --f 0 --delta 0", {"never stops"}},
+    {"accuracy --v0 1 --p 1 --f 1e-9 --delta 1e-9", {"half-cycles"}},
+    {joined(Arguments(s4.begin(), s4.end() - 1), "1e9"),
      {"t-end = 1000000000", "too long for 50 digits"}},
-    {"f_missing", {"accuracy", "--v0", "1", "--p", "1", "--delta", "0"}, {"f is missing"}},
-    {"trajectory", joined(s1, {"--trajectory", "t.csv"}), {"--trajectory", "not an option of"}},
+    {"accuracy --v0 1 --p 1 --delta 0", {"f is missing"}},
+    {joined(s1, "--trajectory t.csv"), {"--trajectory", "not an option of"}},
 };
 
 }  // namespace

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The text of a report: the answer first, short enough for a terminal, the rest on demand.
 #include "run_program.hpp"
-#include "testing/contains.hpp"
 
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(answer_test)
 
@@ -21,8 +17,6 @@ constexpr std::size_t columns = 80;
 constexpr std::size_t lines_at_most = 16;  ///< some ten, with title, blank lines and long rows
 /// Parts or a trade-off were asked for: 20 rows and what stands around them.
 constexpr std::size_t lines_of_a_table = 26;
-
-using stillpoint::test::contains;
 
 }  // namespace
 
@@ -81,34 +75,32 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_comparison_says_how_far_the_kernel_is_off, Sandbox) {
-  const std::string text =
-      run({"accuracy", "--v0", "1", "--p", "1", "--f", "0.26", "--delta", "0.37"}).out;
+  const std::string text = run("accuracy --v0 1 --p 1 --f 0.26 --delta 0.37").out;
   BOOST_TEST(lines_of(text).at(1).starts_with("  The kernel of simulate is off by "), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_sweep_says_how_many_end_well, Sandbox) {
-  const Arguments motions{"sweep", "--v0", "1", "--p", "1", "--f", "0.26", "--output", "rows.csv"};
-  BOOST_TEST(lines_of(run(joined(motions, {"--delta", "0,0.37"})).out).at(1) ==
+  const Arguments motions("sweep --v0 1 --p 1 --f 0.26 --output rows.csv");
+  BOOST_TEST(lines_of(run(joined(motions, "--delta 0,0.37")).out).at(1) ==
              "  1 of 2 motions stop at x = 0, 1 off centre.");
-  BOOST_TEST(lines_of(run({"sweep", "--v0", "1", "--p", "1", "--beta", "0.5,0.9", "--reduce"}).out)
-                 .at(1) == "  1 of 2 problems have an admissible design.");
+  BOOST_TEST(lines_of(run("sweep --v0 1 --p 1 --beta 0.5,0.9 --reduce").out).at(1) ==
+             "  1 of 2 problems have an admissible design.");
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_begins_with_that, Sandbox) {
   const ProgramRun answer =
-      run({"simulate", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.1", "--excitation",
-           "harmonic", "--k", "0.3", "--lambda", "1", "--t-end", "20"});
+      run("simulate --v0 0.1 --p 1 --f 0.1 --delta 0.1 --excitation harmonic --k 0.3 --lambda 1 "
+          "--t-end 20");
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked at x = 0 from "), answer.out);
 }
 
 /// A notch with a width holds it where it stopped, not at x = 0.
 BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_in_a_wide_notch_says_where, Sandbox) {
-  const Arguments locked{"simulate", "--v0",    "1",    "--p",           "1",   "--f",
-                         "0.26",     "--delta", "0.37", "--notch-width", "0.1", "--excitation",
-                         "harmonic", "--k",     "0.01", "--lambda",      "1",   "--t-end",
-                         "20"};
+  const Arguments locked(
+      "simulate --v0 1 --p 1 --f 0.26 --delta 0.37 --notch-width 0.1 --excitation harmonic --k "
+      "0.01 --lambda 1 --t-end 20");
   const ProgramRun answer = run(locked);
-  const nlohmann::json response = run(joined(locked, {"--json"})).json()["response"];
+  const nlohmann::json response = run(joined(locked, "--json")).json()["response"];
   BOOST_TEST_REQUIRE(response["stop_position"] != 0);
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  Locked in the notch, at x = "), answer.out);
   BOOST_TEST(answer.err.starts_with("stillpoint: locked in the notch, at x = "), answer.err);
@@ -116,31 +108,29 @@ BOOST_FIXTURE_TEST_CASE(of_a_damper_that_locks_in_a_wide_notch_says_where, Sandb
 
 /// In the first line and as a warning, like one that locks.
 BOOST_FIXTURE_TEST_CASE(of_a_hit_that_the_notch_holds_begins_with_that, Sandbox) {
-  const Arguments held{"simulate", "--v0", "0.1", "--p", "1", "--f", "0.1", "--delta", "0.1"};
+  const Arguments held("simulate --v0 0.1 --p 1 --f 0.1 --delta 0.1");
   const ProgramRun answer = run(held);
   BOOST_TEST(lines_of(answer.out).at(1).starts_with("  It never starts: "), answer.out);
   BOOST_TEST(answer.err == "stillpoint: never starts: v0^2 < 2 delta, the notch holds it\n");
-  BOOST_TEST(run(joined(held, {"--quiet"})).err.empty());
+  BOOST_TEST(run(joined(held, "--quiet")).err.empty());
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_load_below_friction_says_that_nothing_moves, Sandbox) {
   const std::string text =
-      run({"simulate", "--p", "1", "--f", "0.5", "--delta", "0.1", "--excitation", "harmonic",
-           "--k", "0.2", "--lambda", "1", "--t-end", "20"})
+      run("simulate --p 1 --f 0.5 --delta 0.1 --excitation harmonic --k 0.2 --lambda 1 --t-end 20")
           .out;
   BOOST_TEST(lines_of(text).at(1).starts_with("  It never moves: "), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_near_it_is_to_another, Sandbox) {
-  const Arguments near{"simulate", "--v0", "1", "--p", "1", "--f", "0", "--delta", "0.4999"};
+  const Arguments near("simulate --v0 1 --p 1 --f 0 --delta 0.4999");
   BOOST_TEST(contains(run(near).out, "of another count or outcome"));
-  const Arguments far{"simulate", "--v0", "1", "--p", "1", "--f", "0.26", "--delta", "0.37"};
+  const Arguments far("simulate --v0 1 --p 1 --f 0.26 --delta 0.37");
   BOOST_TEST(!contains(run(far).out, "of another count or outcome"));
 }
 
 BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
-  const std::string text =
-      run({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f", "0.5", "--delta", "0.6"}).out;
+  const std::string text = run("region --v0 1 --p 1 --beta 0.9 --f 0.5 --delta 0.6").out;
   BOOST_TEST(contains(text, "\n  The damper is not admissible; it violates start, return. "), text);
   BOOST_TEST(contains(text, "violated"));
 }

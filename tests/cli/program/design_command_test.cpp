@@ -86,9 +86,10 @@ BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
 }
 
 BOOST_AUTO_TEST_CASE(echoes_the_input) {
-  const json report = report_of(
-      *this, design(0.9, {"--criterion", "exact", "--objective", "time", "--tolerance", "0.1",
-                          "--f-max", "0.3", "--delta-max", "0.45", "--algorithm", "LN_COBYLA"}));
+  const json report =
+      report_of(*this, design(0.9,
+                              "--criterion exact --objective time --tolerance 0.1 --f-max 0.3 "
+                              "--delta-max 0.45 --algorithm LN_COBYLA"));
   const json expected = {{"v0", 1},
                          {"p", 1},
                          {"beta", 0.9},
@@ -118,7 +119,7 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
 
 /// The rows are those that `region` lists for the same point.
 BOOST_AUTO_TEST_CASE(limits_that_are_given_have_their_rows) {
-  const Arguments limits{"--f-max", "0.3", "--delta-max", "0.45"};
+  const Arguments limits("--f-max 0.3 --delta-max 0.45");
   const json report = report_of(*this, design(0.9, limits));
   const json again = report_of(
       *this, joined({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f",
@@ -197,22 +198,20 @@ BOOST_AUTO_TEST_CASE(cross_check_passes_within_its_tolerance) {
 
 BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
   // Inputs that six, and even fifteen, digits would change.
-  const Arguments motion{"--v0", "1.0000000000000002", "--p", "0.30000000000000004"};
-  const json report = report_of(*this, joined({"design", "--beta", "3.3333333333333335"}, motion));
+  const Arguments motion("--v0 1.0000000000000002 --p 0.30000000000000004");
+  const json report = report_of(*this, joined("design --beta 3.3333333333333335", motion));
   BOOST_TEST(number(report, "input", "v0") == 1.0000000000000002);
   BOOST_TEST(number(report, "input", "p") == 0.30000000000000004);
   BOOST_TEST(number(report, "input", "beta") == 3.3333333333333335);
   const Arguments damper{"--f", in_full(number(report, "design", "f")), "--delta",
                          in_full(number(report, "design", "delta"))};
-  const json simulated = report_of(*this, joined(joined({"simulate"}, motion), damper));
+  const json simulated = report_of(*this, joined(joined("simulate", motion), damper));
   BOOST_TEST(simulated["response"] == report["response"]);
 }
 
 BOOST_AUTO_TEST_CASE(repeats_itself_apart_from_wall_times) {
-  const std::vector<Arguments> problems{
-      design(0.9),
-      design(0.9, {"--algorithm", "GN_CRS2_LM"}),
-      {"design", "--velocity", "0.4", "--period", "3", "--max-displacement", "0.16"}};
+  const std::vector<Arguments> problems{design(0.9), design(0.9, "--algorithm GN_CRS2_LM"),
+                                        "design --velocity 0.4 --period 3 --max-displacement 0.16"};
   for (const Arguments& arguments : problems) {
     BOOST_TEST(without_wall_times(report_of(*this, arguments)) ==
                without_wall_times(report_of(*this, arguments)));
@@ -232,16 +231,14 @@ BOOST_AUTO_TEST_CASE(for_people_names_every_part) {
   BOOST_TEST(text.exit_code == 0);
   BOOST_TEST(text.err.empty(), text.err);
   check_only_finite(text.out);
-  for (const char* part :
-       {"the bridge at noon", "0.259325", "0.36674", "36.34 %", "dead_zone", "start", "amplitude",
-        "return", "stop", "half_cycle_map", "runge_kutta", "LD_SLSQP", "published", "robust"}) {
-    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
-  }
+  check_contains(text.out, {"the bridge at noon", "0.259325", "0.36674", "36.34 %", "dead_zone",
+                            "start", "amplitude", "return", "stop", "half_cycle_map", "runge_kutta",
+                            "LD_SLSQP", "published", "robust"});
   BOOST_TEST(text.out.find('{') == std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(goes_into_a_file_as_the_same_json) {
-  const ProgramRun text = run(design(0.9, {"--output", "report.json"}));
+  const ProgramRun text = run(design(0.9, "--output report.json"));
   BOOST_TEST(text.exit_code == 0);
   BOOST_TEST(text.out.starts_with("Damper design"));
   const std::string written = read("report.json");
@@ -249,7 +246,7 @@ BOOST_AUTO_TEST_CASE(goes_into_a_file_as_the_same_json) {
              without_wall_times(report_of(*this, design(0.9))));
   BOOST_TEST(contents().size() == 1U);
 
-  const ProgramRun both = run(design(0.9, {"--json", "--output", "report.json"}));
+  const ProgramRun both = run(design(0.9, "--json --output report.json"));
   BOOST_TEST(read("report.json") == both.out);
 }
 
@@ -271,19 +268,19 @@ BOOST_AUTO_TEST_CASE(robust_design_has_the_largest_tolerance) {
 
 BOOST_AUTO_TEST_CASE(optimum_stands_beside_that_along_f) {
   constexpr double same = 2e-9;  // both stay a relative 1e-9 inside of open edges
-  const Arguments plain{"design", "--v0", "1", "--p", "1", "--beta", "2", "--tolerance", "0.05"};
+  const Arguments plain("design --v0 1 --p 1 --beta 2 --tolerance 0.05");
   for (const std::string objective : {"robust", "amplitude", "time", "acceleration"}) {
-    for (const Arguments& more : {Arguments{}, Arguments{"--arrivals", "3", "--f-max", "0.02"},
-                                  Arguments{"--residual", "0.05", "--arrivals", "2"}}) {
+    for (const Arguments& more : {Arguments{}, Arguments("--arrivals 3 --f-max 0.02"),
+                                  Arguments("--residual 0.05 --arrivals 2")}) {
       const Arguments asked = joined(joined(plain, {"--objective", objective}), more);
-      const json search = run(joined(asked, {"--json"})).json()["search"];
+      const json search = run(joined(asked, "--json")).json()["search"];
       if (objective == "time" && !more.empty() && more.front() == "--residual") {
         BOOST_TEST(search["optimum_along_f"].is_null());
         continue;
       }
       const double along_f = search["optimum_along_f"].get<double>();
       BOOST_TEST(std::abs(search["optimum"].get<double>() - along_f) <= same * along_f);
-      BOOST_TEST(run(joined(asked, {"--verbose"})).out.find("along f alone") != std::string::npos);
+      BOOST_TEST(contains(run(joined(asked, "--verbose")).out, "along f alone"));
     }
   }
 }
@@ -316,15 +313,15 @@ BOOST_AUTO_TEST_CASE(each_objective_is_best_at_its_own) {
 }
 
 BOOST_AUTO_TEST_CASE(limits_hold_for_the_whole_box) {
-  const json by_f = report_of(*this, design(0.9, {"--f-max", "0.2"}));
+  const json by_f = report_of(*this, design(0.9, "--f-max 0.2"));
   double reach = 1 + number(by_f, "design", "tolerance");
   BOOST_TEST(number(by_f, "design", "f") * reach <= 0.2 * (1 + 1e-12));
   BOOST_TEST(number(by_f, "region", "f_upper") == 0.2);
-  const json by_delta = report_of(*this, design(0.9, {"--delta-max", "0.2"}));
+  const json by_delta = report_of(*this, design(0.9, "--delta-max 0.2"));
   reach = 1 + number(by_delta, "design", "tolerance");
   BOOST_TEST(number(by_delta, "design", "delta") * reach <= 0.2 * (1 + 1e-12));
-  const json both = report_of(
-      *this, design(0.9, {"--f-max", "0.3", "--tolerance", "0.1", "--objective", "amplitude"}));
+  const json both =
+      report_of(*this, design(0.9, "--f-max 0.3 --tolerance 0.1 --objective amplitude"));
   BOOST_TEST(near(number(both, "region", "f_upper"), 0.3 / 1.1, 1e-15));
   BOOST_TEST(near(number(both, "design", "f"), 0.3 / 1.1, off_edge));
 }

@@ -14,6 +14,7 @@ namespace {
 
 using namespace stillpoint;
 using cli_test::check_fields;
+using cli_test::contains;
 
 design::DesignRequest plain_request() {
   design::DesignRequest request;
@@ -44,7 +45,7 @@ void check_failure(const design::DesignResult& result) {
   }
   BOOST_TEST(disagrees);
   const std::string text = report::text(document(report::DesignReport{result}));
-  BOOST_TEST(text.find("DISAGREES") != std::string::npos);
+  BOOST_TEST(contains(text, "DISAGREES"));
 }
 
 }  // namespace

@@ -109,9 +109,9 @@ BOOST_AUTO_TEST_CASE(name_every_option) {
       in_roff.insert(at, "\\");
     }
     const bool is_flag = option.kind == cli::OptionKind::flag;
-    BOOST_TEST(man.find(in_roff) != std::string::npos, in_roff);
-    BOOST_TEST(zsh.find("'--" + name + (is_flag ? "[" : "=[")) != std::string::npos, name);
-    BOOST_TEST(fish.find(" -l " + name + " ") != std::string::npos, name);
+    BOOST_TEST(contains(man, in_roff), in_roff);
+    BOOST_TEST(contains(zsh, "'--" + name + (is_flag ? "[" : "=[")), name);
+    BOOST_TEST(contains(fish, " -l " + name + " "), name);
   }
 }
 

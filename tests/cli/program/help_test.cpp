@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "options/options.hpp"
 #include "run_program.hpp"
-#include "testing/contains.hpp"
 
 #include <stillpoint/report/version.hpp>
 
@@ -24,8 +23,6 @@ using stillpoint::cli::Command;
 
 constexpr std::array commands{Command::design, Command::region, Command::simulate,
                               Command::spectrum, Command::sweep};
-
-using stillpoint::test::contains;
 
 Surroundings of_width(const char* columns) {
   Surroundings surroundings;
@@ -169,7 +166,8 @@ BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_and_80_where_that_is_unknown) {
 }
 
 BOOST_AUTO_TEST_CASE(is_printed_by_the_command_help_as_well) {
-  BOOST_TEST(run({"help"}).out == run({"--help"}).out);
+  BOOST_TEST(run("help").out == run("--help").out);
+  BOOST_TEST(run("help help").out == run("--help").out);
   for (const Command command : commands) {
     const std::string word(name(command));
     BOOST_TEST(run({"help", word}).out == run({word, "--help"}).out);
@@ -188,15 +186,13 @@ BOOST_AUTO_TEST_CASE(is_short_where_nothing_is_asked) {
 }
 
 BOOST_AUTO_TEST_CASE(begins_with_a_scene_that_can_be_designed_as_it_is) {
-  BOOST_TEST(run({"init"}).out == run({"init", "building"}).out);
+  BOOST_TEST(run("init").out == run("init building").out);
   for (const char* kind : {"building", "machine", "equipment"}) {
     const ProgramRun scene = run({"init", kind});
     BOOST_TEST(scene.exit_code == 0);
     BOOST_TEST(scene.err.empty(), scene.err);
     BOOST_TEST(contains(scene.out, "// "));
-    Surroundings from_it;
-    from_it.input = scene.out;
-    const ProgramRun design = run({"design", "-", "--json"}, from_it);
+    const ProgramRun design = run("design - --json", {.input = scene.out});
     BOOST_TEST(design.exit_code == 0, design.err);
     BOOST_TEST(design.err.empty(), design.err);
     BOOST_TEST(design.json()["design"]["tolerance"].get<double>() >=
@@ -205,16 +201,16 @@ BOOST_AUTO_TEST_CASE(begins_with_a_scene_that_can_be_designed_as_it_is) {
 }
 
 BOOST_AUTO_TEST_CASE(wins_over_wrong_input) {
-  BOOST_TEST(run({"design", "--v0", "nonsense", "--help"}).exit_code == 0);
+  BOOST_TEST(run("design --v0 nonsense --help").exit_code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(version_is_one_line) {
   const std::string expected = "stillpoint " + stillpoint::report::program_version();
   for (const Arguments& arguments : std::vector<Arguments>{{"--version"},
-                                                           {"design", "--version"},
-                                                           {"region", "--version"},
-                                                           {"simulate", "--version"},
-                                                           {"sweep", "--version"}}) {
+                                                           "design --version",
+                                                           "region --version",
+                                                           "simulate --version",
+                                                           "sweep --version"}) {
     const ProgramRun answer = run(arguments);
     BOOST_TEST(answer.exit_code == 0);
     BOOST_TEST(answer.err.empty(), answer.err);
@@ -234,7 +230,7 @@ BOOST_AUTO_TEST_CASE(version_says_with_what_it_was_built_and_runs) {
   expected << "stillpoint " << STILLPOINT_TEST_VERSION << " (NLopt " << major << '.' << minor << '.'
            << bugfix << ", " << STILLPOINT_TEST_BUILD_TYPE << " build, " << STILLPOINT_TEST_COMPILER
            << ")\n";
-  BOOST_TEST(run({"--version"}).out == expected.str());
+  BOOST_TEST(run("--version").out == expected.str());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -27,10 +27,9 @@ Arguments endless(const Arguments& more = {}, const std::string& t_end = "1e9") 
 
 BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
   write("old.json", "an old report\n");
-  Surroundings interrupted;
-  interrupted.interrupt = true;
-  for (const Arguments& more : {Arguments{}, Arguments{"--json", "--output", "old.json"},
-                                Arguments{"--trajectory", "motion.csv"}}) {
+  const Surroundings interrupted{.interrupt = true};
+  for (const Arguments& more :
+       {Arguments{}, Arguments("--json --output old.json"), Arguments("--trajectory motion.csv")}) {
     const ProgramRun stopped = run(endless(more), interrupted);
     BOOST_TEST(stopped.exit_code == 130);
     BOOST_TEST(stopped.out.empty(), stopped.out);
@@ -42,57 +41,47 @@ BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(is_refused_at_once_where_a_trajectory_of_it_would_be_too_long) {
-  check_refused(*this, {"",
-                        endless({"--trajectory", "motion.csv"}),
+  check_refused(*this, {endless("--trajectory motion.csv"),
                         {"t_end = 1000000000", "too many for a trajectory"}});
 }
 
 BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end,
                      *boost::unit_test::precondition(if_terminals)) {
-  Surroundings interrupted;
-  interrupted.interrupt = true;
-  interrupted.error_is_terminal = true;
+  const Surroundings interrupted{.error_is_terminal = true, .interrupt = true};
   const ProgramRun stopped = run(endless(), interrupted);
   BOOST_TEST(stopped.exit_code == 130);
   BOOST_TEST(stopped.err.starts_with("\rtau "), stopped.err);
-  BOOST_TEST(stopped.err.find(" of 1e+09, ") != std::string::npos, stopped.err);
+  BOOST_TEST(contains(stopped.err, " of 1e+09, "), stopped.err);
   // The line is cleared before the message takes its place.
-  BOOST_TEST(stopped.err.find("\r\x1b[Kstillpoint: interrupted") != std::string::npos, stopped.err);
+  BOOST_TEST(contains(stopped.err, "\r\x1b[Kstillpoint: interrupted"), stopped.err);
   BOOST_TEST(std::ranges::count(stopped.err, '\n') == 1);
 }
 
 BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_where_nobody_watches) {
-  Surroundings heard;
-  heard.interrupt_once_heard = true;
-  const ProgramRun stopped = run(endless({}, "1e12"), heard);  // days
+  const ProgramRun stopped = run(endless({}, "1e12"), {.interrupt_once_heard = true});  // days
   BOOST_TEST(stopped.exit_code == 130);
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
   BOOST_TEST(lines[0].starts_with("stillpoint: tau "), lines[0]);
-  BOOST_TEST(lines[0].find(" of 1e+12, 0 %: some ") != std::string::npos, lines[0]);
+  BOOST_TEST(contains(lines[0], " of 1e+12, 0 %: some "), lines[0]);
   BOOST_TEST(lines[0].ends_with(" minutes to go"), lines[0]);
   BOOST_TEST(lines[1].starts_with("stillpoint: interrupted "), lines[1]);
 }
 
 // At most V0/(2 f) half-cycles: 1e11 of them. A run that the limit refuses is not announced.
 BOOST_AUTO_TEST_CASE(of_free_motion_says_beforehand_that_it_takes_minutes) {
-  const Arguments free{"simulate", "--v0",  "1",       "--p",   "1",
-                       "--f",      "5e-12", "--delta", "1e-15", "--half-cycle-limit"};
-  Surroundings heard;
-  heard.interrupt_once_heard = true;
-  const ProgramRun stopped = run(joined(free, {"1e12"}), heard);
+  const Arguments free("simulate --v0 1 --p 1 --f 5e-12 --delta 1e-15 --half-cycle-limit");
+  const ProgramRun stopped = run(joined(free, "1e12"), {.interrupt_once_heard = true});
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 1U, stopped.err);
   BOOST_TEST(lines[0] == "stillpoint: up to 1e+11 half-cycles: this may take some 25 minutes");
-  const ProgramRun refused = run(joined(free, {"1e10"}));
+  const ProgramRun refused = run(joined(free, "1e10"));
   check_refusal(refused, {"1e+11 half-cycles; at most 1e+10"});
   BOOST_TEST(refused.err_lines().size() == 1U, refused.err);
 }
 
 BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_terminals)) {
-  Surroundings on_terminal;
-  on_terminal.error_is_terminal = true;
-  const ProgramRun brief = run(harmonic, on_terminal);
+  const ProgramRun brief = run(harmonic, {.error_is_terminal = true});
   BOOST_TEST(brief.exit_code == 0);
   BOOST_TEST(brief.err.empty(), brief.err);
 }

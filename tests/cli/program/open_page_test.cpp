@@ -16,7 +16,7 @@ namespace {
 using namespace stillpoint::cli_test;
 namespace fs = std::filesystem;
 
-const Arguments region{"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--open"};
+const Arguments region("region --v0 1 --p 1 --beta 0.9 --open");
 
 /// A browser that writes its arguments to a file, in one step, once it has seen the page.
 void write_browser(const Sandbox& sandbox) {
@@ -46,7 +46,7 @@ std::string seen(const Sandbox& sandbox) {
 BOOST_FIXTURE_TEST_CASE(shows_the_page_that_is_written, Sandbox) {
   write_browser(*this);
   const std::string program = path("browser.sh").string();
-  const ProgramRun answer = run(joined(region, {"--html", "page.html"}), with_browser(program));
+  const ProgramRun answer = run(joined(region, "--html page.html"), with_browser(program));
   BOOST_TEST(answer.exit_code == 0, answer.err);
   BOOST_TEST(answer.err.empty(), answer.err);
   BOOST_TEST(seen(*this) == path("page.html").string() + "\n");
@@ -66,11 +66,52 @@ BOOST_FIXTURE_TEST_CASE(shows_a_temporary_page_where_none_is_asked_for, Sandbox)
   BOOST_TEST(shown.ends_with("/page.html\n"), shown);
 }
 
+// A copy of the program in bin, where it finds the page that is installed beside it, or none.
+struct InstalledProgram : Sandbox {
+  InstalledProgram() {
+    fs::create_directories(path("usr/bin"));
+    fs::create_directories(path("usr/share/stillpoint"));
+    fs::copy_file(built_program(), path("usr/bin/stillpoint"));
+    write_browser(*this);
+    surroundings = with_browser(path("browser.sh").string());
+    surroundings.program = path("usr/bin/stillpoint").string();
+  }
+  Surroundings surroundings;
+};
+
+BOOST_FIXTURE_TEST_CASE(explores_with_the_page_that_is_installed, InstalledProgram) {
+  const std::string page = "usr/share/stillpoint/stillpoint.html";
+  write(page, "<html></html>");
+  BOOST_TEST(run({"explore", "path"}, surroundings).out == path(page).string() + "\n");
+  BOOST_TEST(run({"explore"}, surroundings).exit_code == 0);
+  BOOST_TEST(seen(*this) == path(page).string() + "\n");
+  check_refusal(run({"explore", "elsewhere"}, surroundings),
+                {"explore", "elsewhere", "open or path"});
+}
+
+BOOST_FIXTURE_TEST_CASE(links_a_design_to_that_page, InstalledProgram) {
+  const Arguments design{"design",   "--velocity", "0.3m/s:0.4m/s",
+                         "--period", "2.8s",       "--max-displacement",
+                         "150mm",    "--html",     "page.html"};
+  BOOST_TEST(run(design, surroundings).exit_code == 0);
+  BOOST_TEST(read("page.html").find("stillpoint.html#") == std::string::npos);
+  write("usr/share/stillpoint/stillpoint.html", "<html></html>");
+  BOOST_TEST(run(design, surroundings).exit_code == 0);
+  const std::string link =
+      "href=\"file://" + path("usr/share/stillpoint/stillpoint.html").string() +
+      "#max-displacement=150mm&amp;period=2.8s&amp;velocity=0.3m%2Fs:0.4m%2Fs\"";
+  BOOST_TEST(read("page.html").find(link) != std::string::npos, read("page.html").substr(0, 4000));
+}
+
+BOOST_FIXTURE_TEST_CASE(says_how_to_make_the_page_that_is_not_there, InstalledProgram) {
+  check_refusal(run({"explore"}, surroundings), {"explore", "not installed", "./dev explorer"});
+}
+
 BOOST_FIXTURE_TEST_CASE(is_refused_where_there_is_no_browser, Sandbox) {
   Surroundings nothing = with_browser("no-such-browser");
   nothing.environment.emplace_back("PATH", path("").string());
   const auto before = contents();
-  check_refusal(run(joined(region, {"--html", "page.html"}), nothing),
+  check_refusal(run(joined(region, "--html page.html"), nothing),
                 {"open", "no browser is found", "BROWSER", "--html"});
   BOOST_TEST(contents() == before);
   Surroundings no_room = with_browser("/bin/sh");
@@ -80,7 +121,7 @@ BOOST_FIXTURE_TEST_CASE(is_refused_where_there_is_no_browser, Sandbox) {
 
 BOOST_FIXTURE_TEST_CASE(is_not_done_after_a_wrong_input, Sandbox) {
   write_browser(*this);
-  check_refusal(run(joined(region, {"--f", "-1"}), with_browser(path("browser.sh").string())),
+  check_refusal(run(joined(region, "--f -1"), with_browser(path("browser.sh").string())),
                 {"f = -1"});
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   BOOST_TEST(!fs::exists(path("seen.txt")));

@@ -7,7 +7,6 @@
 
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 BOOST_AUTO_TEST_SUITE(output_test)
@@ -19,7 +18,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 Arguments design(const Arguments& more = {}) {
-  return joined({"design", "--v0", "1", "--p", "1", "--beta", "0.9"}, more);
+  return joined("design --v0 1 --p 1 --beta 0.9", more);
 }
 
 bool is_report(const std::string& text) {
@@ -50,16 +49,11 @@ unsigned permissions(const fs::path& path) {
 }
 
 Surroundings on_terminal() {
-  Surroundings surroundings;
-  surroundings.output = StandardOutput::terminal;
-  return surroundings;
+  return {.output = StandardOutput::terminal};
 }
 
 Surroundings into_file(const fs::path& path) {
-  Surroundings surroundings;
-  surroundings.output = StandardOutput::file;
-  surroundings.output_file = path.string();
-  return surroundings;
+  return {.output = StandardOutput::file, .output_file = path.string()};
 }
 
 }  // namespace
@@ -69,7 +63,7 @@ BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 BOOST_AUTO_TEST_CASE(replaces_an_old_one_by_a_new_one) {
   write("report.json", std::string(100'000, '#'));
   fs::create_hard_link(path("report.json"), path("old"));
-  BOOST_TEST(run(design({"--output", "report.json"})).exit_code == 0);
+  BOOST_TEST(run(design("--output report.json")).exit_code == 0);
   BOOST_TEST(is_report(read("report.json")));
   // Never written into: whoever has the old one open still has all of it.
   BOOST_TEST(read("old") == std::string(100'000, '#'));
@@ -78,7 +72,7 @@ BOOST_AUTO_TEST_CASE(replaces_an_old_one_by_a_new_one) {
 
 BOOST_AUTO_TEST_CASE(may_lie_in_another_directory) {
   fs::create_directory(path("reports"));
-  BOOST_TEST(run(design({"--output", "reports/new.json"})).exit_code == 0);
+  BOOST_TEST(run(design("--output reports/new.json")).exit_code == 0);
   BOOST_TEST(run(design({"--output", path("reports/absolute.json").string()})).exit_code == 0);
   BOOST_TEST(is_report(read("reports/new.json")));
   BOOST_TEST(is_report(read("reports/absolute.json")));
@@ -89,7 +83,7 @@ BOOST_AUTO_TEST_CASE(keeps_a_link_and_replaces_what_it_points_to) {
   fs::create_directory(path("elsewhere"));
   write("elsewhere/target.json", "old");
   fs::create_symlink("elsewhere/target.json", path("link.json"));
-  BOOST_TEST(run(design({"--output", "link.json"})).exit_code == 0);
+  BOOST_TEST(run(design("--output link.json")).exit_code == 0);
   BOOST_TEST(fs::is_symlink(path("link.json")));
   BOOST_TEST(!fs::is_symlink(path("elsewhere/target.json")));
   BOOST_TEST(is_report(read("elsewhere/target.json")));
@@ -98,7 +92,7 @@ BOOST_AUTO_TEST_CASE(keeps_a_link_and_replaces_what_it_points_to) {
 
 BOOST_AUTO_TEST_CASE(keeps_a_link_to_what_does_not_exist_yet) {
   fs::create_symlink("later.json", path("link.json"));
-  BOOST_TEST(run(design({"--output", "link.json"})).exit_code == 0);
+  BOOST_TEST(run(design("--output link.json")).exit_code == 0);
   BOOST_TEST(fs::is_symlink(path("link.json")));
   BOOST_TEST(is_report(read("link.json")));
 }
@@ -107,9 +101,9 @@ BOOST_AUTO_TEST_CASE(is_refused_where_links_lead_in_a_circle) {
   fs::create_symlink("b.json", path("a.json"));
   fs::create_symlink("a.json", path("b.json"));
   const auto before = contents();
-  const ProgramRun answer = run(design({"--output", "a.json"}));
+  const ProgramRun answer = run(design("--output a.json"));
   BOOST_TEST(answer.exit_code == 2);
-  BOOST_TEST(answer.err.find("output a.json: cannot be written") != std::string::npos, answer.err);
+  BOOST_TEST(contains(answer.err, "output a.json: cannot be written"), answer.err);
   BOOST_TEST(contents() == before);
 }
 
@@ -126,33 +120,32 @@ BOOST_AUTO_TEST_CASE(of_the_trajectory_is_replaced_alike) {
   write("motion.csv", "old");
   fs::create_hard_link(path("motion.csv"), path("old"));
   const Mask set(0027);
-  BOOST_TEST(run({"simulate", "--v0", "1", "--p", "1", "--f", "0.1", "--delta", "0.1",
-                  "--trajectory", "motion.csv"})
-                 .exit_code == 0);
+  BOOST_TEST(run("simulate --v0 1 --p 1 --f 0.1 --delta 0.1 --trajectory motion.csv").exit_code ==
+             0);
   BOOST_TEST(read("motion.csv").starts_with("tau,x,v\n"));
   BOOST_TEST(read("old") == "old");
   BOOST_TEST(permissions(path("motion.csv")) == 0640U);
 }
 
 BOOST_AUTO_TEST_CASE(may_be_the_standard_output) {
-  const ProgramRun text = run(design({"--output", "/dev/stdout"}));
+  const ProgramRun text = run(design("--output /dev/stdout"));
   BOOST_TEST(text.exit_code == 0);
   const std::size_t behind = text.out.find("\n}\n");
   BOOST_TEST_REQUIRE(behind != std::string::npos);
   BOOST_TEST(is_report(text.out.substr(0, behind + 3)));
   BOOST_TEST(text.out.substr(behind + 3).starts_with("Damper design\n"));
-  BOOST_TEST(run(design({"--output", "/dev/null"})).exit_code == 0);
+  BOOST_TEST(run(design("--output /dev/null")).exit_code == 0);
   BOOST_TEST(contents().empty());
 }
 
 BOOST_AUTO_TEST_CASE(that_is_the_standard_output_is_added_to_and_not_replaced) {
   write("log", "a line from before\n");
-  const ProgramRun quiet = run(design({"--output", "/dev/stdout"}), into_file(path("log")));
+  const ProgramRun quiet = run(design("--output /dev/stdout"), into_file(path("log")));
   BOOST_TEST(quiet.exit_code == 0);
   const std::string log = read("log");
   BOOST_TEST(log.starts_with("a line from before\n"));
-  BOOST_TEST(log.find("design-report/1") != std::string::npos);
-  BOOST_TEST(log.find("Damper design\n") != std::string::npos);
+  BOOST_TEST(contains(log, "design-report/1"));
+  BOOST_TEST(contains(log, "Damper design\n"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -161,11 +154,9 @@ BOOST_FIXTURE_TEST_SUITE(colour, Sandbox, *boost::unit_test::precondition(if_ter
 
 namespace {
 
-const std::vector<Arguments> reports{
-    design(),
-    {"design", "--v0", "1", "--p", "1", "--beta", "0.6"},
-    {"region", "--v0", "1", "--p", "1", "--beta", "0.8", "--f", "0.3", "--delta", "0.01"},
-    {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"}};
+const std::vector<Arguments> reports{design(), "design --v0 1 --p 1 --beta 0.6",
+                                     "region --v0 1 --p 1 --beta 0.8 --f 0.3 --delta 0.01",
+                                     "simulate --v0 1 --p 1 --f 0.02 --delta 0.02"};
 
 }  // namespace
 
@@ -201,13 +192,13 @@ BOOST_AUTO_TEST_CASE(not_on_a_terminal_that_has_none) {
 }
 
 BOOST_AUTO_TEST_CASE(not_in_json) {
-  const ProgramRun answer = run(design({"--json"}), on_terminal());
+  const ProgramRun answer = run(design("--json"), on_terminal());
   BOOST_TEST(!has_escapes(answer.out));
   BOOST_TEST(is_report(answer.out));
 }
 
 BOOST_AUTO_TEST_CASE(not_in_the_file_beside_a_coloured_report) {
-  BOOST_TEST(has_escapes(run(design({"--output", "report.json"}), on_terminal()).out));
+  BOOST_TEST(has_escapes(run(design("--output report.json"), on_terminal()).out));
   BOOST_TEST(!has_escapes(read("report.json")));
 }
 

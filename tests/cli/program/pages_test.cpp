@@ -46,15 +46,6 @@ struct Shown {
   std::vector<std::string> output;
 };
 
-Arguments words(const std::string& line) {
-  static const std::regex word("'([^']*)'|(\\S+)");
-  Arguments found;
-  for (std::sregex_iterator match(line.begin(), line.end(), word), none; match != none; ++match) {
-    found.push_back((*match)[1].matched ? (*match)[1].str() : (*match)[2].str());
-  }
-  return found;
-}
-
 /// Commands are indented by four and start with the program's name; "# exit code N" says how one
 /// ends. A fenced block without a language, anywhere before the next command, is output; "..." in
 /// it stands for lines left out.
@@ -73,7 +64,7 @@ std::vector<Shown> shown_in(const fs::path& page) {
         found.back().output.push_back(line);
       }
     } else if (std::regex_match(line, match, command)) {
-      found.push_back({words(match[1]), 0, {}});
+      found.push_back({match[1].str().c_str(), 0, {}});
       if (std::regex_search(line, match, ends)) {
         found.back().exit_code = std::stoi(match[1]);
       }
@@ -101,9 +92,7 @@ BOOST_FIXTURE_TEST_CASE(each_command_runs_and_prints_what_is_shown, Sandbox) {
       }
       BOOST_TEST(answer.exit_code == shown.exit_code, line << "\n" << answer.err);
       for (const std::string& output : shown.output) {
-        BOOST_TEST((answer.out.find(output + "\n") != std::string::npos),
-                   line << "\ndoes not print\n"
-                        << output);
+        BOOST_TEST(contains(answer.out, output + "\n"), line << "\ndoes not print\n" << output);
       }
     }
   }

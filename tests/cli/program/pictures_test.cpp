@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report_fields.hpp"
 #include "run_program.hpp"
-#include "testing/contains.hpp"
 #include "testing/printing.hpp"
 
 #include <boost/property_tree/ptree.hpp>
@@ -24,17 +23,14 @@ using boost::property_tree::ptree;
 
 constexpr double rounding = 0.006;  // of pixels, which have two decimals
 
-const Arguments plain{"design", "--v0", "1", "--p", "1", "--beta", "0.8"};
+const Arguments plain("design --v0 1 --p 1 --beta 0.8");
 
 ptree parsed(const std::string& text) {
-  std::istringstream stream(
-      text.substr(text.find("<html") == std::string::npos ? 0 : text.find("<html")));
+  std::istringstream stream(text.substr(!contains(text, "<html") ? 0 : text.find("<html")));
   ptree tree;
   BOOST_REQUIRE_NO_THROW(boost::property_tree::read_xml(stream, tree));
   return tree;
 }
-
-using stillpoint::test::contains;
 
 /// Nothing is loaded from anywhere.
 void check_offline(const std::string& page) {
@@ -61,7 +57,7 @@ Range attribute(const std::string& svg, const std::string& name) {
 BOOST_FIXTURE_TEST_SUITE(pictures, Sandbox)
 
 BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
-  const ProgramRun answer = run(joined(plain, {"--html", "page.html", "--svg", "figures"}));
+  const ProgramRun answer = run(joined(plain, "--html page.html --svg figures"));
   BOOST_TEST(answer.exit_code == 0, answer.err);
   const std::string page = read("page.html");
   check_offline(page);
@@ -94,7 +90,7 @@ BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
 }
 
 BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
-  const ProgramRun answer = run(joined(plain, {"--json", "--html", "page.html"}));
+  const ProgramRun answer = run(joined(plain, "--json --html page.html"));
   const auto design = answer.json()["design"];
   const std::string page = read("page.html");
   const std::string region = page.substr(page.find("<svg"), page.find("motion-title"));
@@ -119,8 +115,7 @@ BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
 }
 
 BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
-  const ProgramRun answer =
-      run({"design", "--v0", "1", "--p", "1", "--beta", "0.6", "--html", "page.html"});
+  const ProgramRun answer = run("design --v0 1 --p 1 --beta 0.6 --html page.html");
   BOOST_TEST(answer.exit_code == 3);
   const std::string page = read("page.html");
   check_offline(page);
@@ -132,8 +127,7 @@ BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
 
 BOOST_AUTO_TEST_CASE(account_for_all_energy) {
   // 1/2 = f * path + delta * passages + the rest's share, which the notch takes as well.
-  const ProgramRun answer = run(
-      {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02", "--svg", "figures"});
+  const ProgramRun answer = run("simulate --v0 1 --p 1 --f 0.02 --delta 0.02 --svg figures");
   BOOST_TEST(answer.exit_code == 0, answer.err);
   const std::string text = read("figures/energy.svg");
   std::smatch found;
@@ -147,7 +141,7 @@ BOOST_AUTO_TEST_CASE(account_for_all_energy) {
 }
 
 BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
-  const Arguments simulate{"simulate", "--p", "1", "--html", "page.html"};
+  const Arguments simulate("simulate --p 1 --html page.html");
   for (const Arguments& motion :
        std::vector<Arguments>{{"--v0", "1", "--f", "0", "--delta", "0"},
                               {"--v0", "1", "--f", "1e-9", "--delta", "0"},
@@ -169,7 +163,7 @@ BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
 
 BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
   const Arguments titled = joined(plain, {"--title", "</pre><script>x</script> & \"y\""});
-  BOOST_TEST(run(joined(titled, {"--html", "one.html"})).exit_code == 0);
+  BOOST_TEST(run(joined(titled, "--html one.html")).exit_code == 0);
   const std::string page = read("one.html");
   parsed(page);
   BOOST_TEST(!contains(page, "<script>x"));
@@ -180,7 +174,7 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
     scene = std::regex_replace(scene, std::regex(name), sign);
   }
   write("scene.json", scene);
-  const ProgramRun again = run({"design", "scene.json", "--html", "two.html"});
+  const ProgramRun again = run("design scene.json --html two.html");
   BOOST_TEST(again.exit_code == 0, again.err);
   const auto figures = [](const std::string& text) {
     return text.substr(0, text.find("<h2>Cross"));
@@ -189,8 +183,8 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
-  const ProgramRun answer = run({"design", "--pulse", "half-sine", "--k", "0.5", "--lambda", "20",
-                                 "--p", "1", "--beta", "0.05", "--html", "page.html", "--json"});
+  const ProgramRun answer =
+      run("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --html page.html --json");
   BOOST_TEST(answer.exit_code == 0, answer.err);
   const std::string page = read("page.html");
   check_offline(page);
@@ -207,8 +201,8 @@ BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
 
 BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
   const ProgramRun answer =
-      run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-3:0.4:2000", "--delta", "0:0.55:2000",
-           "--output", "map.npy", "--html", "page.html", "--svg", "figures"});
+      run("sweep --v0 1 --p 1 --f 1e-3:0.4:2000 --delta 0:0.55:2000 --output map.npy --html "
+          "page.html --svg figures");
   BOOST_TEST(answer.exit_code == 0, answer.err);
   const std::string page = read("page.html");
   check_offline(page);
@@ -223,8 +217,8 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
 
 BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
   const ProgramRun answer =
-      run({"sweep", "--p", "1", "--f", "0.01:0.3:20", "--delta", "0:0.03:20", "--excitation",
-           "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "100", "--html", "page.html"});
+      run("sweep --p 1 --f 0.01:0.3:20 --delta 0:0.03:20 --excitation harmonic --k 0.2 --lambda "
+          "0.35 --t-end 100 --html page.html");
   BOOST_TEST(answer.exit_code == 0, answer.err);
   const std::string page = read("page.html");
   check_offline(page);
@@ -235,8 +229,7 @@ BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
 
 BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_runs) {
   write("list.csv", "f,delta\n0.1,0.1\n");
-  const Arguments sweep{"sweep",    "--v0",     "1",      "--p",      "1",
-                        "--output", "rows.csv", "--html", "page.html"};
+  const Arguments sweep("sweep --v0 1 --p 1 --output rows.csv --html page.html");
   for (const auto& [more, word] : std::vector<std::pair<Arguments, std::string>>{
            {{"--f", "0.1,0.2", "--delta", "0:1:5"},
             "f = 0.1,0.2: must be a range first:last:count"},
@@ -253,8 +246,7 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_run
 }
 
 BOOST_AUTO_TEST_CASE(of_a_sweep_that_cannot_be_written_are_refused_before_it_runs) {
-  const Arguments sweep{"sweep",     "--v0",    "1",       "--p",      "1",       "--f",
-                        "0.1:0.3:5", "--delta", "0:0.5:5", "--output", "rows.csv"};
+  const Arguments sweep("sweep --v0 1 --p 1 --f 0.1:0.3:5 --delta 0:0.5:5 --output rows.csv");
   for (const auto& [option, place] : std::vector<std::pair<std::string, std::string>>{
            {"--html", "none/page.html"}, {"--svg", "/proc/none"}, {"--svg", ""}}) {
     const ProgramRun answer = run(joined(sweep, {option, place}));
@@ -270,8 +262,8 @@ BOOST_AUTO_TEST_CASE(of_an_excitation_end_with_the_run) {
   for (const auto& [excitation, last] : std::vector<std::pair<Arguments, double>>{
            {{"--excitation", "rectangle", "--k", "0.5", "--lambda", "0.1", "--t-end", "5"}, 0.5},
            {{"--record", "record.txt", "--t-end", "2.5"}, 0}}) {
-    const ProgramRun answer = run(joined(
-        {"simulate", "--p", "1", "--f", "0.02", "--delta", "0", "--svg", "figures"}, excitation));
+    const ProgramRun answer =
+        run(joined("simulate --p 1 --f 0.02 --delta 0 --svg figures", excitation));
     BOOST_TEST(answer.exit_code == 0, answer.err);
     const std::string text = read("figures/excitation.svg");
     const Range y = attribute(text, "data-y");
@@ -290,20 +282,20 @@ BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
   }
   write("record.txt", record);
   const ProgramRun answer =
-      run({"simulate", "--p", "0.01", "--f", "0.001", "--delta", "0", "--record", "record.txt",
-           "--record-step", "0.01", "--html", "page.html"});
+      run("simulate --p 0.01 --f 0.001 --delta 0 --record record.txt --record-step 0.01 --html "
+          "page.html");
   BOOST_TEST(answer.exit_code == 0, answer.err);
   BOOST_TEST(read("page.html").size() < 1'000'000U);
 }
 
 BOOST_AUTO_TEST_CASE(make_the_directory_that_they_go_to) {
-  BOOST_TEST(run(joined(plain, {"--svg", "new/figures"})).exit_code == 0);
+  BOOST_TEST(run(joined(plain, "--svg new/figures")).exit_code == 0);
   BOOST_TEST(std::filesystem::exists(path("new/figures/region.svg")));
 }
 
 BOOST_AUTO_TEST_CASE(need_a_directory_that_can_be_made) {
   write("none", "a file");
-  const ProgramRun answer = run(joined(plain, {"--svg", "none", "--html", "page.html"}));
+  const ProgramRun answer = run(joined(plain, "--svg none --html page.html"));
   BOOST_TEST(answer.exit_code == 2);
   BOOST_TEST(contents().size() == 1U);
 }

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(record_scaling_command_test)
@@ -33,18 +32,17 @@ constexpr const char* long_load = "0 0.25\n1 0.25\n2 0.25\n3 0.25\n4 0.25\n5 0.2
 /// What the displacement under a load that stays overshoots to.
 const double overshoot = 1 + std::exp(-std::numbers::pi * 0.05 / std::sqrt(1 - 0.05 * 0.05));
 
-const Arguments moved{"simulate", "--f", "0.05", "--delta-m", "1mm", "--period", "2.8s"};
+const Arguments moved("simulate --f 0.05 --delta-m 1mm --period 2.8s");
 /// A damper that does not move.
-const Arguments held{"design",  "--period",         "2.8s", "--search-f",
-                     "100:100", "--search-delta-m", "0:0"};
+const Arguments held("design --period 2.8s --search-f 100:100 --search-delta-m 0:0");
 
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
   write("a.txt", small_record);
-  const Arguments record = joined(moved, {"--record", "a.txt"});
-  const json twice = report_of(*this, joined(record, {"--record-scale", "-2"}));
-  const json peak = report_of(*this, joined(record, {"--record-peak", "0.8g"}));
+  const Arguments record = joined(moved, "--record a.txt");
+  const json twice = report_of(*this, joined(record, "--record-scale -2"));
+  const json peak = report_of(*this, joined(record, "--record-peak 0.8g"));
   const json excitation = peak["input"]["excitation"];
   BOOST_TEST(excitation["record_scale"] == nullptr);
   BOOST_TEST(excitation["record_peak"] == 0.8);
@@ -56,9 +54,8 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
   BOOST_TEST(twice["input"]["excitation"]["pga"] == 0.8);
   // The other way round, the motion is the same.
   BOOST_TEST(peak["response"]["peak_amplitude"] == twice["response"]["peak_amplitude"]);
-  const ProgramRun text = run(joined(record, {"--record-peak", "0.8g", "--verbose"}));
-  BOOST_TEST(text.out.find("values in g, times 2; the peak is then 0.8 g") != std::string::npos,
-             text.out);
+  const ProgramRun text = run(joined(record, "--record-peak 0.8g --verbose"));
+  BOOST_TEST(contains(text.out, "values in g, times 2; the peak is then 0.8 g"), text.out);
 }
 
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
@@ -66,15 +63,14 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
   const auto factor = [&](const Arguments& arguments) {
     return report_of(*this, arguments)["input"]["excitation"]["record_factor"].get<double>();
   };
-  const Arguments record = joined(moved, {"--record", "a.txt", "--record-spectrum", "1g"});
+  const Arguments record = joined(moved, "--record a.txt --record-spectrum 1g");
   BOOST_TEST(near(factor(record), 1 / (0.25 * overshoot), hand_tolerance));
-  BOOST_TEST(near(factor(joined(record, {"--record-spectrum-period", "7s"})),
-                  1 / (0.25 * overshoot), hand_tolerance));
+  BOOST_TEST(near(factor(joined(record, "--record-spectrum-period 7s")), 1 / (0.25 * overshoot),
+                  hand_tolerance));
   // In tau: half a period of 3 pi is over after 4.7, that of p = 1/2 after 6.3, beyond the load.
-  const Arguments plain{"simulate",          "--f", "0.05", "--delta", "0", "--record", "a.txt",
-                        "--record-spectrum", "0.5", "--p",  "0.5"};
-  BOOST_TEST(near(factor(joined(plain, {"--record-spectrum-period", "9.4"})),
-                  0.5 / (0.25 * overshoot), hand_tolerance));
+  const Arguments plain("simulate --f 0.05 --delta 0 --record a.txt --record-spectrum 0.5 --p 0.5");
+  BOOST_TEST(near(factor(joined(plain, "--record-spectrum-period 9.4")), 0.5 / (0.25 * overshoot),
+                  hand_tolerance));
   BOOST_TEST(factor(plain) > 1.0001 * 0.5 / (0.25 * overshoot));
 }
 
@@ -94,14 +90,14 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Sandbox) {
       BOOST_TEST(near(list[i]["peak_absolute_acceleration"], peaks[i], hand_tolerance));
     }
   };
-  check({"--records-list", "list.csv"}, {2, -1}, {0.8, 0.25});
-  check({"--records-list", "list.csv", "--record-scale", "3"}, {6, -3}, {2.4, 0.75});
+  check("--records-list list.csv", {2, -1}, {0.8, 0.25});
+  check("--records-list list.csv --record-scale 3", {6, -3}, {2.4, 0.75});
   // The factor of the list comes on top of the target.
-  check({"--records-list", "list.csv", "--record-peak", "1g"}, {5, -4}, {2, 1});
-  check({"--records-list", "peaks.csv", "--record-scale", "10"}, {5, 20}, {2, 5});
+  check("--records-list list.csv --record-peak 1g", {5, -4}, {2, 1});
+  check("--records-list peaks.csv --record-scale 10", {5, 20}, {2, 5});
   const double spectrum = 1 / (0.25 * overshoot);
-  check({"--records-list", "spectra.csv"}, {spectrum}, {0.25 * spectrum});
-  check({"--record", "b.txt", "--record-spectrum", "1g"}, {spectrum}, {0.25 * spectrum});
+  check("--records-list spectra.csv", {spectrum}, {0.25 * spectrum});
+  check("--record b.txt --record-spectrum 1g", {spectrum}, {0.25 * spectrum});
 }
 
 BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
@@ -123,51 +119,35 @@ BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
 namespace {
 
 Arguments with(const Arguments& more) {
-  return joined(joined(moved, {"--record", "a.txt"}), more);
+  return joined(joined(moved, "--record a.txt"), more);
 }
 
 const std::vector<Wrong> wrong{
-    {"two ways",
-     with({"--record-scale", "2", "--record-peak", "1"}),
-     {"record-scale and record-peak exclude each other"}},
-    {"peak of 0", with({"--record-peak", "0"}), {"record-peak = 0"}},
-    {"negative peak", with({"--record-peak", "-1g"}), {"record-peak = -1"}},
-    {"spectrum of 0", with({"--record-spectrum", "0"}), {"record-spectrum = 0"}},
-    {"peak in metres", with({"--record-peak", "1m"}), {"record-peak", "1m"}},
-    {"peak of a half-sine",
-     {"simulate", "--v0", "0", "--p", "1", "--f", "0", "--delta", "0", "--excitation", "half-sine",
-      "--k", "1", "--lambda", "1", "--record-peak", "1"},
+    {with("--record-scale 2 --record-peak 1"), {"record-scale and record-peak exclude each other"}},
+    {with("--record-peak 0"), {"record-peak = 0"}},
+    {with("--record-peak -1g"), {"record-peak = -1"}},
+    {with("--record-spectrum 0"), {"record-spectrum = 0"}},
+    {with("--record-peak 1m"), {"record-peak", "1m"}},
+    {"simulate --v0 0 --p 1 --f 0 --delta 0 --excitation half-sine --k 1 --lambda 1 --record-peak "
+     "1",
      {"record-peak and excitation half-sine exclude each other"}},
-    {"a record of zeros",
-     joined(moved, {"--record", "zeros.txt", "--record-peak", "1"}),
-     {"record zeros.txt: is 0 throughout"}},
-    {"the spectrum of zeros",
-     joined(moved, {"--record", "zeros.txt", "--record-spectrum", "1"}),
+    {joined(moved, "--record zeros.txt --record-peak 1"), {"record zeros.txt: is 0 throughout"}},
+    {joined(moved, "--record zeros.txt --record-spectrum 1"),
      {"record zeros.txt: moves no oscillator"}},
-    {"a period that the record does not resolve",
-     with({"--record-spectrum", "1", "--record-spectrum-period", "0.9s"}),
+    {with("--record-spectrum 1 --record-spectrum-period 0.9s"),
      {"record-spectrum-period = 0.9", "at least 1 s", "a.txt"}},
-    {"a period in s where times are in tau",
-     {"simulate", "--p", "1", "--f", "0", "--delta", "0", "--record", "a.txt", "--record-spectrum",
-      "1", "--record-spectrum-period", "2s"},
+    {"simulate --p 1 --f 0 --delta 0 --record a.txt --record-spectrum 1 --record-spectrum-period "
+     "2s",
      {"record-spectrum-period = 2s", "in tau"}},
-    {"a sweep over periods",
-     {"sweep", "--period", "2:3:2", "--f", "0", "--delta-m", "0", "--record", "a.txt",
-      "--record-spectrum", "1"},
+    {"sweep --period 2:3:2 --f 0 --delta-m 0 --record a.txt --record-spectrum 1",
      {"record-spectrum-period is missing"}},
-    {"a search of the period",
-     {"design", "--record", "a.txt", "--search-period", "2:3", "--record-spectrum", "1"},
+    {"design --record a.txt --search-period 2:3 --record-spectrum 1",
      {"record-spectrum-period is missing"}},
-    {"two targets",
-     {"design", "--period", "2", "--records-list", "peaks.csv", "--record-spectrum", "1"},
+    {"design --period 2 --records-list peaks.csv --record-spectrum 1",
      {"records-list peaks.csv: its targets and record-spectrum exclude each other"}},
-    {"a target of 0 in a list",
-     {"design", "--period", "2", "--records-list", "none.csv"},
-     {"records-list none.csv, line 2: peak = 0"}},
-    {"a folder without records",
-     {"design", "--period", "2", "--record", "empty"},
-     {"record empty: this folder has no record", ".AT2"}},
-    {"a folder for one motion", joined(moved, {"--record", "empty"}), {"Is a directory"}},
+    {"design --period 2 --records-list none.csv", {"records-list none.csv, line 2: peak = 0"}},
+    {"design --period 2 --record empty", {"record empty: this folder has no record", ".AT2"}},
+    {joined(moved, "--record empty"), {"Is a directory"}},
 };
 
 }  // namespace

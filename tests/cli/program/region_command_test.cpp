@@ -21,7 +21,7 @@ using namespace stillpoint::cli_test;
 using nlohmann::json;
 
 Arguments region(const Arguments& more = {}) {
-  return joined({"region", "--v0", "1", "--p", "1", "--beta", "0.8"}, more);
+  return joined("region --v0 1 --p 1 --beta 0.8", more);
 }
 
 std::set<std::string> violated(const json& report) {
@@ -59,13 +59,13 @@ BOOST_AUTO_TEST_CASE(gives_the_bounds) {
 }
 
 BOOST_AUTO_TEST_CASE(amplitude_that_does_not_bind_has_a_negative_bound) {
-  const json report = report_of(*this, {"region", "--v0", "1", "--p", "1", "--beta", "2"});
+  const json report = report_of(*this, "region --v0 1 --p 1 --beta 2");
   BOOST_TEST(near(report["region"]["f2"], -0.75, 1e-15));
   BOOST_TEST(report["region"]["f_lower"].get<double>() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(gives_both_lower_bounds_of_delta_at_f) {
-  const json report = report_of(*this, region({"--f", "0.3"}));
+  const json report = report_of(*this, region("--f 0.3"));
   const double radius = std::hypot(1, 0.3);
   BOOST_TEST(near(report["delta1_published"], (radius - 0.6) * (radius - 0.6) / 2, 1e-14));
   BOOST_TEST(near(report["delta1_exact"], (radius - 0.3) * (radius - 0.9) / 2, 1e-14));
@@ -74,40 +74,40 @@ BOOST_AUTO_TEST_CASE(gives_both_lower_bounds_of_delta_at_f) {
 }
 
 BOOST_AUTO_TEST_CASE(exact_bound_does_not_exist_where_the_motion_does_not_return) {
-  const json report = report_of(*this, region({"--f", "0.36"}));
+  const json report = report_of(*this, region("--f 0.36"));
   check_fields(report, {"delta1_published:number", "delta1_exact:null"});
 }
 
 BOOST_AUTO_TEST_CASE(judges_a_point) {
-  const json inside = report_of(*this, region({"--f", "0.3", "--delta", "0.4"}));
+  const json inside = report_of(*this, region("--f 0.3 --delta 0.4"));
   BOOST_TEST(inside["admissible"] == true);
   BOOST_TEST(violated(inside).empty());
   BOOST_TEST(inside["constraints"].size() == 5U);
 
-  const json start = report_of(*this, region({"--f", "0.3", "--delta", "0.51"}));
+  const json start = report_of(*this, region("--f 0.3 --delta 0.51"));
   BOOST_TEST(start["admissible"] == false);
   BOOST_TEST((violated(start) == std::set<std::string>{"start"}));
 
-  const json amplitude = report_of(*this, region({"--f", "0.22", "--delta", "0.4"}));
+  const json amplitude = report_of(*this, region("--f 0.22 --delta 0.4"));
   BOOST_TEST(amplitude["admissible"] == false);
   BOOST_TEST((violated(amplitude) == std::set<std::string>{"amplitude"}));
 
-  const json back = report_of(*this, region({"--f", "0.36", "--delta", "0.4"}));
+  const json back = report_of(*this, region("--f 0.36 --delta 0.4"));
   BOOST_TEST(back["admissible"] == false);
   BOOST_TEST((violated(back) == std::set<std::string>{"return"}));
 
-  const json stop = report_of(*this, region({"--f", "0.3", "--delta", "0.09"}));
+  const json stop = report_of(*this, region("--f 0.3 --delta 0.09"));
   BOOST_TEST(stop["admissible"] == false);
   BOOST_TEST((violated(stop) == std::set<std::string>{"stop"}));
 
   // f above f1 lies above f3 as well wherever f2 is below f3.
-  const json dead_zone = report_of(*this, region({"--f", "0.85", "--delta", "0.4"}));
+  const json dead_zone = report_of(*this, region("--f 0.85 --delta 0.4"));
   BOOST_TEST(dead_zone["admissible"] == false);
   BOOST_TEST((violated(dead_zone) == std::set<std::string>{"dead_zone", "return"}));
 }
 
 BOOST_AUTO_TEST_CASE(slack_is_the_distance_to_the_limit) {
-  const json report = report_of(*this, region({"--f", "0.22", "--delta", "0.4"}));
+  const json report = report_of(*this, region("--f 0.22 --delta 0.4"));
   for (const json& now : report["constraints"]) {
     check_fields(now,
                  {"name:text", "value:number", "limit:number", "slack:number", "satisfied:bool"});
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(edges_belong_to_the_region_as_the_conditions_say) {
     return report_of(*this, region({"--f", in_full(f), "--delta", in_full(delta)}))["admissible"] ==
            true;
   };
-  const json at = report_of(*this, region({"--f", "0.3"}));
+  const json at = report_of(*this, region("--f 0.3"));
   const double delta1 = at["delta1_published"];
   const double f2 = at["region"]["f2"];
   BOOST_TEST(!admissible(0.3, delta1));
@@ -134,41 +134,38 @@ BOOST_AUTO_TEST_CASE(edges_belong_to_the_region_as_the_conditions_say) {
 }
 
 BOOST_AUTO_TEST_CASE(criterion_decides_between_the_two_bounds) {
-  const Arguments between{"--f", "0.3", "--delta", "0.07"};
+  const Arguments between("--f 0.3 --delta 0.07");
   BOOST_TEST(report_of(*this, region(between))["admissible"] == false);
-  BOOST_TEST(report_of(*this, region(joined(between, {"--criterion", "exact"})))["admissible"] ==
-             true);
+  BOOST_TEST(report_of(*this, region(joined(between, "--criterion exact")))["admissible"] == true);
 }
 
 BOOST_AUTO_TEST_CASE(limits_count_for_a_point) {
-  const Arguments point{"--f", "0.3", "--delta", "0.4"};
+  const Arguments point("--f 0.3 --delta 0.4");
   for (const Arguments& limit : std::vector<Arguments>{{"--f-max", "0.29"},
                                                        {"--delta-max", "0.39"},
                                                        {"--acceleration-max", "1.04"},  // S = 1.044
                                                        {"--tolerance", "0.2"}}) {
     BOOST_TEST(report_of(*this, region(joined(point, limit)))["admissible"] == false);
   }
-  BOOST_TEST(report_of(*this, region(joined(point, {"--tolerance", "0.1"})))["admissible"] == true);
+  BOOST_TEST(report_of(*this, region(joined(point, "--tolerance 0.1")))["admissible"] == true);
 }
 
 /// A point that is served has all three blocks; one that is not still has its hits.
 BOOST_AUTO_TEST_CASE(a_point_says_what_it_serves) {
-  const json good =
-      report_of(*this, region({"--f", "0.3", "--delta", "0.4", "--acceleration-max", "1.1"}));
+  const json good = report_of(*this, region("--f 0.3 --delta 0.4 --acceleration-max 1.1"));
   BOOST_TEST(near(good["works_for"]["v0"][0], std::sqrt(0.8), 1e-15));
   BOOST_TEST(near(good["works_for"]["p"][1], std::sqrt(1.1 * 1.1 - 0.3 * 0.3), 1e-15));
   BOOST_TEST(near(good["practice"]["notch_width_min"], 0.5, 1e-14));
   BOOST_TEST(good["hits"][1]["ends"] == "centred");
-  const json wrong = report_of(*this, region({"--f", "0.3", "--delta", "0.9"}));
+  const json wrong = report_of(*this, region("--f 0.3 --delta 0.9"));
   check_fields(wrong, {"works_for:null", "practice:null"});
   BOOST_TEST(wrong["hits"][0]["ends"] == "held");
-  check_fields(report_of(*this, region({"--f", "0.3"})), {"hits:null"});
+  check_fields(report_of(*this, region("--f 0.3")), {"hits:null"});
 }
 
 /// Each bound names the variable that it bounds, in the report for people as in JSON.
 BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
-  const Arguments arguments =
-      region({"--f", "0.3", "--delta", "0.4", "--f-max", "0.31", "--delta-max", "0.41"});
+  const Arguments arguments = region("--f 0.3 --delta 0.4 --f-max 0.31 --delta-max 0.41");
   std::map<std::string, std::string> variable;
   const json report = report_of(*this, arguments);
   for (const json& now : report["constraints"]) {
@@ -178,7 +175,7 @@ BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
       {"dead_zone", "f"}, {"start", "delta"}, {"amplitude", "f"},    {"return", "f"},
       {"stop", "delta"},  {"f_max", "f"},     {"delta_max", "delta"}};
   BOOST_TEST(variable == expected);
-  std::istringstream text(run(joined(arguments, {"--verbose"})).out);
+  std::istringstream text(run(joined(arguments, "--verbose")).out);
   std::string line;
   std::size_t found = 0;
   while (std::getline(text, line)) {
@@ -218,7 +215,7 @@ BOOST_AUTO_TEST_CASE(friction_beyond_measure_is_refused_or_reported_in_finite_nu
     const ProgramRun text = run(arguments);
     check_only_finite(text.out);
     if (text.exit_code == 2) {
-      BOOST_TEST(text.err.find("f = ") != std::string::npos, text.err);
+      BOOST_TEST(contains(text.err, "f = "), text.err);
       continue;
     }
     const json report = report_of(*this, arguments);
@@ -230,8 +227,8 @@ BOOST_AUTO_TEST_CASE(friction_beyond_measure_is_refused_or_reported_in_finite_nu
 }
 
 BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
-  const Arguments empty{"region", "--v0", "1", "--p", "1", "--beta", "0.6"};
-  const ProgramRun answer = run(joined(empty, {"--json"}));
+  const Arguments empty("region --v0 1 --p 1 --beta 0.6");
+  const ProgramRun answer = run(joined(empty, "--json"));
   BOOST_TEST(answer.exit_code == 3);
   BOOST_TEST(answer.err.empty(), answer.err);
   const json report = answer.json();
@@ -240,13 +237,12 @@ BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
   BOOST_TEST(report["region"]["mends"].size() == 3U);
   const ProgramRun text = run(empty);
   BOOST_TEST(text.exit_code == 3);
-  BOOST_TEST(text.out.find("amplitude and return exclude each other") != std::string::npos);
+  BOOST_TEST(contains(text.out, "amplitude and return exclude each other"));
 }
 
 BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
-  const Arguments isolator{"region", "--velocity", "0.4", "--period", "3", "--max-displacement",
-                           "0.16",   "--mass",     "2e5"};
-  const json report = report_of(*this, joined(isolator, {"--f", "0.0225", "--delta-m", "0.006"}));
+  const Arguments isolator("region --velocity 0.4 --period 3 --max-displacement 0.16 --mass 2e5");
+  const json report = report_of(*this, joined(isolator, "--f 0.0225 --delta-m 0.006"));
   BOOST_TEST(report["admissible"] == true);
   const json& quantities = report["physical"];
   BOOST_TEST(near(quantities["delta2_m"], 0.16 / (2 * 9.80665), 1e-14));
@@ -277,54 +273,48 @@ BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
   };
   const ProgramRun text = run(isolator("6e5"));
   BOOST_TEST(text.exit_code == 3);
-  BOOST_TEST(text.out.find("  stiffness         at least ") != std::string::npos, text.out);
-  BOOST_TEST(text.out.find("  period            at") == std::string::npos, text.out);
+  BOOST_TEST(contains(text.out, "  stiffness         at least "), text.out);
+  BOOST_TEST(!contains(text.out, "  period            at"), text.out);
   // beta p / V0 = X omega / v = 1/sqrt 2, (10), so that k = m v^2 / (2 X^2).
-  const json quantities = run(joined(isolator("6e5"), {"--json"})).json()["physical"];
+  const json quantities = run(joined(isolator("6e5"), "--json")).json()["physical"];
   const double mended = quantities["stiffness_mend_n_per_m"];
   constexpr double digits = 1e-13;  // to the safe side
   BOOST_TEST(near(mended, 1e5 * 0.16 / 0.02, digits));
   BOOST_TEST(run(isolator(in_full(mended))).exit_code == 0);
   BOOST_TEST(run(isolator(in_full(mended * (1 - 1e-12)))).exit_code == 3);
 
-  const Arguments by_period{"region", "--velocity",         "0.4", "--period",
-                            "2.5651", "--max-displacement", "0.1"};
-  const json without_mass = run(joined(by_period, {"--json"})).json()["physical"];
+  const Arguments by_period("region --velocity 0.4 --period 2.5651 --max-displacement 0.1");
+  const json without_mass = run(joined(by_period, "--json")).json()["physical"];
   check_fields(without_mass, {"period_mend_s:number", "stiffness_mend_n_per_m:null"});
-  BOOST_TEST(run(by_period).out.find("  period            at most ") != std::string::npos);
+  BOOST_TEST(contains(run(by_period).out, "  period            at most "));
 }
 
 BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
-  const ProgramRun text = run(region({"--f", "0.36", "--delta", "0.4"}));
+  const ProgramRun text = run(region("--f 0.36 --delta 0.4"));
   BOOST_TEST(text.exit_code == 0);
-  for (const char* part : {"Admissible region", "0.225", "0.353553", "0.707107", "not admissible",
-                           "violated", "does not return"}) {
-    BOOST_TEST(text.out.find(part) != std::string::npos, "no " << part << " in\n" << text.out);
-  }
+  check_contains(text.out, {"Admissible region", "0.225", "0.353553", "0.707107", "not admissible",
+                            "violated", "does not return"});
 }
 
 /// Delta1 is that of the first arrival.
 BOOST_AUTO_TEST_CASE(delta1_is_shown_only_where_the_first_arrival_decides) {
   const auto shown = [&](const Arguments& command) {
     const std::string text = run(command).out;
-    return text.find("Delta1 published") != std::string::npos ||
-           text.find("Delta1(f)") != std::string::npos;
+    return contains(text, "Delta1 published") || contains(text, "Delta1(f)");
   };
-  const Arguments first{"--f", "0.3", "--delta", "0.4"};
-  const Arguments second{"--f", "0.071", "--delta", "0.235"};
-  const Arguments later{"--beta", "0.95", "--arrivals", "3"};
-  const Arguments task{"--v0", "1", "--p", "1"};
-  const Arguments judged = joined({"region"}, joined(task, later));
-  BOOST_TEST(
-      run(joined(judged, {"--f", "0.071", "--delta", "0.235", "--json"})).json()["admissible"] ==
-      true);
+  const Arguments first("--f 0.3 --delta 0.4");
+  const Arguments second("--f 0.071 --delta 0.235");
+  const Arguments later("--beta 0.95 --arrivals 3");
+  const Arguments task("--v0 1 --p 1");
+  const Arguments judged = joined("region", joined(task, later));
+  BOOST_TEST(run(joined(judged, "--f 0.071 --delta 0.235 --json")).json()["admissible"] == true);
   BOOST_TEST(!shown(joined(judged, second)));
   BOOST_TEST(shown(joined(judged, first)));
   BOOST_TEST(shown(region(first)));
-  BOOST_TEST(shown(joined(judged, {"--f", "0.071"})));
-  const Arguments designed = joined({"design", "--f-max", "0.15", "--verbose"}, task);
+  BOOST_TEST(shown(joined(judged, "--f 0.071")));
+  const Arguments designed = joined("design --f-max 0.15 --verbose", task);
   BOOST_TEST(!shown(joined(designed, later)));
-  BOOST_TEST(shown(joined(designed, {"--beta", "0.95"})));
+  BOOST_TEST(shown(joined(designed, "--beta 0.95")));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

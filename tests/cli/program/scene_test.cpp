@@ -17,9 +17,7 @@ using namespace stillpoint::cli_test;
 using nlohmann::json;
 
 Surroundings with_input(const std::string& text) {
-  Surroundings surroundings;
-  surroundings.input = text;
-  return surroundings;
+  return {.input = text};
 }
 
 const std::string plain = R"({"v0": 1, "p": 1, "beta": 0.9, "tolerance": 0.1})";
@@ -30,21 +28,18 @@ BOOST_FIXTURE_TEST_SUITE(scene, Sandbox)
 
 BOOST_AUTO_TEST_CASE(from_a_file_or_from_standard_input_is_as_good_as_flags) {
   write("scene.json", plain);
-  const json by_flags =
-      run({"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--tolerance", "0.1", "--json"})
-          .json();
-  const json by_file = run({"design", "scene.json", "--json"}).json();
-  const json by_input = run({"design", "-", "--json"}, with_input(plain)).json();
+  const json by_flags = run("design --v0 1 --p 1 --beta 0.9 --tolerance 0.1 --json").json();
+  const json by_file = run("design scene.json --json").json();
+  const json by_input = run("design - --json", with_input(plain)).json();
   BOOST_TEST(without_wall_times(by_file) == without_wall_times(by_flags));
   BOOST_TEST(without_wall_times(by_input) == without_wall_times(by_flags));
 }
 
 BOOST_AUTO_TEST_CASE(may_stand_before_or_behind_the_flags) {
   write("scene.json", plain);
-  for (const Arguments& arguments :
-       std::vector<Arguments>{{"design", "scene.json", "--json", "--beta", "0.8"},
-                              {"design", "--beta", "0.8", "scene.json", "--json"},
-                              {"design", "--json", "--beta=0.8", "scene.json"}}) {
+  for (const Arguments& arguments : std::vector<Arguments>{"design scene.json --json --beta 0.8",
+                                                           "design --beta 0.8 scene.json --json",
+                                                           "design --json --beta=0.8 scene.json"}) {
     const ProgramRun answer = run(arguments);
     BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
     BOOST_TEST(answer.json()["input"]["beta"] == 0.8);
@@ -55,8 +50,8 @@ BOOST_AUTO_TEST_CASE(gives_way_to_flags) {
   write(
       "scene.json",
       R"({"v0": 1, "p": 1, "beta": 0.9, "objective": "time", "f_max": 0.3, "criterion": "exact"})");
-  const json report = run({"design", "scene.json", "--objective", "amplitude", "--f-max", "0.25",
-                           "--criterion", "published", "--v0", "1.01", "--json"})
+  const json report = run("design scene.json --objective amplitude --f-max 0.25 --criterion "
+                          "published --v0 1.01 --json")
                           .json();
   BOOST_TEST(report["input"]["objective"] == "amplitude");
   BOOST_TEST(report["input"]["f_max"] == 0.25);
@@ -71,62 +66,55 @@ BOOST_AUTO_TEST_CASE(gives_way_to_flags_that_exclude_its_keys) {
   write("pulse.json", R"({"pulse": "half-sine", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");
   write("metres.json", R"({"velocity": 0.4, "period": 2.8, "max_displacement": 0.15, "mass": 1e5,
       "delta_max_m": 0.02})");
-  const Arguments pulse{"--pulse", "half-sine", "--k", "0.5", "--lambda", "20"};
+  const Arguments pulse("--pulse half-sine --k 0.5 --lambda 20");
   const auto design = [this](const Arguments& arguments) {
-    return without_wall_times(report_of(*this, joined({"design"}, arguments)));
+    return without_wall_times(report_of(*this, joined("design", arguments)));
   };
-  BOOST_TEST(design(joined({"plain.json", "--beta", "0.05"}, pulse)) == design({"pulse.json"}));
-  BOOST_TEST(design({"pulse.json", "--v0", "1", "--beta", "0.9"}) == design({"plain.json"}));
-  BOOST_TEST(design({"metres.json", "--stiffness", "5e5", "--delta-max", "0.1"}) ==
-             design({"--velocity", "0.4", "--stiffness", "5e5", "--mass", "1e5",
-                     "--max-displacement", "0.15", "--delta-max", "0.1"}));
-  BOOST_TEST(design(joined({"metres.json"}, pulse)) ==
-             design(joined({"--period", "2.8", "--max-displacement", "0.15", "--mass", "1e5",
-                            "--delta-max-m", "0.02"},
-                           pulse)));
+  BOOST_TEST(design(joined("plain.json --beta 0.05", pulse)) == design("pulse.json"));
+  BOOST_TEST(design("pulse.json --v0 1 --beta 0.9") == design("plain.json"));
+  BOOST_TEST(
+      design("metres.json --stiffness 5e5 --delta-max 0.1") ==
+      design("--velocity 0.4 --stiffness 5e5 --mass 1e5 --max-displacement 0.15 --delta-max 0.1"));
+  BOOST_TEST(
+      design(joined("metres.json", pulse)) ==
+      design(joined("--period 2.8 --max-displacement 0.15 --mass 1e5 --delta-max-m 0.02", pulse)));
 }
 
 // Under the pulse of a scene a motion is what design checks its damper with.
 BOOST_AUTO_TEST_CASE(with_a_pulse_is_followed_by_simulate) {
   write("scene.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1})");
-  const Arguments damper{"--f", "0.01", "--delta", "0.0008"};
-  const Arguments simulate = joined({"simulate", "--p", "1"}, damper);
+  const Arguments damper("--f 0.01 --delta 0.0008");
+  const Arguments simulate = joined("simulate --p 1", damper);
   const auto from_scene = [&](const Arguments& more) {
-    return report_of(*this, joined(joined({"simulate", "scene.json"}, damper), more));
+    return report_of(*this, joined(joined("simulate scene.json", damper), more));
   };
   BOOST_TEST(from_scene({}) ==
-             report_of(*this, joined(simulate, {"--excitation", "rectangle", "--k", "0.5",
-                                                "--lambda", "20"})));
-  BOOST_TEST(from_scene({"--excitation", "half-sine", "--k", "0.4"}) ==
-             report_of(*this, joined(simulate, {"--excitation", "half-sine", "--k", "0.4",
-                                                "--lambda", "20"})));
-  BOOST_TEST(from_scene({"--v0", "0.05"}) == report_of(*this, joined(simulate, {"--v0", "0.05"})));
+             report_of(*this, joined(simulate, "--excitation rectangle --k 0.5 --lambda 20")));
+  BOOST_TEST(from_scene("--excitation half-sine --k 0.4") ==
+             report_of(*this, joined(simulate, "--excitation half-sine --k 0.4 --lambda 20")));
+  BOOST_TEST(from_scene("--v0 0.05") == report_of(*this, joined(simulate, "--v0 0.05")));
   write("r.txt", "0 0\n1 0.5\n2 0\n");
-  BOOST_TEST(from_scene({"--record", "r.txt"}) ==
-             report_of(*this, joined(simulate, {"--record", "r.txt"})));
+  BOOST_TEST(from_scene("--record r.txt") == report_of(*this, joined(simulate, "--record r.txt")));
 }
 
 // Neither region nor sweep follows it, but both serve with a velocity.
 BOOST_AUTO_TEST_CASE(with_a_pulse_needs_a_velocity_elsewhere) {
   write("scene.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");
-  check_refusal(run({"region", "scene.json"}), {"v0 is missing", "velocity, not a pulse"});
-  BOOST_TEST(report_of(*this, {"region", "scene.json", "--v0", "0.04"}) ==
-             report_of(*this, {"region", "--v0", "0.04", "--p", "1", "--beta", "0.05"}));
-  BOOST_TEST(run({"sweep", "scene.json", "--v0", "0.04"}).out ==
-             run({"sweep", "--v0", "0.04", "--p", "1", "--beta", "0.05"}).out);
+  check_refusal(run("region scene.json"), {"v0 is missing", "velocity, not a pulse"});
+  BOOST_TEST(report_of(*this, "region scene.json --v0 0.04") ==
+             report_of(*this, "region --v0 0.04 --p 1 --beta 0.05"));
+  BOOST_TEST(run("sweep scene.json --v0 0.04").out == run("sweep --v0 0.04 --p 1 --beta 0.05").out);
   write("bad.json", R"({"pulse": "harmonic", "k": 0.5, "lambda": 20, "p": 1})");
-  check_refusal(run({"simulate", "bad.json", "--f", "0.01", "--delta", "0"}),
+  check_refusal(run("simulate bad.json --f 0.01 --delta 0"),
                 {"pulse = harmonic", "half-sine, full-sine or rectangle"});
   write("both.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "v0": 1})");
-  check_refusal(run({"simulate", "both.json", "--f", "0.01", "--delta", "0"}),
-                {"v0 and pulse exclude each other"});
+  check_refusal(run("simulate both.json --f 0.01 --delta 0"), {"v0 and pulse exclude each other"});
 }
 
 BOOST_AUTO_TEST_CASE(takes_hyphens_and_underscores_alike) {
   const std::string start = R"({"v0": 1, "p": 1, "beta": 0.9, )";
-  const json hyphen = run({"design", "-", "--json"}, with_input(start + R"("f-max": 0.2})")).json();
-  const json underscore =
-      run({"design", "-", "--json"}, with_input(start + R"("f_max": 0.2})")).json();
+  const json hyphen = run("design - --json", with_input(start + R"("f-max": 0.2})")).json();
+  const json underscore = run("design - --json", with_input(start + R"("f_max": 0.2})")).json();
   BOOST_TEST(hyphen["input"]["f_max"] == 0.2);
   BOOST_TEST(without_wall_times(underscore) == without_wall_times(hyphen));
 }
@@ -135,19 +123,19 @@ BOOST_AUTO_TEST_CASE(can_hold_every_kind_of_option) {
   const std::string text = R"({"title": "by a scene", "v0": 1, "p": 1, "f": 0.02, "delta": 0.02,
       "max_half_cycles": 2, "trajectory": "motion.csv", "samples": 3, "json": true,
       "output": "report.json"})";
-  const ProgramRun answer = run({"simulate", "-"}, with_input(text));
+  const ProgramRun answer = run("simulate -", with_input(text));
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
   BOOST_TEST(answer.json()["half_cycles_listed"] == 2);
   BOOST_TEST(read("report.json") == answer.out);
   BOOST_TEST(!read("motion.csv").empty());
-  const ProgramRun titled = run({"design", "-"}, with_input(R"({"title": "the old bridge", "v0": 1,
+  const ProgramRun titled = run("design -", with_input(R"({"title": "the old bridge", "v0": 1,
       "p": 1, "beta": 0.9, "json": false})"));
   BOOST_TEST(titled.out.starts_with("Damper design: the old bridge\n"));
 }
 
 BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
   const ProgramRun answer =
-      run({"design", "-", "--json"},
+      run("design - --json",
           with_input(R"({"v0": 1.0000000000000002, "p": 0.30000000000000004, "beta": 5e0})"));
   const json input = answer.json()["input"];
   BOOST_TEST(input["v0"].get<double>() == 1.0000000000000002);
@@ -158,18 +146,18 @@ BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
 BOOST_AUTO_TEST_CASE(serves_several_commands_and_says_what_one_does_not_use) {
   write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "objective": "time", "f": 0.3,
       "delta": 0.4, "samples": 7})");
-  const ProgramRun design = run({"design", "scene.json", "--json"});
+  const ProgramRun design = run("design scene.json --json");
   BOOST_TEST(design.exit_code == 0);
   BOOST_TEST(design.json()["input"]["objective"] == "time");
   BOOST_TEST(design.err_lines().size() == 3U);
   for (const char* name : {"f ", "delta ", "samples "}) {
-    BOOST_TEST(design.err.find("note: " + std::string(name)) != std::string::npos, design.err);
+    BOOST_TEST(contains(design.err, "note: " + std::string(name)), design.err);
   }
-  const ProgramRun region = run({"region", "scene.json", "--json"});
+  const ProgramRun region = run("region scene.json --json");
   BOOST_TEST(region.exit_code == 0);
   BOOST_TEST(region.json()["admissible"] == true);
   BOOST_TEST(region.err_lines().size() == 2U);
-  BOOST_TEST(region.err.find("objective") != std::string::npos);
+  BOOST_TEST(contains(region.err, "objective"));
 }
 
 BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
@@ -187,7 +175,8 @@ BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
       const ProgramRun design =
           run({spectrum ? "spectrum" : "design", entry.path().string(), "--json"});
       BOOST_TEST(design.exit_code == (infeasible ? 3 : 0));
-      BOOST_TEST(design.err.empty(), design.err);
+      BOOST_TEST((design.err.empty() || design.err.starts_with("stillpoint: locked: ")),
+                 design.err);
       check_only_finite(design.out);
       const json report = design.json();
       if (spectrum) {

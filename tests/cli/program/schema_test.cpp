@@ -23,7 +23,7 @@ namespace cli = stillpoint::cli;
 namespace fs = std::filesystem;
 
 const fs::path data_dir = STILLPOINT_DATA_DIR;
-const Arguments plain_design{"design", "--v0", "1", "--p", "1", "--beta", "0.9", "--json"};
+const Arguments plain_design("design --v0 1 --p 1 --beta 0.9 --json");
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -107,9 +107,7 @@ BOOST_FIXTURE_TEST_CASE(agrees_with_the_program, Sandbox) {
       {R"([1])", false}};
   for (const auto& [scene, right] : scenes) {
     BOOST_TEST_CONTEXT(scene) {
-      Surroundings surroundings;
-      surroundings.input = scene;
-      BOOST_TEST((run({"simulate", "-"}, surroundings).exit_code == 0) == right);
+      BOOST_TEST((run("simulate -", {.input = scene}).exit_code == 0) == right);
       BOOST_TEST(scene_faults(json::parse(scene)).empty() == right);
     }
   }

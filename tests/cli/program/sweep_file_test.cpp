@@ -19,15 +19,13 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 Arguments sweep(const Arguments& more = {}) {
-  return joined({"sweep", "--v0", "1", "--p", "1"}, more);
+  return joined("sweep --v0 1 --p 1", more);
 }
 
-const Arguments grid{"--f", "0,0.02,0.3", "--delta", "0,0.03,0.7", "--times"};
+const Arguments grid("--f 0,0.02,0.3 --delta 0,0.03,0.7 --times");
 
 Surroundings with_input(const std::string& text) {
-  Surroundings surroundings;
-  surroundings.input = text;
-  return surroundings;
+  return {.input = text};
 }
 
 /// What a number of the file is where the CSV has nothing.
@@ -46,13 +44,13 @@ bool same(double a, double b) {
 BOOST_FIXTURE_TEST_SUITE(npy, Sandbox)
 
 BOOST_AUTO_TEST_CASE(holds_what_the_csv_holds) {
-  const Arguments outcomes{"stopped_at_zero", "stopped_in_dead_zone", "never_stops",
-                           "caught_at_start", "running"};
-  const Arguments forced{"--f", "0.1,0.4", "--delta",  "0",    "--excitation", "harmonic",
-                         "--k", "0.2",     "--lambda", "0.35", "--t-end",      "30"};
+  const Arguments outcomes(
+      "stopped_at_zero stopped_in_dead_zone never_stops caught_at_start running");
+  const Arguments forced(
+      "--f 0.1,0.4 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 30");
   for (const Arguments& entries : {grid, forced}) {
     const SweepTable table = read_csv(run(sweep(entries)).out);
-    const ProgramRun answer = run(sweep(joined(entries, {"--output", "rows.npy"})));
+    const ProgramRun answer = run(sweep(joined(entries, "--output rows.npy")));
     BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
     const NpyFile npy = read_npy(read("rows.npy"));
     BOOST_TEST_REQUIRE(npy.fields.size() == table.columns.size());
@@ -77,7 +75,7 @@ BOOST_AUTO_TEST_CASE(holds_what_the_csv_holds) {
 }
 
 BOOST_AUTO_TEST_CASE(of_designs_has_a_truth_value) {
-  BOOST_TEST(run(sweep({"--beta", "0.5,0.9", "--output", "rows.npy"})).exit_code == 0);
+  BOOST_TEST(run(sweep("--beta 0.5,0.9 --output rows.npy")).exit_code == 0);
   const NpyFile npy = read_npy(read("rows.npy"));
   BOOST_TEST(npy.fields[1].name == "feasible");
   BOOST_TEST(npy.fields[1].type == "|b1");
@@ -91,17 +89,16 @@ BOOST_AUTO_TEST_CASE(of_a_list_gets_its_length_at_the_end) {
   for (int i = 0; i < 1234; ++i) {
     text += "0.1,0.5\n";
   }
-  const ProgramRun answer = run(sweep({"--list", "-", "--output", "rows.npy"}), with_input(text));
+  const ProgramRun answer = run(sweep("--list - --output rows.npy"), with_input(text));
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
   BOOST_TEST(read_npy(read("rows.npy")).count == 1234);
-  BOOST_TEST(
-      run(sweep({"--list", "-", "--output", "none.npy"}), with_input("f,delta\n")).exit_code == 0);
+  BOOST_TEST(run(sweep("--list - --output none.npy"), with_input("f,delta\n")).exit_code == 0);
   BOOST_TEST(read_npy(read("none.npy")).count == 0);
 }
 
 BOOST_AUTO_TEST_CASE(of_a_grid_may_go_through_a_pipe) {
-  const ProgramRun piped = run(sweep(joined(grid, {"--format", "npy"})));
-  BOOST_TEST(run(sweep(joined(grid, {"--output", "rows.npy"}))).exit_code == 0);
+  const ProgramRun piped = run(sweep(joined(grid, "--format npy")));
+  BOOST_TEST(run(sweep(joined(grid, "--output rows.npy"))).exit_code == 0);
   BOOST_TEST(piped.out == read("rows.npy"));
 }
 
@@ -111,7 +108,7 @@ BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 
 BOOST_AUTO_TEST_CASE(holds_what_standard_output_would) {
   write("rows.csv", "old");
-  const ProgramRun answer = run(sweep(joined(grid, {"--output", "rows.csv"})));
+  const ProgramRun answer = run(sweep(joined(grid, "--output rows.csv")));
   BOOST_TEST(answer.exit_code == 0);
   BOOST_TEST(answer.err.empty(), answer.err);
   BOOST_TEST(answer.out.starts_with("Sweep\n"), answer.out);
@@ -122,19 +119,19 @@ BOOST_AUTO_TEST_CASE(holds_what_standard_output_would) {
 BOOST_AUTO_TEST_CASE(keeps_a_link) {
   fs::create_directory(path("elsewhere"));
   fs::create_symlink("elsewhere/rows.csv", path("link.csv"));
-  BOOST_TEST(run(sweep(joined(grid, {"--output", "link.csv"}))).exit_code == 0);
+  BOOST_TEST(run(sweep(joined(grid, "--output link.csv"))).exit_code == 0);
   BOOST_TEST(fs::is_symlink(path("link.csv")));
   BOOST_TEST(read("elsewhere/rows.csv").starts_with("f,delta,"));
 }
 
 BOOST_AUTO_TEST_CASE(may_be_standard_output_or_a_device) {
-  BOOST_TEST(run(sweep(joined(grid, {"--output", "/dev/stdout"}))).out == run(sweep(grid)).out);
-  BOOST_TEST(run(sweep(joined(grid, {"--output", "/dev/null"}))).exit_code == 0);
+  BOOST_TEST(run(sweep(joined(grid, "--output /dev/stdout"))).out == run(sweep(grid)).out);
+  BOOST_TEST(run(sweep(joined(grid, "--output /dev/null"))).exit_code == 0);
   BOOST_TEST(contents().empty());
 }
 
 BOOST_AUTO_TEST_CASE(has_a_report) {
-  const ProgramRun answer = run(sweep(joined(grid, {"--output", "rows.npy", "--json"})));
+  const ProgramRun answer = run(sweep(joined(grid, "--output rows.npy --json")));
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
   const json report = answer.json();
   check_fields(report, {"schema:text", "program:object", "kind:text", "output:object", "rows:count",
@@ -152,7 +149,7 @@ BOOST_AUTO_TEST_CASE(has_a_report) {
   BOOST_TEST(report["outcomes"]["never_stops"] == 1);
   BOOST_TEST(report["outcomes"]["stopped_in_dead_zone"] == 3);
   BOOST_TEST(report["outcomes"]["stopped_at_zero"] == 2);
-  const json designs = run(sweep({"--beta", "0.5,0.9", "--output", "rows.csv", "--json"})).json();
+  const json designs = run(sweep("--beta 0.5,0.9 --output rows.csv --json")).json();
   BOOST_TEST(designs["feasible"] == 1);
   BOOST_TEST(designs["outcomes"].is_null());
 }

@@ -7,6 +7,8 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <sys/resource.h>
+
 #include <csignal>
 #include <filesystem>
 #include <string>
@@ -18,7 +20,31 @@ namespace {
 using namespace stillpoint::cli_test;
 namespace fs = std::filesystem;
 
-const Arguments grid{"sweep", "--v0", "1", "--p", "1", "--f", "0.02:0.35:13", "--delta", "0:0.5:5"};
+const Arguments grid("sweep --v0 1 --p 1 --f 0.02:0.35:13 --delta 0:0.5:5");
+
+/// While it lives, no program that is started can write a file beyond so many bytes: it gets
+/// SIGXFSZ, or an error where that is ignored.
+class WriteLimit {
+ public:
+  WriteLimit(std::size_t bytes, void (*at_the_limit)(int))
+      : handler_(std::signal(SIGXFSZ, at_the_limit)) {
+    BOOST_TEST_REQUIRE(::getrlimit(RLIMIT_FSIZE, &before_) == 0);
+    const rlimit limit{bytes, before_.rlim_max};
+    BOOST_TEST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &limit) == 0);
+  }
+  WriteLimit(const WriteLimit&) = delete;
+  WriteLimit& operator=(const WriteLimit&) = delete;
+  WriteLimit(WriteLimit&&) = delete;
+  WriteLimit& operator=(WriteLimit&&) = delete;
+  ~WriteLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
 
 }  // namespace
 
@@ -47,7 +73,7 @@ struct Parts : Sandbox {
   }
 
   [[nodiscard]] ProgramRun merge(const Arguments& parts) const {
-    return run(joined({"sweep", "merge", "merged"}, parts));
+    return run(joined("sweep merge merged", parts));
   }
 
   void check_merged(const Arguments& sweep, int n, const std::string& extension) const {
@@ -79,20 +105,20 @@ BOOST_AUTO_TEST_CASE(of_a_grid_merge_to_the_bytes_of_the_whole) {
 }
 
 BOOST_AUTO_TEST_CASE(may_be_more_than_there_are_entries) {
-  const Arguments three{"sweep", "--v0", "1", "--p", "1", "--f", "0,0.1,0.2", "--delta", "0.3"};
+  const Arguments three("sweep --v0 1 --p 1 --f 0,0.1,0.2 --delta 0.3");
   check_merged(three, 5, "csv");
   check_merged(three, 5, "npy");
 }
 
 BOOST_AUTO_TEST_CASE(of_lists_designs_and_forced_motions_do_too) {
   write("list.csv", "f,delta\n0.1,0.2\n\n0.3,0.1\n0.02,0.03\n0.05,0\n0.2,0.25\n");
-  const Arguments v0_and_p{"sweep", "--v0", "1", "--p", "1"};
-  check_merged(joined(v0_and_p, {"--list", "list.csv"}), 3, "csv");
-  check_merged(joined(v0_and_p, {"--list", "list.csv"}), 3, "npy");
-  check_merged(joined(v0_and_p, {"--beta", "0.6:0.9:7"}), 2, "npy");
-  check_merged({"sweep", "--p", "1", "--f", "0.05:0.2:5", "--delta", "0", "--excitation",
-                "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "20"},
-               2, "csv");
+  const Arguments v0_and_p("sweep --v0 1 --p 1");
+  check_merged(joined(v0_and_p, "--list list.csv"), 3, "csv");
+  check_merged(joined(v0_and_p, "--list list.csv"), 3, "npy");
+  check_merged(joined(v0_and_p, "--beta 0.6:0.9:7"), 2, "npy");
+  check_merged(
+      "sweep --p 1 --f 0.05:0.2:5 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
+      2, "csv");
 }
 
 BOOST_AUTO_TEST_CASE(may_go_to_standard_output) {
@@ -100,7 +126,7 @@ BOOST_AUTO_TEST_CASE(may_go_to_standard_output) {
   for (const char* part : {"1/2", "2/2"}) {
     write(std::string("part") + part[0], run(joined(grid, {"--part", part})).out);
   }
-  BOOST_TEST(merge({"part1", "part2"}).exit_code == 0);
+  BOOST_TEST(merge("part1 part2").exit_code == 0);
   BOOST_TEST((read("merged") == read("whole")));
 }
 
@@ -108,10 +134,9 @@ BOOST_AUTO_TEST_CASE(may_be_given_by_a_launcher) {
   write("whole", run(grid).out);
   Arguments names;
   for (const char* rank : {"0", "1", "2"}) {
-    Surroundings ranked;
-    ranked.environment = {{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "3"}};
-    const ProgramRun answer =
-        run(joined(grid, {"--part", "auto", "--output", "{part}.csv", "--json"}), ranked);
+    const Surroundings ranked{
+        .environment = {{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "3"}}};
+    const ProgramRun answer = run(joined(grid, "--part auto --output {part}.csv --json"), ranked);
     BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
     names.push_back(answer.json().at("output").at("file"));
   }
@@ -121,17 +146,17 @@ BOOST_AUTO_TEST_CASE(may_be_given_by_a_launcher) {
 }
 
 BOOST_AUTO_TEST_CASE(report_their_number) {
-  const auto report = part(grid, 2, 3, "csv", {"--json"}).json();
+  const auto report = part(grid, 2, 3, "csv", "--json").json();
   BOOST_TEST(report.at("part").at("number") == 2);
   BOOST_TEST(report.at("part").at("count") == 3);
   BOOST_TEST(report.at("rows") == 22);  // of 65 the first two parts have 22
-  BOOST_TEST(run(joined(grid, {"--output", "whole.csv", "--json"})).json().at("part").is_null());
+  BOOST_TEST(run(joined(grid, "--output whole.csv --json")).json().at("part").is_null());
 }
 
 BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
   static_cast<void>(split(grid, 2));
   const auto written = fs::last_write_time(path("1-of-2.csv"));
-  const auto again = part(grid, 1, 2, "csv", {"--resume", "--json"}).json();
+  const auto again = part(grid, 1, 2, "csv", "--resume --json").json();
   BOOST_TEST(again.at("resumed_at") == again.at("rows"));
   BOOST_TEST((fs::last_write_time(path("1-of-2.csv")) == written));
   BOOST_TEST(part(grid, 1, 2).exit_code == 0);  // without --resume as any file
@@ -139,22 +164,21 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 }
 
 BOOST_AUTO_TEST_CASE(are_not_written_over_each_other) {
-  for (const Arguments& more : {Arguments{}, Arguments{"--resume"}}) {
-    const Arguments one_file = joined(grid, {"--output", "one.csv"});
-    static_cast<void>(run(joined(one_file, {"--part", "1/2"})));
+  for (const Arguments& more : {Arguments{}, Arguments("--resume")}) {
+    const Arguments one_file = joined(grid, "--output one.csv");
+    static_cast<void>(run(joined(one_file, "--part 1/2")));
     const auto before = contents();
-    const ProgramRun answer = run(joined(one_file, joined({"--part", "2/2"}, more)));
+    const ProgramRun answer = run(joined(one_file, joined("--part 2/2", more)));
     check_refusal(answer, {"one.csv", "1/2", "{part}"});
     BOOST_TEST(contents() == before);
   }
 }
 
 BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
-  const Arguments forced{"sweep",         "--p",     "1",          "--f",
-                         "0.001:0.01:60", "--delta", "0:0.001:50", "--excitation",
-                         "harmonic",      "--k",     "0.1",        "--lambda",
-                         "0.9",           "--t-end", "700"};
-  const Arguments second = joined(forced, {"--part", "2/3", "--output", "2-of-3.csv"});
+  const Arguments forced(
+      "sweep --p 1 --f 0.001:0.01:60 --delta 0:0.001:50 --excitation harmonic --k 0.1 --lambda 0.9 "
+      "--t-end 700");
+  const Arguments second = joined(forced, "--part 2/3 --output 2-of-3.csv");
   Surroundings killed;
   killed.signal = SIGKILL;
   killed.signal_when = [this] {
@@ -164,13 +188,13 @@ BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
   };
   BOOST_TEST_REQUIRE(run(second, killed).exit_code == -1);
   BOOST_TEST(!fs::exists(path("2-of-3.csv")));
-  const ProgramRun resumed = run(joined(second, {"--resume", "--json"}));
+  const ProgramRun resumed = run(joined(second, "--resume --json"));
   BOOST_TEST_REQUIRE(resumed.exit_code == 0, resumed.err);
   for (const int i : {1, 3}) {
     static_cast<void>(part(forced, i, 3));
   }
-  static_cast<void>(run(joined(forced, {"--output", "whole.csv"})));
-  BOOST_TEST(merge({"1-of-3.csv", "2-of-3.csv", "3-of-3.csv"}).exit_code == 0);
+  static_cast<void>(run(joined(forced, "--output whole.csv")));
+  BOOST_TEST(merge("1-of-3.csv 2-of-3.csv 3-of-3.csv").exit_code == 0);
   BOOST_TEST((read("merged") == read("whole.csv")));
 }
 
@@ -180,9 +204,9 @@ BOOST_AUTO_TEST_CASE(that_are_missing_or_doubled_are_refused) {
   check_refused({names[2]}, {"2/3", "is missing", "2"});
   check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "like"});
   fs::copy_file(path(names[1]), path("copy.csv"));
-  check_refused(joined(names, {"copy.csv"}), {"copy.csv", "is part 2/3", "like " + names[1]});
+  check_refused(joined(names, "copy.csv"), {"copy.csv", "is part 2/3", "like " + names[1]});
   check_refused({}, {"PART"});
-  check_refused(joined(names, {"none.csv"}), {"none.csv", "No such file"});
+  check_refused(joined(names, "none.csv"), {"none.csv", "No such file"});
 }
 
 /// Wherever it is cut and whichever byte is changed.
@@ -212,29 +236,99 @@ BOOST_AUTO_TEST_CASE(that_are_torn_are_refused) {
 
 BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
   const Arguments names = split(grid, 2);
-  const auto check_foreign = [&](const Arguments& sweep, const Texts& says) {
-    static_cast<void>(run(joined(sweep, {"--part", "2/2", "--output", "foreign"})));
-    check_refused({names[1], "foreign"}, joined({"foreign", names[1]}, says));
+  const auto check_foreign = [&](const Arguments& sweep, Texts says) {
+    static_cast<void>(run(joined(sweep, "--part 2/2 --output foreign")));
+    says.insert(says.end(), {"foreign", names[1]});
+    check_refused({names[1], "foreign"}, says);
     fs::remove(path("foreign"));
   };
   Arguments other = grid;
   other[6] = "0.02:0.36:13";
   check_foreign(other, {"f was", "0.02:0.36:13"});
-  check_foreign(joined(grid, {"--times"}), {"columns"});
-  check_foreign(joined(grid, {"--format", "npy"}), {"format"});
-  static_cast<void>(run(joined(grid, {"--part", "3/3", "--output", "foreign"})));
+  check_foreign(joined(grid, "--times"), {"columns"});
+  check_foreign(joined(grid, "--format npy"), {"format"});
+  static_cast<void>(run(joined(grid, "--part 3/3 --output foreign")));
   check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
-  static_cast<void>(run(joined(grid, {"--output", "foreign"})));  // not in parts
+  static_cast<void>(run(joined(grid, "--output foreign")));  // not in parts
   check_refused({names[1], "foreign"}, {"foreign", "no whole part"});
 }
 
 BOOST_AUTO_TEST_CASE(of_a_list_that_has_changed_are_refused) {
-  const Arguments sweep{"sweep", "--v0", "1", "--p", "1", "--list", "list.csv"};
+  const Arguments sweep("sweep --v0 1 --p 1 --list list.csv");
   write("list.csv", "f,delta\n0.1,0.2\n0.3,0.1\n");
   static_cast<void>(part(sweep, 1, 2));
   write("list.csv", "f,delta\n0.2,0.2\n0.3,0.1\n");
   static_cast<void>(part(sweep, 2, 2));
-  check_refused({"1-of-2.csv", "2-of-2.csv"}, {"2-of-2.csv", "list"});
+  check_refused("1-of-2.csv 2-of-2.csv", {"2-of-2.csv", "list"});
+}
+
+/// At a byte of its choice the kernel ends a merge as SIGKILL does; where the signal is ignored, no
+/// more fits, as on a full disk.
+BOOST_AUTO_TEST_CASE(whose_merge_is_cut_short_leave_the_old_file_as_it_was) {
+  for (const char* extension : {"csv", "npy"}) {
+    const Arguments names = split(grid, 3, extension);
+    const std::string whole = [&] {
+      BOOST_TEST_REQUIRE(merge(names).exit_code == 0);
+      return read("merged");
+    }();
+    write("merged", "old");
+    const std::size_t step = whole.size() / 7;
+    for (std::size_t size = 1; size < whole.size(); size += step) {
+      const WriteLimit limit(size, SIG_IGN);
+      check_refused(names, {"merged", "cannot be written"});
+    }
+    for (std::size_t size = 1; size < whole.size(); size += step) {
+      const WriteLimit limit(size, SIG_DFL);
+      BOOST_TEST(merge(names).exit_code == -1);
+      BOOST_TEST(read("merged") == "old");
+    }
+    BOOST_TEST(merge(names).exit_code == 0);  // whatever a killed one left
+    BOOST_TEST((read("merged") == whole));
+    fs::remove(path("merged"));
+    BOOST_TEST(contents().size() == names.size());
+    for (const std::string& name : names) {
+      fs::remove(path(name));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_a_reduction_whose_merge_is_cut_short_leave_the_old_file_as_it_was) {
+  const Arguments names = split(joined(grid, {"--reduce"}), 2, "json");
+  write("merged", "old");
+  {
+    const WriteLimit limit(100, SIG_IGN);
+    check_refused(names, {"merged", "cannot be written"});
+  }
+  const WriteLimit limit(100, SIG_DFL);
+  BOOST_TEST(merge(names).exit_code == -1);
+  BOOST_TEST(read("merged") == "old");
+}
+
+/// Wherever it happens to be: a merge that was done before the signal came counts for nothing.
+BOOST_AUTO_TEST_CASE(whose_merge_is_killed_are_merged_again) {
+  const Arguments large{"sweep", "--v0",          "1",       "--p",      "1",
+                        "--f",   "0.02:0.35:700", "--delta", "0:0.5:500"};
+  const Arguments names = split(large, 2);
+  BOOST_TEST_REQUIRE(merge(names).exit_code == 0);
+  const std::string whole = read("merged");
+  for (const int signal : {SIGKILL, SIGTERM}) {
+    Surroundings killed;
+    killed.signal = signal;
+    killed.signal_when = [this] { return fs::exists(path("merged.part")); };
+    constexpr int most_tries = 200;
+    int tries = 0;
+    do {
+      fs::remove(path("merged"));
+      ++tries;
+    } while (run(joined({"sweep", "merge", "merged"}, names), killed).exit_code == 0 &&
+             tries < most_tries);
+    BOOST_TEST_REQUIRE(tries < most_tries);
+    // At the last instant the whole file may be in its place.
+    BOOST_TEST((!fs::exists(path("merged")) || read("merged") == whole));
+    BOOST_TEST(merge(names).exit_code == 0);
+    BOOST_TEST((read("merged") == whole));
+    BOOST_TEST(!fs::exists(path("merged.part")));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(are_not_overwritten_by_the_whole) {
@@ -248,19 +342,16 @@ BOOST_AUTO_TEST_SUITE_END()
 namespace {
 
 const Wrong wrong_parts[] = {
-    {"none of none", joined(grid, {"--part", "0/3"}), {"part", "0/3", "1 <= I <= N"}},
-    {"beyond the last", joined(grid, {"--part", "4/3"}), {"part", "4/3", "1 <= I <= N"}},
-    {"without a count", joined(grid, {"--part", "3"}), {"part", "\"3\"", "I/N"}},
-    {"with more", joined(grid, {"--part", "1/2/3"}), {"part", "1/2/3", "I/N"}},
-    {"too many", joined(grid, {"--part", "1/1000001"}), {"part", "1/1000001", "1000000"}},
-    {"of no launcher", joined(grid, {"--part", "auto"}), {"part = auto", "no launcher", "I/N"}},
-    {"of a count that is none", joined(grid, {"--part", "auto/0"}), {"part", "auto/N"}},
-    {"with a page", joined(grid, {"--part", "1/2", "--html", "a.html"}), {"part", "page"}},
-    {"of standard input",
-     {"sweep", "--v0", "1", "--p", "1", "--part", "1/2", "--list", "-"},
-     {"part", "standard input"},
-     "f,delta\n0.1,0.2\n"},
-    {"merge with options", joined(grid, {"merge", "a", "b"}), {"merge", "no options"}}};
+    {joined(grid, "--part 0/3"), {"part", "0/3", "1 <= I <= N"}},
+    {joined(grid, "--part 4/3"), {"part", "4/3", "1 <= I <= N"}},
+    {joined(grid, "--part 3"), {"part", "\"3\"", "I/N"}},
+    {joined(grid, "--part 1/2/3"), {"part", "1/2/3", "I/N"}},
+    {joined(grid, "--part 1/1000001"), {"part", "1/1000001", "1000000"}},
+    {joined(grid, "--part auto"), {"part = auto", "no launcher", "I/N"}},
+    {joined(grid, "--part auto/0"), {"part", "auto/N"}},
+    {joined(grid, "--part 1/2 --html a.html"), {"part", "page"}},
+    {"sweep --v0 1 --p 1 --part 1/2 --list -", {"part", "standard input"}, "f,delta\n0.1,0.2\n"},
+    {joined(grid, "merge a b"), {"merge", "no options"}}};
 
 }  // namespace
 

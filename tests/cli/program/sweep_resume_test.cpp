@@ -37,8 +37,7 @@ std::uintmax_t size_of(const fs::path& path) {
 
 /// Sends the signal as soon as the file has more than so many bytes.
 Surroundings signalled(int signal, const fs::path& path, std::uintmax_t above) {
-  Surroundings surroundings;
-  surroundings.signal = signal;
+  Surroundings surroundings{.signal = signal};
   surroundings.signal_when = [path, above] { return size_of(path) > above; };
   return surroundings;
 }
@@ -49,29 +48,27 @@ Surroundings signalled(int signal, const fs::path& path, std::uintmax_t above) {
 struct Interrupted : Sandbox {
   Interrupted() {
     if (whole.empty()) {
-      report = run(sweep({"--output", "rows.csv", "--json"})).json();
+      report = run(sweep("--output rows.csv --json")).json();
       whole = read("rows.csv");
       fs::remove(path("rows.csv"));
     }
-    stopped = run(sweep({"--output", "rows.csv"}), signalled(SIGINT, path("rows.csv.part"), 0));
+    stopped = run(sweep("--output rows.csv"), signalled(SIGINT, path("rows.csv.part"), 0));
     BOOST_TEST_REQUIRE(stopped.exit_code == 130, stopped.err);
   }
 
   [[nodiscard]] ProgramRun resume(const Arguments& more = {}) const {
-    return run(sweep(joined({"--output", "rows.csv", "--resume"}, more)));
+    return run(sweep(joined("--output rows.csv --resume", more)));
   }
 
   [[nodiscard]] json checkpoint() const { return json::parse(read("rows.csv.part.json")); }
 
   /// Asserts that resuming is refused and changes nothing.
-  void check_refused(const Arguments& more, const Arguments& says) const {
+  void check_refused(const Arguments& more, const std::vector<std::string>& says) const {
     const auto before = contents();
     const ProgramRun answer = resume(more);
     BOOST_TEST(answer.exit_code == 2);
     BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
-    for (const std::string& part : says) {
-      BOOST_TEST(answer.err.find(part) != std::string::npos, "no " << part << " in " << answer.err);
-    }
+    check_contains(answer.err, says);
     BOOST_TEST(contents() == before);
   }
 
@@ -86,8 +83,8 @@ BOOST_AUTO_TEST_CASE(keeps_the_rows_and_says_how_to_go_on) {
   BOOST_TEST(stopped.out.empty(), stopped.out);
   BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
   BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
-  BOOST_TEST(stopped.err.find("kept in rows.csv.part") != std::string::npos, stopped.err);
-  BOOST_TEST(stopped.err.find("--resume") != std::string::npos, stopped.err);
+  BOOST_TEST(contains(stopped.err, "kept in rows.csv.part"), stopped.err);
+  BOOST_TEST(contains(stopped.err, "--resume"), stopped.err);
   BOOST_TEST(contents().size() == 2U);
   const std::string part = read("rows.csv.part");
   BOOST_TEST(part.ends_with('\n'));
@@ -95,7 +92,7 @@ BOOST_AUTO_TEST_CASE(keeps_the_rows_and_says_how_to_go_on) {
 }
 
 BOOST_AUTO_TEST_CASE(can_be_resumed_into_the_same_bytes) {
-  const ProgramRun answer = resume({"--json", "--threads", "1"});
+  const ProgramRun answer = resume("--json --threads 1");
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
   BOOST_TEST(answer.json()["resumed_at"] > 0);
   BOOST_TEST(answer.json()["rows"] == 3000);
@@ -106,27 +103,24 @@ BOOST_AUTO_TEST_CASE(can_be_resumed_into_the_same_bytes) {
 
 BOOST_AUTO_TEST_CASE(is_not_passed_over) {
   const auto before = contents();
-  const ProgramRun answer = run(sweep({"--output", "rows.csv"}));
+  const ProgramRun answer = run(sweep("--output rows.csv"));
   BOOST_TEST(answer.exit_code == 2);
-  for (const char* part : {"rows.csv.part", "--resume", "remove"}) {
-    BOOST_TEST(answer.err.find(part) != std::string::npos, answer.err);
-  }
+  check_contains(answer.err, {"rows.csv.part", "--resume", "remove"});
   BOOST_TEST(contents() == before);
 }
 
 BOOST_AUTO_TEST_CASE(is_forgotten_with_its_part) {
   fs::remove(path("rows.csv.part"));
-  BOOST_TEST(run(sweep({"--output", "rows.csv"})).exit_code == 0);
+  BOOST_TEST(run(sweep("--output rows.csv")).exit_code == 0);
   BOOST_TEST(read("rows.csv") == whole);
   BOOST_TEST(contents().size() == 1U);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_another_task) {
-  check_refused({"--times"}, {"rows.csv.part", "columns was", "other options"});
-  const ProgramRun other = run({"sweep", "--v0", "1", "--p", "1", "--f", "0.1", "--delta", "0",
-                                "--output", "rows.csv", "--resume"});
+  check_refused("--times", {"rows.csv.part", "columns was", "other options"});
+  const ProgramRun other = run("sweep --v0 1 --p 1 --f 0.1 --delta 0 --output rows.csv --resume");
   BOOST_TEST(other.exit_code == 2);
-  BOOST_TEST(other.err.find("kind was \"forced\", is \"free\"") != std::string::npos, other.err);
+  BOOST_TEST(contains(other.err, "kind was \"forced\", is \"free\""), other.err);
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {
@@ -163,13 +157,12 @@ BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   const int other = ::open(path("rows.csv.part").c_str(), O_RDWR | O_CLOEXEC);
   BOOST_TEST_REQUIRE(::flock(other, LOCK_EX) == 0);
   check_refused({}, {"rows.csv.part: another sweep is writing it"});
-  check_refused({"--times"}, {"rows.csv.part: another sweep is writing it"});
+  check_refused("--times", {"rows.csv.part: another sweep is writing it"});
   const auto before = contents();
-  const ProgramRun anew = run(sweep({"--output", "rows.csv"}));
+  const ProgramRun anew = run(sweep("--output rows.csv"));
   BOOST_TEST(anew.exit_code == 2);
-  BOOST_TEST(anew.err.find("rows.csv.part: another sweep is writing it") != std::string::npos,
-             anew.err);
-  BOOST_TEST(anew.err.find("remove") == std::string::npos, anew.err);
+  BOOST_TEST(contains(anew.err, "rows.csv.part: another sweep is writing it"), anew.err);
+  BOOST_TEST(!contains(anew.err, "remove"), anew.err);
   BOOST_TEST(contents() == before);
   ::close(other);
   BOOST_TEST(resume().exit_code == 0);
@@ -184,8 +177,8 @@ BOOST_AUTO_TEST_CASE(follows_no_link_from_its_own_files) {
   BOOST_TEST(read("victim") == "not ours");
 
   fs::create_symlink("victim", path("rows.csv.part"));
-  for (const Arguments& more : {Arguments{}, Arguments{"--resume"}}) {
-    BOOST_TEST(run(sweep(joined({"--output", "rows.csv"}, more))).exit_code == 2);
+  for (const Arguments& more : {Arguments{}, Arguments("--resume")}) {
+    BOOST_TEST(run(sweep(joined("--output rows.csv", more))).exit_code == 2);
     BOOST_TEST(read("victim") == "not ours");
   }
 }
@@ -222,7 +215,7 @@ BOOST_AUTO_TEST_CASE(without_its_part_begins_anew) {
   BOOST_TEST(read("rows.csv") == whole);
 
   write("rows.csv.part.json", left.dump());
-  BOOST_TEST(resume({"--columns", "f"}).exit_code == 0);
+  BOOST_TEST(resume("--columns f").exit_code == 0);
   BOOST_TEST(read("rows.csv").starts_with("f\n"));
 }
 
@@ -267,12 +260,8 @@ std::string rows(int count, const std::string& last) {
 }
 
 ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Arguments& more = {}) {
-  Surroundings surroundings;
-  surroundings.input = list;
-  return sandbox.run(
-      joined({"sweep", "--v0", "1", "--p", "1", "--list", "-", "--output", "rows.npy", "--resume"},
-             more),
-      surroundings);
+  return sandbox.run(joined("sweep --v0 1 --p 1 --list - --output rows.npy --resume", more),
+                     {.input = list});
 }
 
 }  // namespace
@@ -288,8 +277,8 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
 
   const ProgramRun refused = resume(*this, rows(count, "-0.1,0.5"));
   BOOST_TEST(refused.exit_code == 2);
-  BOOST_TEST(refused.err.find("line 3001: f = -0.1") != std::string::npos, refused.err);
-  BOOST_TEST(refused.err.find("kept in rows.npy.part") != std::string::npos, refused.err);
+  BOOST_TEST(contains(refused.err, "line 3001: f = -0.1"), refused.err);
+  BOOST_TEST(contains(refused.err, "kept in rows.npy.part"), refused.err);
   BOOST_TEST(!fs::exists(path("rows.npy")));
 
   const auto before = contents();
@@ -298,11 +287,11 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
   for (const std::string& wrong : {other, rows(10, "0.1,0.5")}) {
     const ProgramRun changed = resume(*this, wrong);
     BOOST_TEST(changed.exit_code == 2);
-    BOOST_TEST(changed.err.find("are not those") != std::string::npos, changed.err);
+    BOOST_TEST(contains(changed.err, "are not those"), changed.err);
     BOOST_TEST(contents() == before);
   }
 
-  const ProgramRun mended = resume(*this, right, {"--json"});
+  const ProgramRun mended = resume(*this, right, "--json");
   BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
   BOOST_TEST(mended.json()["resumed_at"] > 0);
   BOOST_TEST(read("rows.npy") == whole);
@@ -323,15 +312,14 @@ BOOST_AUTO_TEST_CASE(keeps_every_row_before_it) {
       fs::remove(path("rows.npy"));
       const ProgramRun refused = resume(*this, rows(at, wrong) + "0.2,0.5\n");
       BOOST_TEST(refused.exit_code == 2);
-      BOOST_TEST(refused.err.find("line " + std::to_string(at + 1) + ": f = ") != std::string::npos,
-                 refused.err);
+      BOOST_TEST(contains(refused.err, "line " + std::to_string(at + 1) + ": f = "), refused.err);
       // The same command would only meet the same line again.
       const std::string kept =
           std::string(at == 2 ? "1 row is" : "149 rows are") +
           " kept in rows.npy.part: correct the list, then give the same command with --resume";
-      BOOST_TEST(refused.err.find(kept) != std::string::npos, refused.err);
+      BOOST_TEST(contains(refused.err, kept), refused.err);
       BOOST_TEST(json::parse(read("rows.npy.part.json"))["rows"] == at - 1);
-      const ProgramRun mended = resume(*this, whole_list, {"--json"});
+      const ProgramRun mended = resume(*this, whole_list, "--json");
       BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
       BOOST_TEST(mended.json()["resumed_at"] == at - 1);
       BOOST_TEST(read("rows.npy") == whole);
@@ -344,31 +332,28 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_FIXTURE_TEST_SUITE(resume_option, Sandbox)
 
 BOOST_AUTO_TEST_CASE(begins_where_nothing_is_left) {
-  const ProgramRun answer = run(sweep({"--output", "rows.csv", "--resume", "--json"}));
+  const ProgramRun answer = run(sweep("--output rows.csv --resume --json"));
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
   BOOST_TEST(answer.json()["resumed_at"] == 0);
 }
 
 BOOST_AUTO_TEST_CASE(goes_on_with_one_that_just_began) {
   write("rows.csv.part", "");
-  const ProgramRun answer = run(sweep({"--output", "rows.csv", "--resume", "--json"}));
+  const ProgramRun answer = run(sweep("--output rows.csv --resume --json"));
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
   BOOST_TEST(answer.json()["resumed_at"] == 0);
   BOOST_TEST(answer.json()["rows"] == 3000);
 }
 
 BOOST_AUTO_TEST_CASE(needs_a_file) {
-  const ProgramRun answer = run(sweep({"--resume"}));
+  const ProgramRun answer = run(sweep("--resume"));
   BOOST_TEST(answer.exit_code == 2);
-  BOOST_TEST(answer.err.find("needs an output file") != std::string::npos, answer.err);
+  BOOST_TEST(contains(answer.err, "needs an output file"), answer.err);
 }
 
 BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
-  Surroundings surroundings;
-  surroundings.interrupt = true;
   const ProgramRun stopped =
-      run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-4:1:1000000", "--delta", "1e-4:1:1000000"},
-          surroundings);
+      run("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000", {.interrupt = true});
   BOOST_TEST(stopped.exit_code == 130);
   BOOST_TEST((stopped.out.empty() || stopped.out.ends_with('\n')));
   BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
@@ -376,17 +361,15 @@ BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
 
 /// Hours of work are announced, once, to whoever reads the log.
 BOOST_AUTO_TEST_CASE(long_sweep_says_how_long_it_will_take_where_nobody_watches) {
-  Surroundings heard;
-  heard.interrupt_once_heard = true;
-  const ProgramRun stopped = run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-4:1:1000000",
-                                  "--delta", "1e-4:1:1000000", "--output", "/dev/null"},
-                                 heard);
+  const ProgramRun stopped =
+      run("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000 --output /dev/null",
+          {.interrupt_once_heard = true});
   BOOST_TEST(stopped.exit_code == 130);
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
   BOOST_TEST(lines[0].starts_with("stillpoint: "), lines[0]);
-  BOOST_TEST(lines[0].find(" of 1e+12 rows, 0 %, ") != std::string::npos, lines[0]);
-  BOOST_TEST(lines[0].find(" rows/s: some ") != std::string::npos, lines[0]);
+  BOOST_TEST(contains(lines[0], " of 1e+12 rows, 0 %, "), lines[0]);
+  BOOST_TEST(contains(lines[0], " rows/s: some "), lines[0]);
   BOOST_TEST(lines[0].ends_with(" minutes to go"), lines[0]);
   BOOST_TEST(lines[1].starts_with("stillpoint: interrupted: "), lines[1]);
 }
@@ -398,10 +381,7 @@ BOOST_AUTO_TEST_CASE(interrupt_is_answered_while_a_list_is_waited_for) {
   const int writer = ::open(list.c_str(), O_RDWR | O_CLOEXEC);
   const std::string begun = "f,delta\n0.1,0.2\n";
   BOOST_TEST(::write(writer, begun.data(), begun.size()) == static_cast<ssize_t>(begun.size()));
-  Surroundings surroundings;
-  surroundings.interrupt = true;
-  const ProgramRun stopped =
-      run({"sweep", "--v0", "1", "--p", "1", "--list", "list"}, surroundings);
+  const ProgramRun stopped = run("sweep --v0 1 --p 1 --list list", {.interrupt = true});
   ::close(writer);
   BOOST_TEST(stopped.exit_code == 130);
   BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
@@ -409,16 +389,11 @@ BOOST_AUTO_TEST_CASE(interrupt_is_answered_while_a_list_is_waited_for) {
 
 BOOST_AUTO_TEST_CASE(progress_is_shown_on_a_terminal,
                      *boost::unit_test::precondition(if_terminals)) {
-  Surroundings surroundings;
-  surroundings.interrupt = true;
-  surroundings.error_is_terminal = true;
-  const ProgramRun stopped = run({"sweep", "--v0", "1", "--p", "1", "--f", "1e-4:1:1000000",
-                                  "--delta", "1e-4:1:1000000", "--output", "/dev/null"},
-                                 surroundings);
+  const ProgramRun stopped =
+      run("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000 --output /dev/null",
+          {.error_is_terminal = true, .interrupt = true});
   BOOST_TEST(stopped.exit_code == 130);
-  for (const char* part : {" of 1e+12 rows, 0 %, ", " rows/s, ", " left\x1b[K"}) {
-    BOOST_TEST(stopped.err.find(part) != std::string::npos, stopped.err);
-  }
+  check_contains(stopped.err, {" of 1e+12 rows, 0 %, ", " rows/s, ", " left\x1b[K"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

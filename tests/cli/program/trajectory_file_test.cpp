@@ -49,13 +49,13 @@ struct Simulation {
 };
 
 Simulation simulation(const Sandbox& sandbox, const Arguments& arguments) {
-  const ProgramRun run = sandbox.run(joined(arguments, {"--json", "--trajectory", "motion.csv"}));
+  const ProgramRun run = sandbox.run(joined(arguments, "--json --trajectory motion.csv"));
   BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
   check_only_finite(sandbox.read("motion.csv"));
   return {run.json(), parse(sandbox.read("motion.csv"))};
 }
 
-const Arguments eleven{"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"};
+const Arguments eleven("simulate --v0 1 --p 1 --f 0.02 --delta 0.02");
 
 /// Rows at exactly this instant.
 std::vector<Row> rows_at(const Table& table, double tau) {
@@ -70,7 +70,7 @@ std::vector<Row> rows_at(const Table& table, double tau) {
 BOOST_FIXTURE_TEST_SUITE(trajectory_file, Sandbox)
 
 BOOST_AUTO_TEST_CASE(has_every_sample_and_every_event_in_order) {
-  const auto [report, table] = simulation(*this, joined(eleven, {"--samples", "50"}));
+  const auto [report, table] = simulation(*this, joined(eleven, "--samples 50"));
   BOOST_TEST(table.header == "tau,x,v");
   const double stop = report["response"]["stop_time"];
   BOOST_TEST_REQUIRE(!table.rows.empty());
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(has_every_sample_and_every_event_in_order) {
 }
 
 BOOST_AUTO_TEST_CASE(reaches_the_peak_of_the_response_exactly) {
-  const auto [report, table] = simulation(*this, joined(eleven, {"--samples", "2"}));
+  const auto [report, table] = simulation(*this, joined(eleven, "--samples 2"));
   double peak = 0;
   for (const Row& row : table.rows) {
     peak = std::max(peak, std::abs(row[1]));
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(reaches_the_peak_of_the_response_exactly) {
 
 BOOST_AUTO_TEST_CASE(obeys_the_equation_of_motion_between_events) {
   // On the way out x = -f + S sin(tau + atan f), with v0 = p = 1.
-  const auto [report, table] = simulation(*this, joined(eleven, {"--samples", "2000"}));
+  const auto [report, table] = simulation(*this, joined(eleven, "--samples 2000"));
   const double first_peak = report["half_cycles"][0]["peak_time"];
   const double radius = std::hypot(1, 0.02);
   int compared = 0;
@@ -134,23 +134,21 @@ BOOST_AUTO_TEST_CASE(obeys_the_equation_of_motion_between_events) {
 }
 
 BOOST_AUTO_TEST_CASE(ends_where_it_is_told_to) {
-  const auto shorter = simulation(*this, joined(eleven, {"--samples", "10", "--t-end", "5"}));
+  const auto shorter = simulation(*this, joined(eleven, "--samples 10 --t-end 5"));
   BOOST_TEST(shorter.table.rows.back()[0] == 5);
   // The report is that of the whole motion.
   BOOST_TEST(shorter.report["response"]["half_cycles"] == 11);
-  const auto longer = simulation(*this, joined(eleven, {"--samples", "10", "--t-end", "50"}));
+  const auto longer = simulation(*this, joined(eleven, "--samples 10 --t-end 50"));
   BOOST_TEST((longer.table.rows.back() == Row{50, 0, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(of_a_motion_without_an_end_has_ten_periods) {
-  const auto endless = simulation(
-      *this, {"simulate", "--v0", "1", "--p", "2", "--f", "0", "--delta", "0", "--samples", "9"});
+  const auto endless = simulation(*this, "simulate --v0 1 --p 2 --f 0 --delta 0 --samples 9");
   BOOST_TEST(near(endless.table.rows.back()[0], 10 * std::numbers::pi, 1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(of_nothing_that_moves_stays_at_its_place) {
-  const auto caught = simulation(*this, {"simulate", "--v0", "1", "--p", "1", "--f", "0.1",
-                                         "--delta", "0.6", "--samples", "5"});
+  const auto caught = simulation(*this, "simulate --v0 1 --p 1 --f 0.1 --delta 0.6 --samples 5");
   for (const Row& row : caught.table.rows) {
     BOOST_TEST(row[1] == 0);
   }
@@ -159,8 +157,7 @@ BOOST_AUTO_TEST_CASE(of_nothing_that_moves_stays_at_its_place) {
 
 BOOST_AUTO_TEST_CASE(has_columns_in_metres_and_seconds_for_physical_input) {
   const auto [report, table] =
-      simulation(*this, {"simulate", "--velocity", "0.4", "--period", "3", "--f", "0.02",
-                         "--delta-m", "0.001", "--samples", "20"});
+      simulation(*this, "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 --samples 20");
   BOOST_TEST(table.header == "tau,x,v,t_s,x_m,v_m_per_s");
   const json& quantities = report["physical"];
   const double velocity_unit = std::sqrt(9.80665 * quantities["length_unit_m"].get<double>());
@@ -175,8 +172,7 @@ BOOST_AUTO_TEST_CASE(has_columns_in_metres_and_seconds_for_physical_input) {
 }
 
 BOOST_AUTO_TEST_CASE(goes_with_the_report_into_two_files) {
-  const ProgramRun text =
-      run(joined(eleven, {"--trajectory", "motion.csv", "--output", "report.json"}));
+  const ProgramRun text = run(joined(eleven, "--trajectory motion.csv --output report.json"));
   BOOST_TEST(text.exit_code == 0);
   BOOST_TEST(contents().size() == 2U);
   BOOST_TEST(json::parse(read("report.json"))["response"]["half_cycles"] == 11);

@@ -22,10 +22,10 @@ using namespace stillpoint::cli_test;
 namespace fs = std::filesystem;
 
 const std::string scene = R"({"v0": 1, "p": 1, "beta": 0.9})";
-const Arguments simulate{"simulate", "--v0", "1", "--p", "1", "--f", "0.1", "--delta", "0.1"};
-const Arguments record{"--record", "r.txt"};
-const Arguments design{"design", "--v0", "1", "--p", "1", "--beta", "0.9"};
-const Arguments list{"sweep", "--v0", "1", "--p", "1", "--list", "l.csv"};
+const Arguments simulate("simulate --v0 1 --p 1 --f 0.1 --delta 0.1");
+const Arguments record("--record r.txt");
+const Arguments design("design --v0 1 --p 1 --beta 0.9");
+const Arguments list("sweep --v0 1 --p 1 --list l.csv");
 
 /// What there is to lose.
 void prepare(const Sandbox& sandbox) {
@@ -49,24 +49,21 @@ BOOST_AUTO_TEST_CASE(never_are_what_is_read) {
   const auto forced = joined(simulate, record);
   const auto before = contents();
   const std::vector<std::pair<Arguments, Texts>> wrong{
-      {joined(forced, {"--output", "r.txt"}), {"output r.txt", "record r.txt"}},
-      {joined(forced, {"--output", "./d/../r.txt"}), {"output ./d/../r.txt", "record r.txt"}},
+      {joined(forced, "--output r.txt"), {"output r.txt", "record r.txt"}},
+      {joined(forced, "--output ./d/../r.txt"), {"output ./d/../r.txt", "record r.txt"}},
       {joined(forced, {"--output", path("r.txt").string()}), {"output /", "record r.txt"}},
-      {joined(forced, {"--output", "link.txt"}), {"output link.txt", "record r.txt"}},
-      {joined(simulate, {"--record", "link.txt", "--output", "r.txt"}),
-       {"output r.txt", "record link.txt"}},
-      {joined(forced, {"--trajectory", "r.txt"}), {"trajectory r.txt", "record r.txt"}},
-      {joined(forced, {"--html", "r.txt"}), {"html r.txt", "record r.txt"}},
-      {joined(simulate, {"--record", "d/motion.svg", "--svg", "e"}),
+      {joined(forced, "--output link.txt"), {"output link.txt", "record r.txt"}},
+      {joined(simulate, "--record link.txt --output r.txt"), {"output r.txt", "record link.txt"}},
+      {joined(forced, "--trajectory r.txt"), {"trajectory r.txt", "record r.txt"}},
+      {joined(forced, "--html r.txt"), {"html r.txt", "record r.txt"}},
+      {joined(simulate, "--record d/motion.svg --svg e"),
        {"svg e/motion.svg", "record d/motion.svg"}},
-      {{"design", "s.json", "--output", "s.json"}, {"output s.json", "scene s.json"}},
-      {{"design", "s.json", "--html", "s.json"}, {"html s.json", "scene s.json"}},
-      {{"region", "s.json", "--output", "s.json"}, {"output s.json", "scene s.json"}},
-      {{"accuracy", "s.json", "--f", "0.1", "--delta", "0.1", "--output", "s.json"},
-       {"output s.json", "scene s.json"}},
-      {joined(list, {"--output", "l.csv"}), {"output l.csv", "list l.csv"}},
-      {{"sweep", "l.csv.part.json", "--output", "l.csv"},
-       {"output l.csv.part.json", "scene l.csv.part.json"}},
+      {"design s.json --output s.json", {"output s.json", "scene s.json"}},
+      {"design s.json --html s.json", {"html s.json", "scene s.json"}},
+      {"region s.json --output s.json", {"output s.json", "scene s.json"}},
+      {"accuracy s.json --f 0.1 --delta 0.1 --output s.json", {"output s.json", "scene s.json"}},
+      {joined(list, "--output l.csv"), {"output l.csv", "list l.csv"}},
+      {"sweep l.csv.part.json --output l.csv", {"output l.csv.part.json", "scene l.csv.part.json"}},
   };
   for (const auto& [arguments, says] : wrong) {
     BOOST_TEST_CONTEXT(says.front()) {
@@ -79,24 +76,21 @@ BOOST_AUTO_TEST_CASE(never_are_what_is_read) {
 BOOST_AUTO_TEST_CASE(of_a_scene_are_looked_at_as_well) {
   const std::string text = R"({"v0": 1, "p": 1, "beta": 0.9, "output": "s.json"})";
   write("s.json", text);
-  check_refusal(run({"design", "s.json"}), {"output s.json", "scene s.json"});
+  check_refusal(run("design s.json"), {"output s.json", "scene s.json"});
   BOOST_TEST(read("s.json") == text);
-  BOOST_TEST(run({"design", "s.json", "--output", "other.json"}).exit_code == 0);
+  BOOST_TEST(run("design s.json --output other.json").exit_code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(are_all_different) {
   prepare(*this);
   const auto before = contents();
   const std::vector<std::pair<Arguments, Texts>> wrong{
-      {joined(simulate, {"--trajectory", "m", "--output", "d/../m"}),
-       {"trajectory m", "output d/../m"}},
-      {joined(simulate, {"--html", "new.json", "--output", "dangling"}),
-       {"html new.json", "output dangling"}},
-      {joined(simulate, {"--html", "e/phase.svg", "--svg", "d"}),
-       {"html e/phase.svg", "svg d/phase.svg"}},
-      {joined(simulate, {"--output", "new/phase.svg", "--svg", "new"}),
+      {joined(simulate, "--trajectory m --output d/../m"), {"trajectory m", "output d/../m"}},
+      {joined(simulate, "--html new.json --output dangling"), {"html new.json", "output dangling"}},
+      {joined(simulate, "--html e/phase.svg --svg d"), {"html e/phase.svg", "svg d/phase.svg"}},
+      {joined(simulate, "--output new/phase.svg --svg new"),
        {"output new/phase.svg", "svg new/phase.svg"}},
-      {joined(design, {"--html", "x", "--output", "x"}), {"html x", "output x"}},
+      {joined(design, "--html x --output x"), {"html x", "output x"}},
   };
   for (const auto& [arguments, says] : wrong) {
     BOOST_TEST_CONTEXT(says.front()) {
@@ -121,18 +115,18 @@ BOOST_AUTO_TEST_CASE(are_not_those_of_a_running_sweep) {
     BOOST_TEST(contents() == before);
   }
   ::close(part);
-  BOOST_TEST(run(joined(simulate, {"--output", "m.npy.part"})).exit_code == 0);
+  BOOST_TEST(run(joined(simulate, "--output m.npy.part")).exit_code == 0);
 }
 
 // An old report may be replaced, also one of the same name elsewhere; a device takes everything.
 BOOST_AUTO_TEST_CASE(are_written_where_nothing_is_lost) {
   prepare(*this);
-  for (const Arguments& right : std::vector<Arguments>{
-           joined(simulate, {"--record", "r.txt", "--output", "d/r.txt"}),
-           joined(simulate, {"--record", "r.txt", "--output", "d/r.txt"}),
-           joined(simulate, {"--svg", "d", "--output", "d/map.svg"}),
-           joined(simulate, {"--trajectory", "/dev/null", "--output", "/dev/null"}),
-           joined(simulate, {"--trajectory", "/dev/stdout", "--output", "/dev/stdout"})}) {
+  for (const Arguments& right :
+       std::vector<Arguments>{joined(simulate, "--record r.txt --output d/r.txt"),
+                              joined(simulate, "--record r.txt --output d/r.txt"),
+                              joined(simulate, "--svg d --output d/map.svg"),
+                              joined(simulate, "--trajectory /dev/null --output /dev/null"),
+                              joined(simulate, "--trajectory /dev/stdout --output /dev/stdout")}) {
     const ProgramRun done = run(right);
     BOOST_TEST(done.exit_code == 0, done.err);
   }

@@ -26,16 +26,16 @@ namespace fs = std::filesystem;
 BOOST_FIXTURE_TEST_SUITE(scene_file, Sandbox)
 
 BOOST_AUTO_TEST_CASE(that_does_not_exist) {
-  check_refused(*this, {"", {"design", "none.json"}, {"none.json", "No such file"}});
+  check_refused(*this, {"design none.json", {"none.json", "No such file"}});
 }
 
 BOOST_AUTO_TEST_CASE(without_a_name) {
-  check_refused(*this, {"", design({""}), {"scene", "cannot be read"}});
+  check_refused(*this, {design({""}), {"scene", "cannot be read"}});
 }
 
 BOOST_AUTO_TEST_CASE(that_is_a_directory) {
   fs::create_directory(path("folder"));
-  check_refused(*this, {"", {"design", "folder"}, {"folder", "directory"}});
+  check_refused(*this, {"design folder", {"folder", "directory"}});
 }
 
 BOOST_AUTO_TEST_CASE(that_cannot_be_opened) {
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(that_cannot_be_opened) {
     BOOST_TEST_MESSAGE("skipped: this user may read every file");
     return;
   }
-  check_refused(*this, {"", {"design", "secret.json"}, {"secret.json", "Permission denied"}});
+  check_refused(*this, {"design secret.json", {"secret.json", "Permission denied"}});
 }
 
 BOOST_AUTO_TEST_CASE(whose_reading_fails) {
@@ -54,17 +54,17 @@ BOOST_AUTO_TEST_CASE(whose_reading_fails) {
     BOOST_TEST_MESSAGE("skipped: no " << unreadable);
     return;
   }
-  check_refused(*this, {"", {"design", unreadable}, {unreadable, "cannot be read"}});
+  check_refused(*this, {{"design", unreadable}, {unreadable, "cannot be read"}});
 }
 
 BOOST_AUTO_TEST_CASE(of_a_hundred_megabytes) {
   write("huge.json", "");
   fs::resize_file(path("huge.json"), 100'000'000);
-  check_refused(*this, {"", {"design", "huge.json"}, {"huge.json", "too large", "1048576 bytes"}});
+  check_refused(*this, {"design huge.json", {"huge.json", "too large", "1048576 bytes"}});
 }
 
 BOOST_AUTO_TEST_CASE(that_never_ends) {
-  check_refused(*this, {"", {"design", "/dev/zero"}, {"/dev/zero", "too large", "1048576 bytes"}});
+  check_refused(*this, {"design /dev/zero", {"/dev/zero", "too large", "1048576 bytes"}});
 }
 
 /// Such a value would take the stack with it, and its text the screen.
@@ -72,15 +72,14 @@ BOOST_AUTO_TEST_CASE(that_is_nested_deeper_than_any) {
   for (const int levels : {17, 50'000, 100'000, 500'000}) {
     const auto count = static_cast<std::size_t>(levels);
     const std::string arrays = std::string(count, '[') + "1" + std::string(count, ']');
-    check_refused(*this,
-                  {"", {"design", "-"}, {"nested deeper than 16"}, "{\"v0\": " + arrays + "}"});
-    check_refused(*this, {"", {"design", "-"}, {"nested deeper than 16"}, arrays});
+    check_refused(*this, {"design -", {"nested deeper than 16"}, "{\"v0\": " + arrays + "}"});
+    check_refused(*this, {"design -", {"nested deeper than 16"}, arrays});
   }
   std::string objects;
   for (int i = 0; i < 100'000; ++i) {
     objects += "{\"a\":";
   }
-  check_refused(*this, {"", {"sweep", "-"}, {"nested deeper than 16"}, objects + "1"});
+  check_refused(*this, {"sweep -", {"nested deeper than 16"}, objects + "1"});
 }
 
 /// A message holds so much of what it quotes as one reads.
@@ -93,28 +92,27 @@ BOOST_AUTO_TEST_CASE(whose_text_is_long_is_quoted_in_part) {
   }
   numbers += "]";
   const std::vector<Wrong> long_ones{
-      {"", {"design", "-"}, {"v0 = ", "must be a number"}, "{\"v0\": " + quoted + "}"},
-      {"", {"design", "-"}, {"v0 = ", "must be a number"}, "{\"v0\": " + numbers + "}"},
-      {"", {"sweep", "-"}, {"f = ", "an array of numbers"}, "{\"f\": " + numbers + "}"},
-      {"", {"design", "-"}, {"xxx", "is not a key"}, "{" + quoted + ": 1}"},
-      {"", {"design", "-"}, {"xxx", "set twice"}, "{" + quoted + ": 1, " + quoted + ": 1}"},
-      {"", {"design", "-"}, {"not valid JSON"}, "{" + quoted},
-      {"",
-       {"design", "-"},
+      {"design -", {"v0 = ", "must be a number"}, "{\"v0\": " + quoted + "}"},
+      {"design -", {"v0 = ", "must be a number"}, "{\"v0\": " + numbers + "}"},
+      {"sweep -", {"f = ", "an array of numbers"}, "{\"f\": " + numbers + "}"},
+      {"design -", {"xxx", "is not a key"}, "{" + quoted + ": 1}"},
+      {"design -", {"xxx", "set twice"}, "{" + quoted + ": 1, " + quoted + ": 1}"},
+      {"design -", {"not valid JSON"}, "{" + quoted},
+      {"design -",
        {"line 1, column 8: v0 = 1000", "1.8e308"},
        "{\"v0\": 1" + std::string(100'000, '0') + "}"},
-      {"", {"design", text}, {"scene xxx", "cannot be read"}},
-      {"", {"design", "--" + text}, {"xxx", "unknown option"}},
-      {"", {"design", "a", text}, {"xxx", "only one scene"}},
-      {"", {text}, {"command xxx", "must be design"}},
-      {"", {"design", "--v0", text}, {"v0 = ", "finite number"}},
-      {"", design({"--criterion", text}), {"criterion = xxx", "published or exact"}},
-      {"", design({"--algorithm", text}), {"algorithm = xxx"}},
-      {"", simulate({"--samples", text}), {"samples = ", "whole number"}},
-      {"", simulate({"--record", text}), {"record xxx", "cannot be read"}},
-      {"", simulate({"--trajectory", text}), {"trajectory xxx", "cannot be written"}},
-      {"", {"sweep", "--v0", text + ":1:2"}, {"v0 = ", "finite number"}},
-      {"", {"sweep", "--v0", "1", "--list", text}, {"list xxx", "cannot be read"}},
+      {{"design", text}, {"scene xxx", "cannot be read"}},
+      {{"design", "--" + text}, {"xxx", "unknown option"}},
+      {{"design", "a", text}, {"xxx", "only one scene"}},
+      {{text}, {"command xxx", "must be design"}},
+      {{"design", "--v0", text}, {"v0 = ", "finite number"}},
+      {design({"--criterion", text}), {"criterion = xxx", "published or exact"}},
+      {design({"--algorithm", text}), {"algorithm = xxx"}},
+      {simulate({"--samples", text}), {"samples = ", "whole number"}},
+      {simulate({"--record", text}), {"record xxx", "cannot be read"}},
+      {simulate({"--trajectory", text}), {"trajectory xxx", "cannot be written"}},
+      {{"sweep", "--v0", text + ":1:2"}, {"v0 = ", "finite number"}},
+      {{"sweep", "--v0", "1", "--list", text}, {"list xxx", "cannot be read"}},
   };
   for (const Wrong& wrong : long_ones) {
     const ProgramRun answer = run(wrong.arguments, {.input = wrong.input});
@@ -125,9 +123,9 @@ BOOST_AUTO_TEST_CASE(whose_text_is_long_is_quoted_in_part) {
 
 BOOST_AUTO_TEST_CASE(that_is_empty_or_no_scene) {
   write("empty.json", "");
-  check_refused(*this, {"", {"design", "empty.json"}, {"empty.json", "empty"}});
+  check_refused(*this, {"design empty.json", {"empty.json", "empty"}});
   write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01", 6));
-  check_refused(*this, {"", {"design", "binary.json"}, {"binary.json", "not valid JSON"}});
+  check_refused(*this, {"design binary.json", {"binary.json", "not valid JSON"}});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -135,51 +133,47 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_FIXTURE_TEST_SUITE(output, Sandbox)
 
 BOOST_AUTO_TEST_CASE(standard_output_that_is_full) {
-  const std::vector<Arguments> all{design(), design({"--json"}), region(), simulate()};
+  const std::vector<Arguments> all{design(), design("--json"), region(), simulate()};
   for (const Arguments& arguments : all) {
-    check_refused(*this, {"", arguments, {"standard output", "No space left"}}, to_a_full_device);
+    check_refused(*this, {arguments, {"standard output", "No space left"}}, to_a_full_device);
   }
-  check_refusal(run({"--help"}, to_a_full_device), {"standard output"});
-  check_refusal(run({"--version"}, to_a_full_device), {"standard output"});
+  check_refusal(run("--help", to_a_full_device), {"standard output"});
+  check_refusal(run("--version", to_a_full_device), {"standard output"});
 }
 
 BOOST_AUTO_TEST_CASE(standard_output_that_is_full_leaves_the_trajectory_alone) {
   write("t.csv", "old");
-  check_refused(*this, {"", simulate({"--trajectory", "t.csv"}), {"standard output"}},
-                to_a_full_device);
+  check_refused(*this, {simulate("--trajectory t.csv"), {"standard output"}}, to_a_full_device);
 }
 
 BOOST_AUTO_TEST_CASE(file_on_a_full_device) {
+  check_refused(*this, {design("--output /dev/full"), {"output", "/dev/full", "No space left"}});
   check_refused(*this,
-                {"", design({"--output", "/dev/full"}), {"output", "/dev/full", "No space left"}});
-  check_refused(
-      *this,
-      {"", simulate({"--trajectory", "/dev/full"}), {"trajectory", "/dev/full", "No space"}});
+                {simulate("--trajectory /dev/full"), {"trajectory", "/dev/full", "No space"}});
 }
 
 BOOST_AUTO_TEST_CASE(file_in_no_directory) {
-  check_refused(*this, {"", design({"--output", "no/where.json"}), {"output", "no/where.json"}});
-  check_refused(*this, {"", design({"--output", "old.json/x"}), {"output", "old.json/x"}});
-  check_refused(*this, {"", design({"--output", "folder/"}), {"output", "folder/"}});
-  check_refused(*this,
-                {"", simulate({"--trajectory", "no/where.csv"}), {"trajectory", "no/where.csv"}});
+  check_refused(*this, {design("--output no/where.json"), {"output", "no/where.json"}});
+  check_refused(*this, {design("--output old.json/x"), {"output", "old.json/x"}});
+  check_refused(*this, {design("--output folder/"), {"output", "folder/"}});
+  check_refused(*this, {simulate("--trajectory no/where.csv"), {"trajectory", "no/where.csv"}});
 }
 
 BOOST_AUTO_TEST_CASE(file_without_a_name) {
-  check_refused(*this, {"", design({"--output", ""}), {"output"}});
-  check_refused(*this, {"", simulate({"--trajectory", ""}), {"trajectory"}});
+  check_refused(*this, {design({"--output", ""}), {"output"}});
+  check_refused(*this, {simulate({"--trajectory", ""}), {"trajectory"}});
 }
 
 BOOST_AUTO_TEST_CASE(file_that_is_a_directory) {
   fs::create_directory(path("folder"));
-  check_refused(*this, {"", design({"--output", "folder"}), {"output", "folder", "directory"}});
-  check_refused(*this, {"", design({"--output", "."}), {"output", "directory"}});
+  check_refused(*this, {design("--output folder"), {"output", "folder", "directory"}});
+  check_refused(*this, {design("--output ."), {"output", "directory"}});
 }
 
 BOOST_AUTO_TEST_CASE(file_in_a_directory_that_takes_none) {
   // Not even root may create files there.
   if (fs::exists("/proc/self")) {
-    check_refused(*this, {"", design({"--output", "/proc/report.json"}), {"/proc/report.json"}});
+    check_refused(*this, {design("--output /proc/report.json"), {"/proc/report.json"}});
   }
   fs::create_directory(path("sealed"));
   fs::permissions(path("sealed"), fs::perms::owner_read | fs::perms::owner_exec);
@@ -187,18 +181,14 @@ BOOST_AUTO_TEST_CASE(file_in_a_directory_that_takes_none) {
     BOOST_TEST_MESSAGE("skipped: this user may write everywhere");
     return;
   }
-  check_refused(*this,
-                {"", design({"--output", "sealed/new.json"}), {"output", "sealed/new.json"}});
+  check_refused(*this, {design("--output sealed/new.json"), {"output", "sealed/new.json"}});
 }
 
 BOOST_AUTO_TEST_CASE(one_of_two_files_that_cannot_be_written) {
   write("t.csv", "old");
-  check_refused(*this, {"",
-                        simulate({"--trajectory", "t.csv", "--output", "no/where.json"}),
-                        {"output", "no/where.json"}});
   check_refused(
-      *this,
-      {"", simulate({"--trajectory", "no/where.csv", "--output", "old.json"}), {"no/where.csv"}});
+      *this, {simulate("--trajectory t.csv --output no/where.json"), {"output", "no/where.json"}});
+  check_refused(*this, {simulate("--trajectory no/where.csv --output old.json"), {"no/where.csv"}});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,12 +3,16 @@
 
 import json
 import os
+import signal
 import subprocess
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[3]
+
+# A job in the background ignores interrupts, and hands that on.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 class Program:

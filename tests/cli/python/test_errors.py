@@ -100,6 +100,11 @@ def test_interrupt_ends_a_sweep(interrupt):
         stillpoint.sweep(v0=1, p=1, f="1e-7:1.1e-7:1000000", delta=1e-5, columns="peak_amplitude")
 
 
+def test_interrupt_ends_a_sweep_without_rows(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.sweep(v0=1, p=1, f="1e-7:1.1e-7:1000000", delta=1e-5, reduce=True)
+
+
 def test_interrupt_ends_a_design_under_records(interrupt):
     with pytest.raises(KeyboardInterrupt):
         stillpoint.design(record=[RECORD] * 100, period="2:4", max_displacement=0.4, hold=0.1)

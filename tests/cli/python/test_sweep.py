@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The rows of a sweep in memory against those that the program writes."""
 
+import json
+
 import numpy as np
 import pytest
 from conftest import ROOT, timeless
@@ -49,6 +51,75 @@ def test_report_is_that_of_the_program(program):
     found = timeless(stillpoint.sweep(**axes).report)
     assert found.pop("output") == {**wanted.pop("output"), "file": None}
     assert found == wanted
+
+
+REDUCED = [
+    {"v0": 1, "p": 1, "f": "0:0.35:15", "delta": "0:0.6:13", "times": True, "best": "stop_time:7",
+     "histogram": ["peak_amplitude:0.7:0.95:6", "stop_time:1:40:5:log"]},
+    {"v0": "0.5:1:4", "p": 1, "beta": "0.4:0.9:23",
+     "best": ["tolerance:3:largest", "peak_amplitude:2"]},
+    {"velocity": "300mm/s:500mm/s:30", "period": "2.8s", "f": "0.01,0.02", "delta_m": "5mm"},
+    {"p": 1, "f": "0.05:0.2:16", "delta": 0, "excitation": "harmonic", "k": 0.2, "lambda_": 0.35,
+     "t_end": 20},
+]
+
+
+@pytest.mark.parametrize("options", REDUCED)
+def test_reduction_is_that_of_the_program(program, options):
+    flags = {key: value for key, value in options.items() if value is not True}
+    arguments = ["--times"] if "times" in options else []
+    done = program.run("sweep", "--reduce", "--json", *arguments, **flags)
+    found = stillpoint.sweep(reduce=True, **options)
+    assert json.dumps(found.report) == json.dumps(json.loads(done.stdout))  # with the order of keys
+    assert found.table is None
+    assert str(found) == program.run("sweep", "--reduce", *arguments, **flags).stdout
+    assert " of " in repr(found) and found.report.digest is None
+
+
+def test_reduction_agrees_with_the_rows():
+    axes = {"v0": 1, "p": 1, "f": "0:0.35:15", "delta": "0:0.6:13"}
+    peaks = stillpoint.sweep(**axes).table["peak_amplitude"]
+    edges = np.linspace(0.7, 0.95, 7)
+    found = stillpoint.sweep(reduce=True, histogram="peak_amplitude:" + ",".join(map(str, edges)),
+                             best="peak_amplitude:4", **axes)
+    column = next(one for one in found.columns if one.column == "peak_amplitude")
+    assert (column.least.peak_amplitude, column.largest.peak_amplitude) == (peaks.min(), peaks.max())
+    assert column.least.entry == peaks.argmin() + 1 and column.count == len(peaks)
+    (histogram,) = found.histograms
+    assert histogram.counts == np.histogram(peaks, edges)[0].tolist()
+    assert [row.entry for row in found.best[0].rows] == (np.argsort(peaks, kind="stable")[:4] + 1).tolist()
+    for quantile in column.quantiles:
+        value = np.sort(peaks)[max(int(np.ceil(quantile.share * len(peaks))), 1) - 1]
+        assert quantile.low <= value <= quantile.high
+
+
+def test_reduced_parts_merge_with_those_of_the_program(program):
+    axes = {"v0": 1, "p": 1, "f": "0:0.35:20", "delta": "0:0.5:21"}
+    first = stillpoint.sweep(reduce=True, part="1/2", output="r-{part}.json", **axes)
+    assert first.part == {"number": 1, "count": 2}
+    program.run("sweep", "--reduce", part="2/2", output="r-{part}.json", **axes)
+    merged = program.run("sweep", "merge", "r.json", "r-1-of-2.json", "r-2-of-2.json")
+    assert merged.returncode == 0, merged.stderr
+    program.run("sweep", "--reduce", output="whole.json", **axes)
+    assert (program.folder / "r.json").read_bytes() == (program.folder / "whole.json").read_bytes()
+    again = stillpoint.sweep(reduce=True, part="1/2", output="r-{part}.json", resume=True, **axes)
+    assert again.report == first.report
+    with pytest.raises(stillpoint.InputError, match="is part 1/2 of this sweep"):
+        stillpoint.sweep(reduce=True, part="2/2", output="r-1-of-2.json", **axes)
+
+
+@pytest.mark.parametrize("more", [
+    {"histogram": "peak_amplitude:0:1:50"}, {"reduce": True, "histogram": "outcome:0:1:2"},
+    {"reduce": True, "best": "peak_amplitude:0"}, {"reduce": True, "format": "npy"},
+    {"reduce": True, "resume": True}])
+def test_wrong_reduction_is_refused_as_the_program_does(program, more):
+    axes = {"v0": 1, "p": 1, "f": "0:0.3:3", "delta": 0.1}
+    flags = [f"--{key}" for key, value in more.items() if value is True]
+    values = {key: value for key, value in more.items() if value is not True}
+    with pytest.raises(stillpoint.InputError) as caught:
+        stillpoint.sweep(**axes, **more)
+    done = program.run("sweep", *flags, **axes, **values)
+    assert done.returncode == 2 and done.stderr == f"stillpoint: {caught.value}\n"
 
 
 def test_output_goes_to_a_file(program):

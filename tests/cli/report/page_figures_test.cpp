@@ -12,7 +12,6 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 // What a reader must see in the figures of a page.
 

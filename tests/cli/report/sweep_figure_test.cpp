@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "testing/contains.hpp"
+
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <boost/test/unit_test.hpp>
 
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(sweep_figure_test)
 
 BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   using namespace stillpoint;
   using sweep::Quantity;
+  using test::contains;
   sweep::SweepSpec spec;
   spec.axes = {{Quantity::v0, sweep::Axis({1})},
                {Quantity::p, sweep::Axis({1})},
@@ -41,7 +42,7 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});
   const figures::Figure built = report::page(spec, summary, map).figures.at(0);
   BOOST_TEST(built.curves.empty());
-  BOOST_TEST(built.description.find("in the notch") != std::string::npos);
+  BOOST_TEST(contains(built.description, "in the notch"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,27 +11,27 @@ namespace stillpoint::cli_test {
 
 /// A mass at rest, to be shaken.
 inline Arguments at_rest(const Arguments& more) {
-  return joined({"simulate", "--p", "1", "--f", "0.1", "--delta", "0.01"}, more);
+  return joined("simulate --p 1 --f 0.1 --delta 0.01", more);
 }
 
 inline Arguments pulse(const char* type, const Arguments& more = {}) {
   return at_rest(joined({"--excitation", type, "--k", "0.5", "--lambda", "2"}, more));
 }
 
-inline const Arguments harmonic = pulse("harmonic", {"--t-end", "20"});
+inline const Arguments harmonic = pulse("harmonic", "--t-end 20");
 
 /// Scene S3 of the speed comparison, at resonance.
-inline const Arguments s3{"simulate", "--v0",     "0.5",  "--p",          "1",        "--f",
-                          "0.05",     "--delta",  "0.01", "--excitation", "harmonic", "--k",
-                          "0.2",      "--lambda", "1",    "--t-end",      "200"};
+inline const Arguments s3(
+    "simulate --v0 0.5 --p 1 --f 0.05 --delta 0.01 --excitation harmonic --k 0.2 --lambda 1 "
+    "--t-end 200");
 /// Scene S4, with stops.
-inline const Arguments s4{"simulate", "--v0",     "0.5",  "--p",          "1",        "--f",
-                          "0.18",     "--delta",  "0",    "--excitation", "harmonic", "--k",
-                          "0.2",      "--lambda", "0.35", "--t-end",      "200"};
+inline const Arguments s4(
+    "simulate --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 "
+    "--t-end 200");
 
 /// Without friction, for answers in closed form.
 inline Arguments free_at_rest(const Arguments& more) {
-  return joined({"simulate", "--p", "1", "--f", "0", "--delta", "0"}, more);
+  return joined("simulate --p 1 --f 0 --delta 0", more);
 }
 
 using Row = std::vector<double>;
@@ -59,7 +59,6 @@ inline std::vector<Row> record_s5(double scale = 1) {
   return rows;
 }
 
-inline const Arguments s5{"simulate", "--p", "1",        "--f",   "0.05",
-                          "--delta",  "0",   "--record", "s5.txt"};
+inline const Arguments s5("simulate --p 1 --f 0.05 --delta 0 --record s5.txt");
 
 }  // namespace stillpoint::cli_test

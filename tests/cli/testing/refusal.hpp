@@ -11,9 +11,8 @@ namespace stillpoint::cli_test {
 
 using Texts = std::vector<std::string>;
 
-/// One way to go wrong, and what the message must hold: the field, the value, the bound.
+/// A wrong command, and what the message must hold: the field, the value, the bound.
 struct Wrong {
-  const char* name;
   Arguments arguments;
   Texts says;
   std::string input{};

@@ -79,6 +79,7 @@ nlohmann::json report_of(const Sandbox& sandbox, const Arguments& arguments,
   const ProgramRun run = sandbox.run(joined(arguments, {"--json"}), surroundings);
   BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
   const bool says_that_it_locks = (run.err.starts_with("stillpoint: locked at x = 0 from ") ||
+                                   run.err.starts_with("stillpoint: locked: ") ||
                                    run.err.starts_with("stillpoint: never starts: ")) &&
                                   run.err.find('\n') + 1 == run.err.size();
   BOOST_TEST((run.err.empty() || says_that_it_locks), run.err);

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include <initializer_list>
-#include <string>
 #include <string_view>
 
 namespace stillpoint::cli_test {

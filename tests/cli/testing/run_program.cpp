@@ -16,11 +16,11 @@
 #include <charconv>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <memory>
+#include <regex>
 #include <sstream>
-#include <stdexcept>
 #include <stop_token>
 #include <system_error>
 #include <thread>
@@ -297,22 +297,27 @@ std::vector<std::string> ProgramRun::err_lines() const {
   return lines_of(err);
 }
 
+std::string built_program() {
+  return STILLPOINT_PROGRAM;
+}
+
 ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surroundings) const {
-  std::vector<std::string> words = joined({STILLPOINT_PROGRAM}, arguments);
+  const std::string program = surroundings.program.empty() ? built_program() : surroundings.program;
+  Arguments words = joined({program}, arguments);
   std::vector<std::string> variables = environment(surroundings);
   const File input = input_file(surroundings.input);
   const Channel out = output_channel(surroundings);
   const Channel err = surroundings.error_is_terminal ? terminal_channel() : pipe_channel();
   const Attributes attributes;
   FileActions actions;
-  actions.directory(path_);
+  actions.directory(path(""));
   actions.connect(::fileno(input.get()), STDIN_FILENO);
   actions.connect(out.writer->get(), STDOUT_FILENO);
   actions.connect(err.writer->get(), STDERR_FILENO);
   pid_t child = 0;
-  const int error = ::posix_spawn(&child, STILLPOINT_PROGRAM, actions.get(), attributes.get(),
+  const int error = ::posix_spawn(&child, program.c_str(), actions.get(), attributes.get(),
                                   pointers(words).data(), pointers(variables).data());
-  require(error == 0, STILLPOINT_PROGRAM, error);
+  require(error == 0, program.c_str(), error);
   out.writer->close();
   err.writer->close();
   const auto deadline = Clock::now() + surroundings.patience;
@@ -334,27 +339,11 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   return result;
 }
 
-void Sandbox::write(std::string_view name, std::string_view text) const {
-  std::ofstream file(path(name), std::ios::binary);
-  file << text;
-  require(static_cast<bool>(file.flush()), "write");
-}
-
-std::string Sandbox::read(std::string_view name) const {
-  std::ifstream file(path(name), std::ios::binary);
-  if (!file) {
-    throw std::runtime_error("there is no file " + std::string(name));
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::map<std::string, std::string> Sandbox::contents() const {
   constexpr std::uintmax_t large = std::uintmax_t{1} << 20U;
   std::map<std::string, std::string> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
-    const std::string name = entry.path().lexically_relative(path_).string();
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path(""))) {
+    const std::string name = entry.path().lexically_relative(path("")).string();
     if (entry.is_symlink()) {
       found[name] = std::filesystem::read_symlink(entry.path()).string();
     } else if (entry.is_directory()) {
@@ -377,6 +366,14 @@ boost::test_tools::assertion_result if_terminals(boost::unit_test::test_unit_id 
   ::close(terminal);
   ::close(shell);
   return true;
+}
+
+Arguments::Arguments(const char* line) {
+  static const std::regex word("'([^']*)'|(\\S+)");
+  for (std::cregex_iterator match(line, line + std::strlen(line), word), none; match != none;
+       ++match) {
+    push_back((*match)[1].matched ? (*match)[1].str() : (*match)[2].str());
+  }
 }
 
 Arguments joined(Arguments head, const Arguments& tail) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "testing/contains.hpp"
 #include "testing/folder.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -8,17 +9,24 @@
 
 #include <chrono>
 #include <csignal>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace stillpoint::cli_test {
 
-using Arguments = std::vector<std::string>;
+using test::check_contains;
+using test::contains;
+
+/// The words behind the name of the program.
+struct Arguments : std::vector<std::string> {
+  using std::vector<std::string>::vector;
+
+  /// As a shell reads a line: words between blanks; single quotes hold one with blanks, or none.
+  Arguments(const char* line);  // NOLINT(google-explicit-constructor): stands for its words
+};
 
 /// What a run left behind.
 struct ProgramRun {
@@ -32,10 +40,14 @@ struct ProgramRun {
   [[nodiscard]] std::vector<std::string> err_lines() const;
 };
 
+/// The file of the program that is tested.
+[[nodiscard]] std::string built_program();
+
 enum class StandardOutput { pipe, terminal, file };
 
 struct Surroundings {
-  std::string input{};  ///< on standard input
+  std::string input{};    ///< on standard input
+  std::string program{};  ///< a copy of built_program(); empty: that itself
   /// Beside what the tests themselves run in, less NO_COLOR, and with TERM=xterm.
   std::vector<std::pair<std::string, std::string>> environment{};
   StandardOutput output{StandardOutput::pipe};
@@ -52,23 +64,15 @@ struct Surroundings {
 };
 
 /// A directory that lives as long as the test and in which the program runs. A fixture.
-class Sandbox {
+class Sandbox : public test::Folder {
  public:
   /// Runs the program with this directory as its own.
   [[nodiscard]] ProgramRun run(const Arguments& arguments,
                                const Surroundings& surroundings = {}) const;
 
-  [[nodiscard]] std::filesystem::path path(std::string_view name) const { return path_ / name; }
-  void write(std::string_view name, std::string_view text) const;
-  [[nodiscard]] std::string read(std::string_view name) const;
-
   /// Every entry by name: the text of a file, the target of a link, "/" for a directory. Of files
   /// over a mebibyte the size alone.
   [[nodiscard]] std::map<std::string, std::string> contents() const;
-
- private:
-  test::Folder folder_;
-  std::filesystem::path path_{std::filesystem::canonical(folder_.path(""))};
 };
 
 /// A precondition of tests: a pseudo-terminal can be had. A bare root without /dev/pts has none.

@@ -7,25 +7,21 @@
 namespace stillpoint::cli_test::right {
 
 inline Arguments design(const Arguments& more = {}) {
-  return joined({"design", "--v0", "1", "--p", "1", "--beta", "0.9"}, more);
+  return joined("design --v0 1 --p 1 --beta 0.9", more);
 }
 
 inline Arguments region(const Arguments& more = {}) {
-  return joined({"region", "--v0", "1", "--p", "1", "--beta", "0.9"}, more);
+  return joined("region --v0 1 --p 1 --beta 0.9", more);
 }
 
 inline Arguments simulate(const Arguments& more = {}) {
-  return joined({"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"}, more);
+  return joined("simulate --v0 1 --p 1 --f 0.02 --delta 0.02", more);
 }
 
 /// Of a scene of `design`, within its braces.
 inline const std::string good = R"("v0": 1, "p": 1, "beta": 0.9)";
 
-inline const Surroundings to_a_full_device = [] {
-  Surroundings surroundings;
-  surroundings.output = StandardOutput::file;
-  surroundings.output_file = "/dev/full";
-  return surroundings;
-}();
+inline const Surroundings to_a_full_device{.output = StandardOutput::file,
+                                           .output_file = "/dev/full"};
 
 }  // namespace stillpoint::cli_test::right

@@ -5,7 +5,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -23,9 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string refused(const Excitation& excitation, std::optional<double> t_end = 10, double p = 1) {
   try {
-    ForcedOptions options;
-    options.t_end = t_end;
-    (void)forced_response({p, 0.1, 0}, {0, 1}, excitation, options);
+    (void)forced_response({p, 0.1, 0}, {0, 1}, excitation, {.t_end = t_end});
   } catch (const InputError& error) {
     BOOST_TEST(std::string(error.what()).find(error.field()) == 0U);
     return error.field();

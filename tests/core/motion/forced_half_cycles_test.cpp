@@ -2,10 +2,10 @@
 #include "testing/forced_scene.hpp"
 #include "testing/scene_s5.hpp"
 
-#include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/trajectory.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -111,9 +111,8 @@ BOOST_AUTO_TEST_CASE(a_stop_in_a_notch_that_lets_go_is_felt_whole) {
 BOOST_AUTO_TEST_CASE(are_those_that_the_metrics_count) {
   for (const Case& run : runs()) {
     BOOST_TEST_CONTEXT(run.name) {
-      ForcedOptions options;
-      options.t_end = run.t_end;
-      const auto response = forced_response(run.oscillator, run.start, run.excitation, options);
+      const auto response =
+          forced_response(run.oscillator, run.start, run.excitation, {.t_end = run.t_end});
       const auto list = list_of(run);
       BOOST_TEST(static_cast<double>(list.size()) == *response.half_cycles);
       const auto largest = std::ranges::max_element(list, {}, &HalfCycle::peak);
@@ -131,10 +130,8 @@ BOOST_AUTO_TEST_CASE(end_with_the_final_rest_not_with_the_load_that_proves_it_fi
     const ForcedScene<> scene = random_forced_scene(dice);
     const auto excitation =
         std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
-    ForcedOptions options;
-    options.t_end = scene.t_end;
-    const auto response =
-        forced_response(scene.motion.oscillator(), scene.motion.start(), excitation, options);
+    const auto response = forced_response(scene.motion.oscillator(), scene.motion.start(),
+                                          excitation, {.t_end = scene.t_end});
     const auto list = forced_half_cycles(scene.motion.oscillator(), scene.motion.start(),
                                          excitation, scene.t_end, all);
     if (!list.empty() && response.stop_time) {
@@ -183,12 +180,12 @@ BOOST_AUTO_TEST_CASE(peak_as_soon_as_the_peak_is_reached_not_when_a_stick_there_
     BOOST_TEST_CONTEXT(run.name) {
       const ForcedTrajectory path(run.oscillator, run.start, run.excitation, {run.t_end});
       for (const HalfCycle& now : list_of(run)) {
-        const auto first = std::ranges::find_if(path.events(), [&](const ForcedEvent& event) {
+        const auto first = std::ranges::find_if(path.events(), [&](const Event& event) {
           return event.state.tau >= now.start_time && std::abs(event.state.x) == now.peak;
         });
         BOOST_TEST_REQUIRE((first != path.events().end()));
         BOOST_TEST(now.peak_time == first->state.tau);
-        stuck += std::next(first)->kind == ForcedEventKind::stick ? 1 : 0;
+        stuck += std::next(first)->kind == EventKind::stick ? 1 : 0;
       }
     }
   }
@@ -297,10 +294,9 @@ BOOST_AUTO_TEST_CASE(out_of_rest_begins_without_a_speed_once_friction_gives_way)
 
 BOOST_AUTO_TEST_CASE(more_than_are_allowed_refuse_the_motion) {
   const auto run = [](std::optional<double> limit) {
-    ForcedOptions options;
-    options.t_end = 200;
-    options.half_cycle_limit = limit;
-    return *forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, options).half_cycles;
+    return *forced_response({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1},
+                            {.t_end = 200, .half_cycle_limit = limit})
+                .half_cycles;
   };
   const double half_cycles = run({});
   BOOST_TEST(half_cycles > 50);

@@ -2,9 +2,10 @@
 #include "testing/forced_scene.hpp"
 #include "testing/printing.hpp"
 #include "testing/scene_s5.hpp"
+#include "testing/simple_forced.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/trajectory.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -43,13 +44,6 @@ ForcedRecord<double> agreeing(const ForcedScene<>& scene, double allowed = toler
     BOOST_TEST(std::abs(static_cast<double>(got.state.farthest - right.state.farthest)) <= limit);
   }
   return got;
-}
-
-ForcedResponse until(double t_end, const Oscillator& oscillator, const Start& start,
-                     const Excitation& excitation) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options);
 }
 
 }  // namespace
@@ -300,8 +294,8 @@ BOOST_AUTO_TEST_CASE(the_short_stick_of_scene_s5_is_found) {
   bool found = false;
   for (std::size_t i = 0; i + 1 < path.events().size(); ++i) {
     const auto& event = path.events()[i];
-    if (event.kind == ForcedEventKind::stick && std::abs(event.state.tau - 32.3650) < 5e-5) {
-      found = path.events()[i + 1].kind == ForcedEventKind::release &&
+    if (event.kind == EventKind::stick && std::abs(event.state.tau - 32.3650) < 5e-5) {
+      found = path.events()[i + 1].kind == EventKind::release &&
               std::abs(path.events()[i + 1].state.tau - 32.3942) < 5e-5;
     }
   }

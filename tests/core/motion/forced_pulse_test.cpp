@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/pulse_speed.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -21,9 +21,7 @@ constexpr double half_circle = std::numbers::pi;
 
 /// The amplitude without friction, long after the pulse.
 double free_amplitude(const Excitation& pulse) {
-  ForcedOptions options;
-  options.t_end = 20;
-  const auto response = forced_response({1, 0, 0}, {0, 0}, pulse, options);
+  const auto response = forced_response({1, 0, 0}, {0, 0}, pulse, {.t_end = 20});
   return std::hypot(*response.final_position, *response.final_velocity);
 }
 

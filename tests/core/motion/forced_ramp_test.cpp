@@ -31,9 +31,7 @@ Record ramp(double jump, double slope, double step) {
 /// Until t_end, with at most `most` pieces.
 ForcedResponse within(int most, const Oscillator& oscillator, const Start& start,
                       const Record& record, double until = t_end) {
-  ForcedOptions options;
-  options.t_end = until;
-  options.ask_every = 1;
+  ForcedOptions options{.t_end = until, .ask_every = 1};
   options.go_on = [most, pieces = 0](double /*tau*/) mutable { return ++pieces <= most; };
   const ForcedResponse response = forced_response(oscillator, start, record, options);
   BOOST_TEST(!response.cancelled);

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <string>
 
 // Seeded random scenes of every excitation: in double against the same rules in 50 digits, and
 // every piece looked at closely for an event that was stepped over. STILLPOINT_FORCED_SCENES in the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "testing/scene_s5.hpp"
+#include "testing/simple_forced.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 
@@ -24,13 +25,6 @@ namespace {
 // Some hundreds of events, each of which may add the rounding of a time: 1e-15 each.
 constexpr double position_tolerance = 1e-12;
 constexpr double time_tolerance = 1e-12;
-
-ForcedResponse until(double t_end, const Oscillator& oscillator, const Start& start,
-                     const Excitation& excitation) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options);
-}
 
 void near(const char* what, double value, double expected, double tolerance) {
   BOOST_TEST(std::abs(value - expected) <= tolerance * std::fmax(1, std::abs(expected)),

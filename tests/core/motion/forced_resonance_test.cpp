@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/trajectory.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -28,10 +28,8 @@ struct Resonance {
 };
 
 ForcedResponse run(const Resonance& scene, double half_cycles) {
-  ForcedOptions options;
-  options.t_end = half_cycles * half_circle;
   return forced_response({1, scene.f, scene.delta}, {0, scene.v0},
-                         Harmonic{scene.k, 1, scene.phase}, options);
+                         Harmonic{scene.k, 1, scene.phase}, {.t_end = half_cycles * half_circle});
 }
 
 bool caught(const Resonance& scene) {
@@ -154,8 +152,8 @@ BOOST_AUTO_TEST_CASE(point_friction_lowers_the_threshold_of_f_only_for_the_ampli
 BOOST_AUTO_TEST_CASE(the_period_tends_to_that_of_the_forcing_but_does_not_begin_with_it) {
   const ForcedTrajectory path({1, 0, 0}, {0, 1}, Harmonic{0.1, 1}, {2000});
   std::vector<double> passages;
-  for (const ForcedEvent& event : path.events()) {
-    if (event.kind == ForcedEventKind::passage) {
+  for (const Event& event : path.events()) {
+    if (event.kind == EventKind::passage) {
       passages.push_back(event.state.tau);
     }
   }

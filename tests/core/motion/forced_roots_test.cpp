@@ -33,7 +33,7 @@ constexpr double release_units = 8;
 /// A piece and how long after its start an event was found.
 template <class Real>
 struct Found {
-  ForcedEventKind kind;
+  EventKind kind;
   HarmonicFlow<Real> flow;
   Real h;
 };
@@ -50,11 +50,11 @@ class Finder {
  public:
   static constexpr bool watches = true;
 
-  void event(ForcedEventKind kind, const ExactSum<Real>& now, const Real& u, const Real& /*v*/) {
-    if (kind == ForcedEventKind::release) {
+  void event(EventKind kind, const ExactSum<Real>& now, const Real& u, const Real& /*v*/) {
+    if (kind == EventKind::release) {
       released.push_back({now, u});
     }
-    if (flow_ && (kind == ForcedEventKind::turn || kind == ForcedEventKind::arrival)) {
+    if (flow_ && (kind == EventKind::turn || kind == EventKind::arrival)) {
       found.push_back({kind, *flow_, now.minus(begin_)});
     }
   }
@@ -123,7 +123,7 @@ Residual residual(const Found<Real>& found, const Exact& r) {
   const Exact slow = v - c * r * q;
   const Exact forces = abs(a) + sqrt(Exact(w * w + q * q));
   const Exact longer = std::max(h, Exact(1 / std::max(Exact(1), r)));
-  if (found.kind == ForcedEventKind::turn) {
+  if (found.kind == EventKind::turn) {
     return {lever * sin(h) + slow * cos(h) + c * r * later_q,
             abs(v) + abs(a) * h + forces * std::min(longer, Exact(1 / r))};
   }
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(turns_and_arrivals_are_found_to_rounding_at_every_frequency
       BOOST_TEST(units <= residual_units,
                  units << " ulp left at h = " << found.h << ", r = " << r << ": " << scene);
       worst = std::max(worst, units);
-      far = far || (found.kind == ForcedEventKind::turn &&
+      far = far || (found.kind == EventKind::turn &&
                     abs(left.value) > far_off * std::abs(load.k) / load.lambda);
       ++events;
     }

@@ -166,9 +166,7 @@ BOOST_AUTO_TEST_CASE(a_swing_that_ends_at_zero_neither_turns_nor_passes_there) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_can_be_watched_and_ended) {
-  ForcedOptions options;
-  options.t_end = 1e6;
-  options.ask_every = 10;
+  ForcedOptions options{.t_end = 1e6, .ask_every = 10};
   double reached = 0;
   options.go_on = [&](double tau) {
     BOOST_TEST(tau >= reached);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_half_cycles.hpp>
+#include "testing/simple_forced.hpp"
+
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -14,15 +16,9 @@ BOOST_AUTO_TEST_SUITE(forced_start_test)
 namespace {
 
 using namespace stillpoint;
+using test::until;
 
 constexpr double time_tolerance = 1e-13;
-
-ForcedResponse until(double t_end, const Oscillator& oscillator, const Start& start,
-                     const Excitation& excitation) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options);
-}
 
 }  // namespace
 

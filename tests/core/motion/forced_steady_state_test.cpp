@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/trajectory.hpp>
 #include "testing/printing.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -38,12 +38,12 @@ Settled settled(const Forcing& forcing, double periods) {
   const ForcedTrajectory path({forcing.p, forcing.f, 0}, {0, 0.1},
                               Harmonic{forcing.k, forcing.lambda}, {periods * period});
   Settled result{{}, false};
-  for (const ForcedEvent& event : path.events()) {
+  for (const Event& event : path.events()) {
     if (event.state.tau > (periods - 2) * period) {
-      if (event.kind == ForcedEventKind::turn) {
+      if (event.kind == EventKind::turn) {
         result.turns.push_back(event.state);
       }
-      result.stops = result.stops || event.kind == ForcedEventKind::stick;
+      result.stops = result.stops || event.kind == EventKind::stick;
     }
   }
   return result;
@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(at_the_best_phase_the_speed_follows_its_recursion) {
   const ForcedTrajectory path({1, 0, delta}, {0, 1}, Harmonic{k, 1, -half_circle / 2}, {200});
   double speed = 1;
   int passages = 0;
-  for (const ForcedEvent& event : path.events()) {
-    if (event.kind == ForcedEventKind::passage) {
+  for (const Event& event : path.events()) {
+    if (event.kind == EventKind::passage) {
       speed = std::sqrt(std::pow(speed + half_circle * k / 2, 2) - 2 * delta);
       ++passages;
       BOOST_TEST(std::abs(std::abs(event.state.v) - speed) <= 1e-12 * speed);
@@ -153,8 +153,7 @@ BOOST_AUTO_TEST_CASE(at_the_best_phase_the_speed_follows_its_recursion) {
 }
 
 BOOST_AUTO_TEST_CASE(point_friction_alone_restrains_resonance_below_an_amplitude) {
-  ForcedOptions options;
-  options.t_end = 1000;
+  const ForcedOptions options{.t_end = 1000};
   const auto grows = forced_response({1, 0, 0.09}, {0, 1}, Harmonic{0.1, 1}, options);
   BOOST_TEST(grows.outcome == Outcome::running);
   BOOST_TEST(grows.peak_amplitude > 40);

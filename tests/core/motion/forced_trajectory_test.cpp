@@ -3,8 +3,8 @@
 #include "testing/printing.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/trajectory.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(between_events_the_state_obeys_the_equation_of_motion) {
     const double from = path.events()[i].state.tau;
     const double to = path.events()[i + 1].state.tau;
     const double tau = (from + to) / 2;
-    if (to - from < 10 * h || path.events()[i].kind == ForcedEventKind::stick) {
+    if (to - from < 10 * h || path.events()[i].kind == EventKind::stick) {
       continue;
     }
     const State now = path.at(tau);
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(events_come_in_order_and_lie_on_the_path) {
     const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), excitation,
                                 {scene.t_end});
     double before = 0;
-    for (const ForcedEvent& event : path.events()) {
+    for (const Event& event : path.events()) {
       BOOST_TEST(event.state.tau >= before);
       before = event.state.tau;
       const State at = path.at(std::min(event.state.tau, path.horizon()));
@@ -71,10 +71,8 @@ BOOST_AUTO_TEST_CASE(the_largest_x_and_the_last_state_are_those_of_the_metrics) 
     const ForcedScene<> scene = random_forced_scene(dice);
     const Excitation excitation =
         std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
-    ForcedOptions options;
-    options.t_end = scene.t_end;
-    const auto response =
-        forced_response(scene.motion.oscillator(), scene.motion.start(), excitation, options);
+    const auto response = forced_response(scene.motion.oscillator(), scene.motion.start(),
+                                          excitation, {.t_end = scene.t_end});
     const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), excitation,
                                 {scene.t_end});
     double most = 0;
@@ -91,8 +89,8 @@ BOOST_AUTO_TEST_CASE(the_largest_x_and_the_last_state_are_those_of_the_metrics) 
 BOOST_AUTO_TEST_CASE(at_a_passage_the_state_is_that_after_the_notch) {
   for (const double p : {1.0, 1.1, 1.7, 3.1}) {  // p tau rounds, now up, now down
     const ForcedTrajectory path({p, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, p}, {20});
-    for (const ForcedEvent& event : path.events()) {
-      if (event.kind == ForcedEventKind::passage) {
+    for (const Event& event : path.events()) {
+      if (event.kind == EventKind::passage) {
         BOOST_TEST(path.at(event.state.tau).v == event.state.v);
       }
     }
@@ -102,8 +100,8 @@ BOOST_AUTO_TEST_CASE(at_a_passage_the_state_is_that_after_the_notch) {
 BOOST_AUTO_TEST_CASE(after_the_final_rest_nothing_moves) {
   for (const double p : {1.0, 1.1, 1.7, 3.1}) {
     const ForcedTrajectory path({p, 0.05, 0.05}, {0, 0.5}, HalfSine{0.2, p}, {40});
-    const ForcedEvent& rest = path.events().back();
-    BOOST_TEST_REQUIRE((rest.kind == ForcedEventKind::rest));
+    const Event& rest = path.events().back();
+    BOOST_TEST_REQUIRE((rest.kind == EventKind::rest));
     for (const double tau : {rest.state.tau, std::nextafter(rest.state.tau, 40.0), 39.0}) {
       BOOST_TEST(path.at(tau).x == rest.state.x);
       BOOST_TEST(path.at(tau).v == 0);
@@ -142,17 +140,16 @@ BOOST_AUTO_TEST_CASE(no_event_is_beyond_the_horizon) {
     const HalfSine pulse{0.2, 0.7 + 0.01 * i};
     const double end = duration(pulse).value();
     const ForcedTrajectory path({p, 0.05, 0.01}, {0, 0.5}, pulse, {end});
-    for (const ForcedEvent& event : path.events()) {
+    for (const Event& event : path.events()) {
       BOOST_TEST(event.state.tau <= end);
-      at_the_end += event.kind == ForcedEventKind::excitation_end ? 1 : 0;
+      at_the_end += event.kind == EventKind::excitation_end ? 1 : 0;
     }
   }
   BOOST_TEST(at_the_end == 200);
 }
 
 BOOST_AUTO_TEST_CASE(it_ends_where_it_is_told_to) {
-  ForcedTrajectoryOptions limits;
-  limits.horizon = 1e6;
+  ForcedTrajectoryOptions limits{.horizon = 1e6};
   int asked = 0;
   limits.go_on = [&asked](double) { return ++asked < 3; };
   const ForcedTrajectory path({1, 0.05, 0.01}, {0, 0.5}, Harmonic{0.2, 1}, limits);
@@ -194,16 +191,16 @@ BOOST_AUTO_TEST_CASE(the_final_rest_under_a_load_is_an_event_of_its_own_instant)
   const Rectangle pulse{0.5, 0.1};
   const double stop = forced_response(oscillator, {0, 1}, pulse).stop_time.value();
   const ForcedTrajectory whole(oscillator, {0, 1}, pulse, {50});
-  const auto rest = std::ranges::find(whole.events(), ForcedEventKind::rest, &ForcedEvent::kind);
+  const auto rest = std::ranges::find(whole.events(), EventKind::rest, &Event::kind);
   BOOST_TEST_REQUIRE((rest != whole.events().end()));
   BOOST_TEST(rest->state.tau == stop);
-  BOOST_TEST(whole.events().back().kind == ForcedEventKind::excitation_end);
+  BOOST_TEST(whole.events().back().kind == EventKind::excitation_end);
   BOOST_TEST(whole.horizon() == 50);
   BOOST_TEST(whole.at(50).x == rest->state.x);
   // Or it ends there.
   const ForcedTrajectory moving(oscillator, {0, 1}, pulse, {.horizon = 50, .to_rest = true});
   BOOST_TEST(moving.horizon() == stop);
-  BOOST_TEST(moving.events().back().kind == ForcedEventKind::rest);
+  BOOST_TEST(moving.events().back().kind == EventKind::rest);
   BOOST_TEST(moving.sampled(10).back().tau == stop);
 }
 

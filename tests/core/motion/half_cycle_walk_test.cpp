@@ -4,7 +4,7 @@
 #include "testing/random_scene.hpp"
 #include "testing/scene.hpp"
 
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 
 #include <boost/test/unit_test.hpp>
 

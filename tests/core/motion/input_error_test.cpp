@@ -2,7 +2,7 @@
 #include "testing/checks.hpp"
 #include "testing/scene.hpp"
 
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/trajectory.hpp>
 

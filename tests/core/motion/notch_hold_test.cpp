@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/forced_batch.hpp>
-#include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/trajectory.hpp>
 #include "testing/printing.hpp"
 #include "testing/simple_forced.hpp"
 

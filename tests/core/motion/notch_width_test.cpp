@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/simulation.hpp>
+#include <stillpoint/core/trajectory.hpp>
 #include "testing/printing.hpp"
 #include "testing/simple_forced.hpp"
 
@@ -27,9 +27,7 @@ using std::numbers::pi;
 
 ForcedResponse run(const Oscillator& oscillator, const Surface& surface, const Start& start,
                    const Excitation& excitation = {}, std::optional<double> t_end = {}) {
-  ForcedOptions options;
-  options.t_end = t_end;
-  return forced_response(oscillator, start, excitation, options, surface);
+  return forced_response(oscillator, start, excitation, {.t_end = t_end}, surface);
 }
 
 Surface notch(double width) {

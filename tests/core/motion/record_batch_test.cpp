@@ -2,9 +2,9 @@
 #include "testing/forced_scene.hpp"
 #include "testing/random_scene.hpp"
 
+#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/record_batch.hpp>
 
 #include <hwy/targets.h>
 #include <boost/test/unit_test.hpp>
@@ -48,11 +48,9 @@ struct Dampers {
 
   /// Empty where it has too many half-cycles.
   [[nodiscard]] std::optional<ForcedResponse> alone(Eigen::Index i, const Record& record) const {
-    ForcedOptions scene;
-    scene.half_cycle_limit = half_cycles;
     try {
-      return forced_response({p[i], f[i], delta[i], options.hold}, {0, v0}, record, scene,
-                             options.surface);
+      return forced_response({p[i], f[i], delta[i], options.hold}, {0, v0}, record,
+                             {.half_cycle_limit = half_cycles}, options.surface);
     } catch (const TooManyHalfCycles&) {
       return std::nullopt;
     }

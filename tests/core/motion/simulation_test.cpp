@@ -6,8 +6,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(simulation_test)
 
 using namespace stillpoint;

@@ -30,13 +30,10 @@ BOOST_AUTO_TEST_CASE(each_name_leads_back_to_its_enumerator) {
   using enum Outcome;
   names_lead_back({stopped_at_zero, stopped_in_dead_zone, never_stops, caught_at_start, running},
                   &parse_outcome);
-  names_lead_back(
-      {EventKind::start, EventKind::turn, EventKind::arrival, EventKind::passage, EventKind::rest},
-      &parse_event_kind);
-  names_lead_back({ForcedEventKind::start, ForcedEventKind::arrival, ForcedEventKind::passage,
-                   ForcedEventKind::turn, ForcedEventKind::excitation_end, ForcedEventKind::stick,
-                   ForcedEventKind::release, ForcedEventKind::rest, ForcedEventKind::end},
-                  &parse_forced_event_kind);
+  names_lead_back({EventKind::start, EventKind::arrival, EventKind::passage, EventKind::turn,
+                   EventKind::excitation_end, EventKind::stick, EventKind::release, EventKind::rest,
+                   EventKind::end},
+                  &parse_event_kind);
 }
 
 BOOST_AUTO_TEST_CASE(a_free_motion_in_one_line) {

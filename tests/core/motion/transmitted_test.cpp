@@ -5,8 +5,8 @@
 #include "testing/simple_forced.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/trajectory.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -251,7 +251,7 @@ double looked_at(const Oscillator& oscillator, const Excitation& excitation,
                  const ForcedTrajectory& path) {
   double most = 0;
   std::vector<double> ends;
-  for (const ForcedEvent& event : path.events()) {
+  for (const Event& event : path.events()) {
     ends.push_back(event.state.tau);
   }
   ends.push_back(path.horizon());

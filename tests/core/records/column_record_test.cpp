@@ -7,9 +7,7 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -21,10 +19,6 @@ using namespace stillpoint::test;
 using stillpoint::InputError;
 using stillpoint::Record;
 namespace data = boost::unit_test::data;
-
-}  // namespace
-
-namespace {
 
 const std::string uneven = "0 0.5\n0.1 -1\n0.25 0.25\n";
 

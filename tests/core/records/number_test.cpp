@@ -6,7 +6,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <limits>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(number_test)

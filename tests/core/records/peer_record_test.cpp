@@ -14,12 +14,7 @@ BOOST_AUTO_TEST_SUITE(peer_record_test)
 namespace {
 
 using namespace stillpoint::test;
-using stillpoint::Record;
 namespace data = boost::unit_test::data;
-
-}  // namespace
-
-namespace {
 
 const std::string eight = "1 2 3 4 5 6 7 8\n9 10 11 12 13 14 15 16\n17\n";
 const Numbers seventeen{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};

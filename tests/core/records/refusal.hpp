@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "testing/contains.hpp"
+
 #include <boost/test/unit_test.hpp>
 
 #include <string>
@@ -21,10 +23,8 @@ std::string refusal_of(const Read& read) {
 }
 
 inline void check_says(const std::string& message, const std::vector<std::string>& parts) {
-  for (const std::string& part : parts) {
-    BOOST_TEST(message.find(part) != std::string::npos, "no " << part << " in " << message);
-  }
-  BOOST_TEST(message.find('\n') == std::string::npos, message);
+  check_contains(message, parts);
+  BOOST_TEST(!contains(message, "\n"), message);
 }
 
 }  // namespace stillpoint::test

@@ -35,9 +35,6 @@ constexpr double scan_miss = 0.03;
 /// Relative; nearer to a tie than that, the rounding of the simulation decides.
 constexpr double undecided_within = 1e-12;
 
-constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                Objective::acceleration};
-
 /// The arrival at which the mass stops at x = 0 with the peak within beta; 0 if there is none. The
 /// published criterion asks at the last arrival that the speed at x = f/p^2 be small enough.
 int arrival_by_map(const Problem& problem, Wide f, Wide delta) {

@@ -8,7 +8,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -25,9 +24,6 @@ using namespace stillpoint::design_test;
 
 /// Relative; nearer to an edge than that, the rounding of the simulation decides.
 constexpr double undecided_within = 1e-9;
-
-constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                Objective::acceleration};
 
 struct Shop {
   Problem problem;

@@ -7,7 +7,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -186,9 +185,6 @@ BOOST_AUTO_TEST_CASE(nlopt_tells_its_version) {
 }
 
 namespace {
-
-constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                Objective::acceleration};
 
 /// A way of a task with or without ranges and a residual.
 Way random_way(RandomSource& random) {

@@ -2,7 +2,7 @@
 #include "random_source.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/practice.hpp>
 

@@ -6,13 +6,12 @@
 #include "testing/printing.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <numbers>
 
 BOOST_AUTO_TEST_SUITE(published_formulas_test)
 

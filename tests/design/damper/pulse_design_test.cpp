@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,9 +61,10 @@ bool admissible(const PulseRequest& request, double f, double delta) {
 /// The first point of the box that is not admissible, in words; empty if there is none.
 std::string first_outside(const PulseRequest& request, const DesignPoint& point, double tolerance) {
   constexpr int steps = 12;
+  const auto& [f_low, f_high, delta_low, delta_high] = request.limits.shape;
   for (int i = -steps; i <= steps; ++i) {
-    for (const double side : {-1.0, 0.0, 1.0}) {
-      const double f = point.f * (1 + tolerance * i / steps);
+    for (const double side : {-delta_low, 0.0, delta_high}) {
+      const double f = point.f * (1 + tolerance * i / steps * (i < 0 ? f_low : f_high));
       const double delta = point.delta * (1 + tolerance * side);
       if (!admissible(request, f, delta)) {
         return "f = " + std::to_string(f) + ", delta = " + std::to_string(delta);
@@ -289,6 +289,37 @@ BOOST_AUTO_TEST_CASE(random_designs_are_the_best_of_a_scan_and_hold_all_over_the
   }
   BOOST_TEST(found >= 120);
   BOOST_TEST(empty >= 12);
+}
+
+// The rectangle above admits f from 0.1 to 0.25. From f (1 - 0.5 R) to f (1 + R) fits for
+// f = 0.1/(1 - 0.5 R) = 0.25/(1 + R), R = 2/3, f = 0.15. Where delta_max binds, R solves
+// need (1 + R)/(1 - R/4) = delta_max, with the need w^2/2 = 2 (0.5 - f) (0.5 - 2 f) of the lowest
+// f.
+BOOST_AUTO_TEST_CASE(a_box_with_sides_of_its_own_is_the_one_that_is_known) {
+  PulseRequest request = request_of(Rectangle{0.5, 1}, 0.8);
+  request.limits.shape = {.f_low = 0.5, .f_high = 1, .delta_low = 0.25, .delta_high = 1};
+  const auto close = boost::test_tools::tolerance(inset);
+  const DesignResult result = stillpoint::design::design(request);
+  BOOST_TEST(result.finding.value().point.f == 0.15, close);
+  BOOST_TEST(result.finding.value().point.tolerance == 2.0 / 3, close);
+  // Of both sides alike there is (f - 0.1)/f = 1/3 below.
+  BOOST_TEST(even_tolerance(result) == 1.0 / 3, close);
+
+  request.limits.delta_max = 0.2;
+  const DesignResult bound = stillpoint::design::design(request);
+  const DesignPoint& point = bound.finding.value().point;
+  const double r = point.tolerance;
+  const double low = point.f * (1 - 0.5 * r);
+  BOOST_TEST(point.f * (1 + r) == 0.25,
+             close);  // the need falls with f, so f is as large as it can be
+  BOOST_TEST(2 * (0.5 - low) * (0.5 - 2 * low) * (1 + r) / (1 - r / 4) == 0.2, close);
+  BOOST_TEST(first_outside(request, point, r * (1 - 1e-9)) == "");
+
+  // One side alone: f may only grow, and delta not at all. No more than 99.5 % is looked for.
+  request.limits = {.tolerance = 0.5, .shape = {0, 1, 0, 0}};
+  const DesignResult upwards = stillpoint::design::design(request);
+  BOOST_TEST(upwards.finding.value().point.f == 0.25 / 1.995, close);
+  BOOST_TEST(upwards.finding.value().point.tolerance == 0.995, close);
 }
 
 // f, x, k and beta in one unit, time in another: the same damper.

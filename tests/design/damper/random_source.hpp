@@ -4,15 +4,20 @@
 // Random problems that repeat: the same numbers on every machine, from a seed that is printed.
 
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search.hpp>
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <random>
 
 namespace stillpoint::design_test {
+
+inline constexpr std::array objectives{design::Objective::robust, design::Objective::amplitude,
+                                       design::Objective::time, design::Objective::acceleration};
 
 class RandomSource {
  public:

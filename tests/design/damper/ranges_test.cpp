@@ -33,9 +33,6 @@ constexpr double two_decimals = 0.006;
 /// A motion nearer to a tie than that is decided by rounding.
 constexpr double undecided_within = 1e-12;
 
-constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                Objective::acceleration};
-
 struct Task {
   Problem problem;
   Limits limits;

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <functional>
 #include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(record_design_test)
 
@@ -222,6 +223,20 @@ BOOST_AUTO_TEST_CASE(the_mean_counts_from_seven_records_on) {
   BOOST_TEST((design::design(request).request.combine == Combine::max));
   request.records.resize(7, request.records.front());
   BOOST_TEST((design::design(request).request.combine == Combine::mean));
+}
+
+/// Its pieces joined are record_part_test's.
+BOOST_AUTO_TEST_CASE(a_scan_must_be_whole) {
+  const RecordDesignRequest request = with_capacity();
+  const std::int64_t size = scan_size(request);
+  BOOST_TEST(size == 400);
+  std::vector<SuiteFigures> figures = scan_part(request, 0, size);
+  BOOST_TEST(std::ssize(figures) == size);
+  figures.pop_back();
+  BOOST_CHECK_THROW(static_cast<void>(design::design(request, figures)), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(scan_part(request, 1, size)), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(scan_part(request, -1, 1)), InputError);
+  BOOST_TEST(scan_part(request, size, 0).empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {

@@ -11,8 +11,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <string>
-
 namespace stillpoint::design_test {
 
 using Precise = test::Exact;

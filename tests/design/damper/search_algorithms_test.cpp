@@ -7,7 +7,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -24,9 +23,6 @@ constexpr double algorithm_tolerance = 1e-3;
 
 /// Of R, if a local search follows a global one: SBPLX stops at steps of 1e-10 of x.
 constexpr double polished_tolerance = 1e-8;
-
-constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                Objective::acceleration};
 
 struct Case {
   Problem problem;

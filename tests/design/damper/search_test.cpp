@@ -8,9 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 BOOST_AUTO_TEST_SUITE(search_test)
@@ -28,9 +26,6 @@ constexpr double scan_miss = 0.02;
 constexpr double reported_tolerance = 4e-15;
 /// Of the largest tolerance that the region allows: the rounding of its edges.
 constexpr double last_digits = 2e-15;
-
-constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                Objective::acceleration};
 
 Limits make_limits(RandomSource& random, const Problem& problem, int which, bool tolerant) {
   const Region region = admissible_region(problem);

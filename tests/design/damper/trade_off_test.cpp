@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(trade_off_test)
 

@@ -11,8 +11,6 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
-#include <optional>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(works_for_test)

@@ -258,9 +258,8 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
   };
   constexpr double tolerance = 1e-9;
   for (const Scene& s : all) {
-    ForcedOptions options;
-    options.t_end = s.t_end;
-    const ForcedResponse exact = forced_response(s.oscillator, s.start, s.excitation, options);
+    const ForcedResponse exact =
+        forced_response(s.oscillator, s.start, s.excitation, {.t_end = s.t_end});
     BOOST_TEST_CONTEXT("excitation " << s.excitation.index()) {
       for (const Result& result : {dopri5(s, 1e-13), runge_kutta4(s, 1e-3)}) {
         BOOST_TEST(result.outcome == exact.outcome);
@@ -288,10 +287,8 @@ BOOST_AUTO_TEST_CASE(random_real_notches_follow_the_same_rules) {
     const test::ForcedScene<> drawn = test::random_notched_scene(dice);
     const Scene s{drawn.oscillator(), drawn.motion.start(), drawn.excitation,
                   std::min(drawn.t_end, 25 / drawn.motion.p), drawn.surface};
-    ForcedOptions options;
-    options.t_end = s.t_end;
     const ForcedResponse exact =
-        forced_response(s.oscillator, s.start, s.excitation, options, s.surface);
+        forced_response(s.oscillator, s.start, s.excitation, {.t_end = s.t_end}, s.surface);
     if (!exact.decision_margin || exact.decision_margin < decided_margin) {
       ++undecided;
       continue;

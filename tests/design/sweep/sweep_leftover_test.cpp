@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <filesystem>
+
 BOOST_AUTO_TEST_SUITE(sweep_leftover_test)
 
 namespace {
@@ -17,6 +19,8 @@ using namespace stillpoint::sweep_test;
 }  // namespace
 
 struct Files : Folder {
+  [[nodiscard]] bool has(const char* name) const { return std::filesystem::exists(path(name)); }
+
   [[nodiscard]] SweepSpec spec() const {
     SweepSpec spec = free_spec(Axis(0.01, 0.3, 100, Axis::Spacing::linear),
                                Axis(0, 0.5, 100, Axis::Spacing::linear));
@@ -66,6 +70,23 @@ BOOST_AUTO_TEST_CASE(of_a_stopped_sweep_is_resumed_into_the_same_bytes) {
   BOOST_TEST(sink->found().rows == left.count);
   BOOST_TEST(run(rest, *sink).resumed_at == left.count);
   BOOST_TEST(read("rows.csv") == whole());
+}
+
+BOOST_AUTO_TEST_CASE(with_a_number_of_rows_that_cannot_be_is_refused) {
+  const std::string rows = "\"rows\": " + std::to_string(stopped().count) + ",";
+  const std::string checkpoint = read("rows.csv.part.json");
+  const std::size_t place = checkpoint.find(rows);
+  BOOST_TEST_REQUIRE(place != std::string::npos);
+  SweepSpec rest = spec();  // of 10 000 entries
+  rest.resume = true;
+  for (const char* const other : {"-1", "-9223372036854775808", "10001", "9223372036854775807"}) {
+    std::string wrong = checkpoint;
+    wrong.replace(place, rows.size(), std::string("\"rows\": ") + other + ",");
+    write("rows.csv.part.json", wrong);
+    BOOST_TEST_CONTEXT(other) {
+      BOOST_CHECK_THROW(static_cast<void>(open_rows(rest)), LeftoverError);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(of_another_sweep_is_left_alone) {

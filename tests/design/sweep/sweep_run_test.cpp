@@ -83,6 +83,8 @@ BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_rows_of_forced_response) {
     check_same(rows[i].at(8), response.final_position);
     check_same(rows[i].at(11), response.stick_time);
     check_same(rows[i].at(12), response.peak_absolute_acceleration);
+    check_same(rows[i].at(13), response.locked_from);
+    check_same(rows[i].at(14), response.largest_load_while_locked);
   }
 }
 

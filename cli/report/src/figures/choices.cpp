@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-
-#include <fmt/format.h>
+#include "format.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -15,7 +13,6 @@ using figures::FigurePoint;
 using figures::Fill;
 using figures::Ink;
 using figures::Shape;
-using fmt::format;
 
 namespace {
 

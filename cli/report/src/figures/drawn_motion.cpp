@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
 
-#include <stillpoint/core/forced_half_cycles.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/trajectory.hpp>
 
 #include <algorithm>
@@ -91,8 +90,8 @@ DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start
       path.sampled(sample_count(fastest_rate(oscillator.p, excitation), path.horizon()));
   bool held = false;
   double held_since = 0;
-  for (const ForcedEvent& event : path.events()) {
-    using enum ForcedEventKind;
+  for (const Event& event : path.events()) {
+    using enum EventKind;
     if (event.kind == turn) {
       motion.turns.push_back(event.state);
     } else if (event.kind == passage) {

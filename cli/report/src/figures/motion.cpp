@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
-
-#include <fmt/format.h>
+#include "format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +17,6 @@ using figures::FigurePoint;
 using figures::Ink;
 
 namespace {
-
-using fmt::format;
 
 /// The least and the largest in each of some columns of time and their neighbours, which together
 /// span a swing to either side, in the order of an outline.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plane of f and Delta for a mass that a pulse moves from rest.
 #include "figures/report_figures.hpp"
-
-#include <fmt/format.h>
+#include "format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +18,6 @@ using figures::FigureCurve;
 using figures::FigurePoint;
 using figures::Ink;
 using figures::Shape;
-using fmt::format;
 
 namespace {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
 #include "figures/spectrum_parts.hpp"
+#include "format.hpp"
 
 #include <stillpoint/report/record_design.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +23,6 @@ namespace {
 
 using design::SuiteFigures;
 using design::SuiteLimits;
-using fmt::format;
 
 /// The objective from least to largest, then what is broken. More red than blue is hatched.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
-
-#include <fmt/format.h>
+#include "format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,6 @@ namespace {
 
 using design::Problem;
 using design::Region;
-using fmt::format;
 
 constexpr int steps = 200;  // of a curve over f
 

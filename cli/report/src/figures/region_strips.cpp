@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
-
-#include <fmt/format.h>
+#include "format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +16,6 @@ using figures::Figure;
 using figures::FigureArea;
 using figures::FigurePoint;
 using figures::Ink;
-using fmt::format;
 
 namespace {
 

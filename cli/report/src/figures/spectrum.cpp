@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "figures/spectrum_parts.hpp"
+#include "format.hpp"
 
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/spectrum.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string>
@@ -19,7 +17,6 @@ using figures::Figure;
 using figures::FigureCurve;
 using figures::FigurePoint;
 using figures::Ink;
-using fmt::format;
 
 namespace {
 
@@ -128,8 +125,8 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     for (const FigureCurve& curve : figure.curves) {
       most = std::max(most, highest(curve.strokes));
     }
-    constexpr double headroom = 1.08;
-    figure.y = {kind.label, 0, most > 0 ? headroom * most : 1};
+    constexpr double above_most = 1.08;
+    figure.y = {kind.label, 0, most > 0 ? above_most * most : 1};
     if (chosen) {
       const double at = period(*chosen);
       FigureCurve line{"period of the design", {{{at, 0}, {at, figure.y.most}}}, Ink::green};

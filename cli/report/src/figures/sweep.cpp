@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figures/report_figures.hpp"
-
-#include <stillpoint/core/oscillator.hpp>
-
-#include <fmt/format.h>
+#include "format.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +17,6 @@ using figures::Scale;
 
 namespace {
 
-using fmt::format;
 using sweep::Axis;
 using sweep::MapAxis;
 using sweep::Quantity;

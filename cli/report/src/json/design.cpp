@@ -40,7 +40,7 @@ ordered_json design_point_json(const design::DesignResult& result) {
   return {{"name", nullptr},
           {"f", number(point.f)},
           {"delta", number(point.delta)},
-          {"tolerance", number(design::even_tolerance(problem, limits, point))},
+          {"tolerance", number(design::even_tolerance(result))},
           {"tolerance_f", within(limits.shape.f_low, limits.shape.f_high)},
           {"tolerance_delta", within(limits.shape.delta_low, limits.shape.delta_high)},
           {"arrival", finding.arrival ? ordered_json(*finding.arrival) : ordered_json(nullptr)},

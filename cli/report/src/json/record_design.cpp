@@ -155,8 +155,9 @@ std::string_view limit_name(design::SuiteObjective which) {
 
 ordered_json shortfalls_json(const design::RecordDesign& result, const SuiteUnits& units) {
   ordered_json list = ordered_json::array();
-  for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
+  for (const auto& [which, limit, figure, relaxed] : result.shortfalls) {
     const bool is_length = which != design::SuiteObjective::acceleration;
+    const auto nearest = result.nearest.figures.settled ? std::optional(figure) : std::nullopt;
     const auto metres = [&](const std::optional<double>& value) {
       return is_length ? units.metres(value) : ordered_json(nullptr);
     };

@@ -7,8 +7,6 @@
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -186,13 +184,6 @@ ordered_json list_json(const std::vector<Item>& items, const Make& make) {
   return list;
 }
 
-/// Of a part: of everything else in the report.
-ordered_json digest_json(const ordered_json& report) {
-  sweep::ByteDigest digest;
-  digest.add(report.dump());
-  return {digest.words, digest.rest, digest.size};
-}
-
 std::vector<RowColumn> columns_from(const ordered_json& columns) {
   std::vector<RowColumn> result;
   result.reserve(columns.size());
@@ -254,6 +245,12 @@ void append(ReductionReport& total, const ReductionReport& more) {
 }
 
 }  // namespace
+
+ordered_json digest_json(const ordered_json& report) {
+  sweep::ByteDigest digest;
+  digest.add(report.dump());
+  return {digest.words, digest.rest, digest.size};
+}
 
 ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
                                  Reduction reduction) {

@@ -4,21 +4,17 @@
 // All of stillpoint::core.
 
 #include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_batch.hpp>
-#include <stillpoint/core/forced_event.hpp>
-#include <stillpoint/core/forced_half_cycles.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/forced_trajectory.hpp>
 #include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/outcome.hpp>
-#include <stillpoint/core/pulse_speed.hpp>
-#include <stillpoint/core/record_batch.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>

@@ -5,6 +5,7 @@
 // docs/forced.md (F6).
 
 #include "kernel/exact_sum.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/phase_clock.hpp"
 
 #include <algorithm>
@@ -63,10 +64,7 @@ class DrivePhase {
   };
 
   [[nodiscard]] SinCos sin_cos() const {
-    using std::cos;
-    using std::sin;
-    const Real sine = sin(psi_.high());
-    const Real cosine = cos(psi_.high());
+    const auto [sine, cosine] = elementary::sin_cos(psi_.high());
     return {sine + psi_.low() * cosine, cosine - psi_.low() * sine};
   }
 

@@ -6,6 +6,7 @@
 
 #include "kernel/drive_phase.hpp"
 #include "kernel/exact_sum.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/harmonic_piece.hpp"
 #include "kernel/hold.hpp"
 #include "kernel/linear_piece.hpp"
@@ -251,7 +252,6 @@ class HarmonicDrive {
   /// rising now.
   [[nodiscard]] std::optional<Ahead> first_above(const Real& room, const Real& psi,
                                                  bool grows) const {
-    using std::asin;
     using std::sqrt;
     if (!(room > 0)) {
       return std::nullopt;
@@ -259,7 +259,7 @@ class HarmonicDrive {
     const Real turn = 2 * pi<Real>();
     // From the crossing up to the crest, with all digits where the crest hardly exceeds the level.
     const Real below = room / (2 * k_);
-    const Real to_crest = below < 1 ? Real(2 * asin(sqrt(below))) : pi<Real>();
+    const Real to_crest = below < 1 ? Real(2 * elementary::asin(Real(sqrt(below)))) : pi<Real>();
     Real ahead = pi<Real>() / 2 - to_crest - psi;
     while (ahead < 0) {  // by one turn or two
       ahead += turn;

@@ -154,7 +154,7 @@ void run_until(ForcedRun<Real, Watcher, Law>& run, const AnyExcitation& excitati
     return;
   }
   decide_jump(run, load, nothing.load());
-  run.event(ForcedEventKind::excitation_end);
+  run.event(EventKind::excitation_end);
   run.settle();
   ExactSum<Real> left = end;
   left.add(-run.state().now.high());
@@ -172,7 +172,7 @@ void to_free_turn(ForcedRun<Real, Watcher, Law>& run, const Load<Real>& load) {
   }
   LinearDrive<Real> nothing;
   decide_jump(run, load, nothing.load());
-  run.event(ForcedEventKind::excitation_end);
+  run.event(EventKind::excitation_end);
   if constexpr (Law::in_zones) {
     slide_to_rest(run, nothing);  // no half-cycle map serves zones
   } else {

@@ -29,9 +29,9 @@
 #include "kernel/transmitted.hpp"
 #include "kernel/zone_slide.hpp"
 
-#include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -146,12 +146,12 @@ class ForcedRun {
   void stop(Outcome outcome) {
     s_.mode = ForcedMode::over;
     s_.outcome = outcome;
-    event(ForcedEventKind::rest, s_.rest_begin);
+    event(EventKind::rest, s_.rest_begin);
   }
 
-  void event(ForcedEventKind kind) { event(kind, s_.now); }
+  void event(EventKind kind) { event(kind, s_.now); }
 
-  void event(ForcedEventKind kind, const ExactSum<Real>& when) {
+  void event(EventKind kind, const ExactSum<Real>& when) {
     if constexpr (Watcher::watches) {
       watcher_.event(kind, when, s_.u, s_.v);
     }
@@ -165,7 +165,7 @@ class ForcedRun {
     const Real left = map_.departure(energy);
     s_.u = Real(0);
     s_.arrival_speed = magnitude(s_.v);
-    event(ForcedEventKind::arrival);
+    event(EventKind::arrival);
     s_.margin.decide(magnitude(left), energy + map_.notch);
     s_.margin.decide(energy, energy + s_.farthest * s_.farthest);  // against a turn before x = 0
     if (!(left > 0)) {
@@ -178,7 +178,7 @@ class ForcedRun {
     using std::sqrt;
     s_.v = Real(s_.direction) * sqrt(left);
     pass();
-    event(ForcedEventKind::passage);
+    event(EventKind::passage);
   }
 
   /// v = 0 has been reached; the load decides what follows, this one or the one after a kink.
@@ -190,7 +190,7 @@ class ForcedRun {
     const Real distance = magnitude(s_.u);
     s_.farthest = std::max(s_.farthest, distance);
     s_.margin.decide(law_.from_edge(distance), s_.farthest);
-    event(ForcedEventKind::turn);
+    event(EventKind::turn);
   }
 
   /// x = 0 has been passed.
@@ -262,7 +262,7 @@ class ForcedRun {
       s_.moved = true;
       slides(s_, law_);
     }
-    event(ForcedEventKind::start);
+    event(EventKind::start);
   }
 
   /// Rule 2.
@@ -286,7 +286,7 @@ class ForcedRun {
     }
     if (s_.fresh) {
       s_.fresh = false;
-      event(ForcedEventKind::stick);
+      event(EventKind::stick);
     }
     const auto hold = law_.hold_at(s_.u);
     if (for_ever) {
@@ -325,7 +325,7 @@ class ForcedRun {
       s_.stick_time.add(waited);
       is_held(s_, law_, s_.now);
       s_.transmitted.locked = Real(0);
-      event(ForcedEventKind::release);
+      event(EventKind::release);
     }
     s_.first_acceleration = acceleration;
     s_.fresh = false;
@@ -342,7 +342,7 @@ class ForcedRun {
     *s_.first_acceleration += law_.spare();
     if (s_.moved) {
       pass();
-      event(ForcedEventKind::passage);
+      event(EventKind::passage);
     }
   }
 
@@ -389,8 +389,8 @@ class ForcedRun {
       ExactSum<Real> when = s_.now;
       when.add(at_zero.h);
       const Real v = Real(s_.direction) * at_zero.at.v;
-      watcher_.event(ForcedEventKind::arrival, when, Real(0), v);
-      watcher_.event(ForcedEventKind::passage, when, Real(0), v);
+      watcher_.event(EventKind::arrival, when, Real(0), v);
+      watcher_.event(EventKind::passage, when, Real(0), v);
     }
   }
 

@@ -7,7 +7,7 @@
 #include "kernel/first_leg.hpp"
 #include "kernel/half_cycle_map.hpp"
 
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 
 #include <cstdint>
 #include <optional>

@@ -5,6 +5,7 @@
 // Symbols as in harmonic_point.hpp.
 
 #include "kernel/drive_phase.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/harmonic_point.hpp"
 
 #include <cmath>
@@ -40,18 +41,16 @@ class HarmonicFlow {
  private:
   /// (F3), (F4): uniformly accurate up to and at resonance.
   [[nodiscard]] HarmonicPoint<Real> sinc_form(const Real& h) const {
-    using std::cos;
-    using std::sin;
     const Real half_sum = (1 + r()) / 2;
     const Real half_difference = (r() - 1) / 2;
-    const Real sa = sin(half_sum * h);
-    const Real ca = cos(half_sum * h);
+    const auto [sa, ca] = elementary::sin_cos(Real(half_sum * h));
     Real sb{0};
     Real cb{1};
     Real across = h;
     if (half_difference != 0) {
-      sb = sin(half_difference * h);
-      cb = cos(half_difference * h);
+      const auto at = elementary::sin_cos(Real(half_difference * h));
+      sb = at.sine;
+      cb = at.cosine;
       across = sb / half_difference;
     }
     const Real along = sa / half_sum;
@@ -72,16 +71,14 @@ class HarmonicFlow {
 
   /// (F5): the ripple follows the phase itself, which is exact however many turns h spans.
   [[nodiscard]] HarmonicPoint<Real> split_form(const Real& h) const {
-    using std::cos;
-    using std::sin;
     DrivePhase<Real> phase = phase_;
     phase.advance(h);
     const auto [turned_sine, turned_cosine] = phase.sin_cos();
     const Real w = mirrored_k_ * turned_sine;
     const Real q = mirrored_k_ * turned_cosine;
     const Real c = 1 / (r() * r() - 1);
-    const Real half_sine = sin(h / 2);
-    const Real sine = 2 * half_sine * cos(h / 2);
+    const auto [half_sine, half_cosine] = elementary::sin_cos(Real(h / 2));
+    const Real sine = 2 * half_sine * half_cosine;
     const Real versine = 2 * half_sine * half_sine;  // 1 - cos h, also where h is tiny
     const HarmonicPoint<Real>& s = start_;
     const Real lever = s.a + s.w + c * s.w;

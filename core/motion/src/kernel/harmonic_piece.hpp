@@ -6,6 +6,7 @@
 // both ends, by halving where that is not enough. An interval halved below the resolution of time
 // is a graze, not an event. Symbols as in harmonic_point.hpp.
 
+#include "kernel/functions.hpp"
 #include "kernel/harmonic_crest.hpp"
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/harmonic_zeros.hpp"
@@ -104,15 +105,13 @@ class HarmonicPiece {
 
   /// When the turn or, from rest, the arrival would come under a constant load.
   [[nodiscard]] Real under_constant_load(bool want_arrival) const {
-    using std::asin;
-    using std::atan2;
     using std::sqrt;
     const Point& start = flow().start();
     if (start.v != 0) {
-      return atan2(start.v, Real(-start.a));
+      return elementary::atan2(start.v, Real(-start.a));
     }
     if (want_arrival && -start.y < 2 * start.a) {
-      return 2 * asin(sqrt(Real(-start.y / (2 * start.a))));
+      return 2 * elementary::asin(Real(sqrt(Real(-start.y / (2 * start.a)))));
     }
     return start.a != 0 ? pi<Real>() : Real(4);
   }
@@ -181,8 +180,6 @@ class HarmonicPiece {
 
   /// (F15): how long the slow part stays above the ripple; 0 where it is not.
   [[nodiscard]] Real ripple_free(const Point& point) const {
-    using std::acos;
-    using std::atan2;
     using std::sqrt;
     const Real& r = flow().r();
     if (!flow().fast()) {
@@ -195,7 +192,8 @@ class HarmonicPiece {
     if (!(v > ripple)) {
       return Real(0);
     }
-    const Real most = atan2(a, v) + acos(Real(ripple / sqrt(v * v + a * a)));
+    const Real most =
+        elementary::atan2(a, v) + elementary::acos(Real(ripple / sqrt(v * v + a * a)));
     return most * (1 - 64 * std::numeric_limits<Real>::epsilon());
   }
 

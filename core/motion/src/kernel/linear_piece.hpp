@@ -5,6 +5,7 @@
 // rectangle pulse, and after the end of any excitation. docs/forced.md section 5.
 // Mirrored as in harmonic_point.hpp: y = p x, v = x', a = x''/p; `rate` = dw/dh, w = W / p.
 
+#include "kernel/functions.hpp"
 #include "kernel/phase_clock.hpp"
 #include "kernel/piece_end.hpp"
 
@@ -43,10 +44,8 @@ struct LinearTerms {
         return;
       }
     }
-    using std::cos;
-    using std::sin;
-    const Real half_sine = sin(h / 2);
-    sine = 2 * half_sine * cos(h / 2);
+    const auto [half_sine, half_cosine] = elementary::sin_cos(Real(h / 2));
+    sine = 2 * half_sine * half_cosine;
     versine = 2 * half_sine * half_sine;
     if (!(h < 1)) {
       lag = h - sine;
@@ -105,26 +104,13 @@ class LinearPiece {
       const End end = touch_within(limit);
       return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
     }
-    const std::optional<HalfAngle> half = first_turn(square);
-    End end = half && !beyond(*half, limit) ? turn_after(*half, limit)
-                                            : End{PieceEvent::turn, Real(0), {}};
-    if (end.h > 0 && end.h <= limit) {
-      polish_turn(end, limit);
-    } else {
-      // No piece is so long that the rounding of its time matters.
-      end = {PieceEvent::none, std::min(limit, Real(2 * pi<Real>())), {}};
-      end.at = at(end.h);
-    }
-    if (want_arrival && !(end.at.y < 0)) {
-      return arrival_before(end);
-    }
-    return end;
+    const End end = first_turn_or_end(square, limit);
+    return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
   }
 
   /// The same where the load is constant, by energy: v^2 + a^2 stays and a falls by what y grows.
   /// docs/notches.md (N1), (N2).
   [[nodiscard]] End first_event_of_constant_load(const Real& limit, bool want_arrival) const {
-    using std::atan2;
     using std::sqrt;
     const Point& s = start_;
     const Real rise = -s.y;
@@ -132,11 +118,14 @@ class LinearPiece {
     End end{};
     if (want_arrival && square >= 0) {
       const Real v = sqrt(square);
-      end = {PieceEvent::arrival, 2 * atan2(rise, Real(s.v + v)), {Real(0), v, s.a - rise}};
+      end = {PieceEvent::arrival,
+             2 * elementary::atan2(rise, Real(s.v + v)),
+             {Real(0), v, s.a - rise}};
     } else {
       const Real radius = sqrt(s.v * s.v + s.a * s.a);
       const Real to_turn = s.a < 0 ? Real(s.v * (s.v / (radius - s.a))) : Real(radius + s.a);
-      end = {PieceEvent::turn, 2 * atan2(to_turn, s.v), {s.y + to_turn, Real(0), -radius}};
+      end = {
+          PieceEvent::turn, 2 * elementary::atan2(to_turn, s.v), {s.y + to_turn, Real(0), -radius}};
     }
     if (end.h <= limit) {
       return end;
@@ -198,6 +187,21 @@ class LinearPiece {
     Real run;
   };
 
+  /// The first turn, or the end at `limit`.
+  [[nodiscard]] End first_turn_or_end(const Real& square, const Real& limit) const {
+    const std::optional<HalfAngle> half = first_turn(square);
+    if (half && !beyond(*half, limit)) {
+      End turn = turn_after(*half, limit);
+      if (turn.h > 0 && turn.h <= limit) {
+        polish_turn(turn, limit);
+        return turn;
+      }
+    }
+    // No piece is so long that the rounding of its time matters.
+    const Real h = std::min(limit, Real(2 * pi<Real>()));
+    return {PieceEvent::none, h, at(h)};
+  }
+
   /// (F33): whether the smallest v is 0 within rounding, for rate < 0. `square` is the discriminant
   /// of (F17).
   [[nodiscard]] bool touches(const Real& square) const {
@@ -228,7 +232,7 @@ class LinearPiece {
     return end;
   }
 
-  /// (F17): the first h in (0, 2 pi] with v = 0, if there is one.
+  /// (F17), (F34): the first h in (0, 2 pi] with v = 0, if there is one.
   [[nodiscard]] std::optional<HalfAngle> first_turn(const Real& square) const {
     using std::sqrt;
     const Point& s = start_;
@@ -239,12 +243,7 @@ class LinearPiece {
       return std::nullopt;
     }
     const Real sum = s.a < 0 ? Real(s.a - sqrt(square)) : Real(s.a + sqrt(square));
-    const HalfAngle first = half_angle(sum, Real(s.v + 2 * rate_));
-    if (s.v == 0) {
-      return first;
-    }
-    const HalfAngle second = half_angle(Real(-s.v), sum);
-    return earlier(first, second) ? first : second;
+    return s.v > 0 && s.a < 0 ? HalfAngle{s.v, -sum} : half_angle(sum, Real(s.v + 2 * rate_));
   }
 
   /// Certainly later than `limit`, without the arctangent: tan x < 1.1 x for 0 < x < 1/2.
@@ -294,16 +293,8 @@ class LinearPiece {
     return run < 0 ? HalfAngle{-rise, -run} : HalfAngle{rise, run};
   }
 
-  static bool earlier(const HalfAngle& one, const HalfAngle& other) {
-    if ((one.rise > 0) != (other.rise > 0)) {
-      return one.rise > 0;
-    }
-    return one.rise * other.run < other.rise * one.run;
-  }
-
   static Real angle(const HalfAngle& half) {
-    using std::atan2;
-    const Real h = 2 * atan2(half.rise, half.run);
+    const Real h = 2 * elementary::atan2(half.rise, half.run);
     return h > 0 ? h : Real(h + 2 * pi<Real>());
   }
 

@@ -14,7 +14,6 @@
 #include "kernel/first_leg.hpp"
 #include "kernel/half_cycle_map.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 

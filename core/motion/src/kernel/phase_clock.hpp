@@ -7,6 +7,7 @@
 // the end.
 
 #include "kernel/first_leg.hpp"
+#include "kernel/functions.hpp"
 #include "kernel/half_cycle_map.hpp"
 #include "kernel/rotor.hpp"
 
@@ -62,9 +63,8 @@ Direction<Real> first_leg_direction(const HalfCycleMap<Real>& map, const FirstLe
 
 template <class Real>
 Real first_leg_phase(const HalfCycleMap<Real>& map, const FirstLeg<Real>& leg) {
-  using std::atan2;
   const Direction<Real> direction = first_leg_direction(map, leg);
-  return atan2(direction.sine, direction.cosine);
+  return elementary::atan2(direction.sine, direction.cosine);
 }
 
 template <class Real>
@@ -126,16 +126,14 @@ class PhaseClock {
 
   /// From x = 0 up to the peak.
   static Real up(const HalfCycleMap<Real>& map, const Real& energy) {
-    using std::atan2;
     using std::sqrt;
-    return atan2(Real(sqrt(energy)), map.phi);
+    return elementary::atan2(Real(sqrt(energy)), map.phi);
   }
 
   /// From the peak down to x = 0.
   static Real down(const HalfCycleMap<Real>& map, const Real& arrival) {
-    using std::atan2;
     using std::sqrt;
-    return pi<Real>() / 2 + atan2(map.phi, Real(sqrt(arrival)));
+    return pi<Real>() / 2 + elementary::atan2(map.phi, Real(sqrt(arrival)));
   }
 
  private:

@@ -8,7 +8,6 @@
 #include "kernel/phase_clock.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace stillpoint {

@@ -284,7 +284,7 @@ class RecordRun {
       Real pull = hold.u() + sample(i);
       for (const std::size_t end = std::min(i + at_once, last); i < end; ++i) {
         const Real next = hold.u() + sample(i + 1);
-        if (Run::magnitude(pull) > crest && pull * (next - pull) <= 0) {
+        if (pull * (next - pull) <= 0 && Run::magnitude(pull) > crest) {
           look_at_crest(i, hold, crest);
         }
         if (!held(i + 1, hold, certain)) {

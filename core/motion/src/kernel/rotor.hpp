@@ -7,6 +7,8 @@
 // The lengths do not matter, so the product is scaled by powers of two, which rounds nothing. The
 // lanes of free_lanes.cpp do the same operations in the same order.
 
+#include "kernel/functions.hpp"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -57,11 +59,10 @@ struct Rotor {
 template <class Real>
 Real angle_between(const Rotor<Real>& a, const Rotor<Real>& b) {
   using std::abs;
-  using std::atan2;
   const Real x = a.cosine * b.cosine + a.sine * b.sine;
   const Real y = a.sine * b.cosine - a.cosine * b.sine;
   const Real scale = unit_scale(Real(x + abs(y)));
-  return atan2(Real(y * scale), Real(x * scale));
+  return elementary::atan2(Real(y * scale), Real(x * scale));
 }
 
 }  // namespace stillpoint

@@ -11,8 +11,8 @@
 #include "kernel/piece_end.hpp"
 #include "kernel/touch.hpp"
 
-#include <stillpoint/core/forced_event.hpp>
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <cmath>
 #include <limits>
@@ -32,13 +32,13 @@ void reach_edge(Run& run) {
   s.margin.decide(energy, decltype(s.v)(energy + s.farthest * s.farthest));
   if (s.u == 0) {
     s.arrival_speed = abs(s.v);
-    run.event(ForcedEventKind::arrival);
+    run.event(EventKind::arrival);
   }
   if (s.v == 0) {
     run.turn();
   } else if (s.u == 0) {
     run.pass();
-    run.event(ForcedEventKind::passage);
+    run.event(EventKind::passage);
   }
 }
 

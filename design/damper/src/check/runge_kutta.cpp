@@ -7,6 +7,7 @@
 
 #include "check/bracketed_root.hpp"
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <boost/numeric/odeint.hpp>
@@ -22,6 +23,29 @@ namespace stillpoint::design {
 namespace {
 
 using State = std::array<double, 2>;  // x, v
+
+namespace odeint = boost::numeric::odeint;
+
+/// odeint's rule for the next step, with a power that is the same on every machine.
+class StepAdjuster : public odeint::default_step_adjuster<double, double> {
+ public:
+  [[nodiscard]] static double decrease_step(double step, double error, int order) {
+    return step * std::max(0.9 * elementary::pow(error, -1.0 / (order - 1)), 0.2);
+  }
+  [[nodiscard]] static double increase_step(double step, double error, int order) {
+    constexpr double most = 5;
+    return error < 0.5
+               ? step * (0.9 * elementary::pow(std::max(elementary::pow(most, -order), error),
+                                               -1.0 / order))
+               : step;
+  }
+};
+
+using Kutta = odeint::runge_kutta_dopri5<State>;
+using ErrorChecker =
+    odeint::default_error_checker<double, Kutta::algebra_type, Kutta::operations_type>;
+using Stepper = odeint::dense_output_runge_kutta<
+    odeint::controlled_runge_kutta<Kutta, ErrorChecker, StepAdjuster>>;
 
 constexpr double first_kutta_step = 1e-3;  // of 1 / p; the controller mends a poor choice at once
 
@@ -41,8 +65,7 @@ class Integrator {
     const auto motion = [this, direction](const State& now, State& rate, double /*t*/) {
       rate = {now[1], -direction * a_ - now[0]};
     };
-    auto stepper = boost::numeric::odeint::make_dense_output(
-        tolerance_, tolerance_, boost::numeric::odeint::runge_kutta_dopri5<State>());
+    Stepper stepper({ErrorChecker(tolerance_, tolerance_), StepAdjuster()});
     stepper.initialize(state, time, first_kutta_step);
     const bool inward = state[0] * direction < 0;
     for (;;) {

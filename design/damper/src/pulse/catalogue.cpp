@@ -44,16 +44,18 @@ class Trial {
     const double tolerance = limits.tolerance;
     TriedPart tried{{part, false, {}, {}}, motion_at(unit_f)};
     if (unit_f < 1) {
-      const FirstReturn box = region_.profile()->between(unit_f * (1 - tolerance),
-                                                         std::min(1.0, unit_f * (1 + tolerance)));
-      tried.returns = box.returns && unit_f * (1 + tolerance) < 1;
+      const double high = region_.high_of(unit_f, tolerance);
+      const FirstReturn box =
+          region_.profile()->between(region_.low_of(unit_f, tolerance), std::min(1.0, high));
+      tried.returns = box.returns && high < 1;
       tried.peak = box.peak * region_.length_unit();
       tried.acceleration = box.acceleration * region_.f_unit();
-      tried.stops = box.need(problem.criterion) <= unit_delta * (1 - tolerance);
+      tried.stops =
+          box.need(problem.criterion) <= unit_delta * (1 - limits.shape.delta_low * tolerance);
       tried.rated.tolerance = region_.tolerance_of(unit_f, unit_delta);
     }
-    tried.f = part.f * (1 + tolerance);
-    tried.delta = part.delta * (1 + tolerance);
+    tried.f = region_.high_of(part.f, tolerance);
+    tried.delta = part.delta * (1 + limits.shape.delta_high * tolerance);
     tried.rated.admissible = tried.rated.tolerance && fits(tried, problem.beta, limits);
     if (!tried.rated.tolerance) {
       tried.rated.violated = violated(part, tried.motion);

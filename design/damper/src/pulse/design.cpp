@@ -45,6 +45,18 @@ std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseP
   return DesignPoint{f * region.f_unit(), delta * region.delta_unit(), tolerance};
 }
 
+double even_tolerance_of(const PulseRequest& request, const PulseRegion& region,
+                         const DesignPoint& point, double unit_f) {
+  if (request.limits.shape == BoxShape{}) {
+    return point.tolerance;
+  }
+  Limits even = request.limits;
+  even.shape = {};
+  return PulseRegion(region.profile(), request.problem, even)
+      .tolerance_of(unit_f, point.delta / region.delta_unit())
+      .value_or(0);
+}
+
 }  // namespace
 
 void add_finding(DesignResult& result, const PulseRequest& request, const PulseRegion& region,
@@ -56,6 +68,7 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   result.request = reduced(request, shown.pulse, found.point.f);
   result.finding = finding_under_pulse(shown, limits, found, motion);
   result.finding->constraints = constraints_of(request, found.point, worst, region);
+  result.finding->pulse->even_tolerance = even_tolerance_of(request, region, found.point, unit_f);
   if (problem.has_ranges()) {
     result.finding->pulse->worst =
         PulseWorst{worst.peak * region.length_unit(), worst.acceleration * region.f_unit(),

@@ -7,6 +7,8 @@
 
 #include "check/bracketed_root.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <boost/numeric/odeint.hpp>
 
 #include <algorithm>
@@ -27,7 +29,9 @@ struct Load {
   bool flat;
 
   /// While the pulse lasts; smooth beyond its end, where a step may look.
-  [[nodiscard]] double during(double t) const { return flat ? 1 : std::sin(lambda * t); }
+  [[nodiscard]] double during(double t) const {
+    return flat ? 1 : elementary::sin_cos(lambda * t).sine;
+  }
 };
 
 Load load_of(const Pulse& pulse, double p) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/profile.hpp"
 
+#include "pulse/closed_return.hpp"
+
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -34,39 +38,65 @@ double impulse(const Pulse& pulse) {
 }
 
 /// The f at which to look first. The spring of a mass that the pulse has given the speed I reaches
-/// p I at most, so with a short pulse f is of that order; beyond it, and up to k, only a full sine
-/// brings the mass back. Fractions are those of the smaller of both.
+/// p I at most, so with a short pulse f is of that order. Fractions are those of the smaller of p I
+/// and k; a pulse of one sign brings nothing back beyond half of it, (67), a full sine does up to
+/// k.
 std::vector<double> first_grid(const Pulse& pulse) {
   constexpr double least = 1e-9;
-  constexpr int small = 16;
+  constexpr int small = 6;
   constexpr int even = 40;
   constexpr int large = 20;
   constexpr double nearly = 1 - 1e-6;  // f = k moves nothing
   const double scale = std::min(1.0, impulse(pulse));
+  const bool both_ways = std::holds_alternative<FullSine>(pulse);
+  const int last = both_ways ? even : even / 2;
   std::vector<double> grid;
   grid.reserve(small + even + large);
   for (int i = 0; i < small; ++i) {
-    grid.push_back(scale * least * std::pow(1 / (even * least), static_cast<double>(i) / small));
+    grid.push_back(scale * least *
+                   elementary::pow(1 / (even * least), static_cast<double>(i) / small));
   }
-  for (int i = 1; i <= even; ++i) {
+  for (int i = 1; i <= last; ++i) {
     grid.push_back(std::min(nearly, scale * i / even));
   }
-  for (int i = 1; scale < nearly && i <= large; ++i) {
-    grid.push_back(scale * std::pow(nearly / scale, static_cast<double>(i) / large));
+  for (int i = 1; both_ways && scale < nearly && i <= large; ++i) {
+    grid.push_back(scale * elementary::pow(nearly / scale, static_cast<double>(i) / large));
   }
   return grid;
 }
 
 bool same_kind(const FirstReturn& a, const FirstReturn& b) {
-  return a.returns == b.returns && a.turns == b.turns;
+  return a.returns == b.returns && (!a.returns || a.turns == b.turns);
+}
+
+/// Every figure that a requirement bounds rises along the four, or falls: between the middle two no
+/// box has its largest.
+bool all_go_on(const FirstReturn& a, const FirstReturn& b, const FirstReturn& c,
+               const FirstReturn& d) {
+  const auto goes_on = [&](double FirstReturn::*figure) {
+    const double before = a.*figure;
+    const double last = b.*figure;
+    const double after = c.*figure;
+    const double to = d.*figure;
+    return (before <= last && last <= after && after <= to) ||
+           (before >= last && last >= after && after >= to);
+  };
+  return goes_on(&FirstReturn::peak) && goes_on(&FirstReturn::acceleration) &&
+         goes_on(&FirstReturn::time) && goes_on(&FirstReturn::exact_need) &&
+         goes_on(&FirstReturn::published_need);
 }
 
 }  // namespace
 
 FirstReturn first_return(const Pulse& pulse, double p, double f) {
-  const ForcedResponse motion =
-      forced_response({1, f, unpassable}, {}, excitation(unit_pulse(pulse, p)));
+  const Pulse unit = unit_pulse(pulse, p);
+  if (const auto closed = closed_return(unit, f)) {
+    return *closed;
+  }
+  const ForcedResponse motion = forced_response({1, f, unpassable}, {}, excitation(unit));
   const double speed = motion.arrival_speed.value_or(0);
+  const double rest = std::abs(motion.stop_position.value_or(0));
+  const double square = speed * speed;
   return {f,
           motion.stops_at_zero && motion.half_cycles == 1.0,
           motion.peak_amplitude,
@@ -74,49 +104,69 @@ FirstReturn first_return(const Pulse& pulse, double p, double f) {
           motion.stop_time.value_or(0),
           motion.peak_absolute_acceleration,
           motion.turning_points.value_or(0),
-          speed * speed / 2,
-          (speed * speed + f * f) / 2};
+          square / 2,
+          (square + f * f) / 2,
+          square > 0 ? square : rest * (rest - 2 * f)};
 }
 
-PulseProfile::PulseProfile(const Pulse& pulse, double p, bool k_varies)
+PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies)
     : pulse_(unit_pulse(pulse, p)) {
-  std::vector<FirstReturn> coarse;
   for (const double f : first_grid(pulse_)) {
-    coarse.push_back(at(f));
-  }
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    samples_.push_back(coarse[i]);
-    if (i + 1 == coarse.size()) {
-      break;
+    const FirstReturn now = at(f);
+    if (!samples_.empty()) {
+      add_changes(now);
     }
-    // The kind may change more than once between two points.
-    constexpr int most_changes = 8;
-    for (int change = 0; change < most_changes && !same_kind(samples_.back(), coarse[i + 1]);
-         ++change) {
-      const FirstReturn before = samples_.back();
-      FirstReturn after = coarse[i + 1];
-      const double last = last_that_holds(before.f, after.f, [&](double f) {
-        const FirstReturn now = at(f);
-        const bool same = same_kind(before, now);
-        if (!same) {
-          after = now;
+    samples_.push_back(now);
+  }
+  add_maxima(criterion, k_varies);
+}
+
+/// Both sides of each change of the kind between the last sample and the next one.
+void PulseProfile::add_changes(const FirstReturn& to) {
+  // The kind may change more than once between two points.
+  constexpr int most_changes = 8;
+  for (int change = 0; change < most_changes && !same_kind(samples_.back(), to); ++change) {
+    const FirstReturn before = samples_.back();
+    FirstReturn last = before;
+    FirstReturn after = to;
+    const auto same_at = [&](double f) {
+      const FirstReturn now = at(f);
+      const bool same = same_kind(before, now);
+      (same ? last : after) = now;
+      return same;
+    };
+    if (before.returns != to.returns) {
+      const double sign = before.returns ? 1 : -1;
+      constexpr double none = std::numeric_limits<double>::min();
+      const auto clearance = [&](double f) {
+        if (f != before.f && f != to.f) {
+          same_at(f);
         }
-        return same;
-      });
-      if (last > before.f) {
-        samples_.push_back(at(last));
+        return f == last.f ? std::max(sign * last.clearance, 0.0)
+                           : std::min(sign * after.clearance, -none);
+      };
+      last_not_negative(before.f, to.f, clearance);
+    } else {
+      constexpr double near = 1.0 / 4096;
+      last_that_holds(before.f, to.f, same_at, near * (to.f - before.f));
+      if (!all_go_on(before, last, after, to)) {
+        last_that_holds(last.f, after.f, same_at);
       }
+    }
+    if (last.f > before.f) {
+      samples_.push_back(last);
+    }
+    if (after.f < to.f) {
       samples_.push_back(after);
     }
   }
-  add_maxima(k_varies);
 }
 
 FirstReturn PulseProfile::at(double f) const {
   return first_return(pulse_, 1, f);
 }
 
-void PulseProfile::add_maxima(bool k_varies) {
+void PulseProfile::add_maxima(Criterion criterion, bool k_varies) {
   constexpr int bits = 24;  // the value at a maximum then has all digits
   const auto add = [&](const auto& value) {
     std::vector<FirstReturn> found;
@@ -134,11 +184,9 @@ void PulseProfile::add_maxima(bool k_varies) {
     samples_.insert(samples_.end(), found.begin(), found.end());
     std::ranges::sort(samples_, {}, &FirstReturn::f);
   };
-  for (const Criterion criterion : {Criterion::exact, Criterion::published}) {
-    add([&](const FirstReturn& now) { return now.need(criterion); });
-    if (k_varies) {
-      add([&](const FirstReturn& now) { return now.need(criterion) / now.f / now.f; });
-    }
+  add([&](const FirstReturn& now) { return now.need(criterion); });
+  if (k_varies) {
+    add([&](const FirstReturn& now) { return now.need(criterion) / now.f / now.f; });
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/region.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -15,10 +17,6 @@ namespace {
 /// built.
 constexpr double edge_rounding = 1e-13;
 
-double ratio_of_box(double tolerance) {
-  return (1 + tolerance) / (1 - tolerance);
-}
-
 }  // namespace
 
 PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const PulseProblem& problem,
@@ -31,13 +29,22 @@ PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const Pulse
       f_max_(limits.f_max.value_or(HUGE_VAL) / k_ * (1 - edge_rounding)),
       delta_max_(limits.delta_max.value_or(HUGE_VAL) / length_ / k_ * (1 - edge_rounding)),
       acceleration_max_(limits.acceleration_max.value_or(HUGE_VAL) / k_ * (1 - edge_rounding)),
-      asked_(limits.tolerance) {
+      asked_(limits.tolerance),
+      shape_(limits.shape) {
   find_islands();
 }
 
-bool PulseRegion::holds(const FirstReturn& motion) const {
-  return motion.returns && motion.f <= f_max_ && motion.peak <= beta_ &&
-         motion.acceleration <= acceleration_max_;
+/// By how much the requirements that are not those of Delta are kept, as a part of the limit of the
+/// one that is kept least; they hold where this is >= 0.
+double PulseRegion::room(const FirstReturn& motion) const {
+  if (!motion.returns) {
+    return -1;
+  }
+  const auto left = [](double value, double limit) {
+    return std::isinf(limit) ? 1 : (limit - value) / limit;
+  };
+  return std::min({left(motion.f, f_max_), left(motion.peak, beta_),
+                   left(motion.acceleration, acceleration_max_)});
 }
 
 void PulseRegion::find_islands() {
@@ -67,7 +74,7 @@ void PulseRegion::find_islands() {
     std::ranges::sort(points, {}, &FirstReturn::f);
   }
   const auto edge = [&](double inside, double outside) {
-    return last_that_holds(inside, outside, [&](double f) { return holds(at(f)); });
+    return last_not_negative(inside, outside, [&](double f) { return room(at(f)); });
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!holds(points[i])) {
@@ -87,18 +94,24 @@ void PulseRegion::find_islands() {
 double PulseRegion::use_of_delta(double low, double high, double tolerance) const {
   return std::isinf(delta_max_)
              ? 0
-             : profile_->need_between(low, high, criterion_) * ratio_of_box(tolerance) / delta_max_;
+             : profile_->need_between(low, high, criterion_) * (1 + shape_.delta_high * tolerance) /
+                   (1 - shape_.delta_low * tolerance) / delta_max_;
 }
 
-std::optional<double> PulseRegion::box_in(const Island& island, double tolerance) const {
-  const double ratio = ratio_of_box(tolerance);
+double PulseRegion::most_tolerance() const {
+  return std::max(widest_tolerance, asked_);
+}
+
+std::optional<FrictionBox> PulseRegion::cheapest_box(const Island& island, double tolerance) const {
+  const double ratio = high_of(1, tolerance) / low_of(1, tolerance);
   const double last = island.high / ratio;
   if (island.low > last) {
     return std::nullopt;
   }
   const auto use = [&](double low) { return use_of_delta(low, low * ratio, tolerance); };
-  if (use(last) <= 1) {
-    return last;
+  const FrictionBox at_last{last, use(last)};
+  if (at_last.use <= 1) {
+    return at_last;
   }
   // The need mostly falls with f. Where it does not, the box that needs least as far as the samples
   // know.
@@ -106,20 +119,30 @@ std::optional<double> PulseRegion::box_in(const Island& island, double tolerance
     return profile_->rough_need_between(low, low * ratio, criterion_);
   };
   constexpr int steps = 100;
+  const double step = elementary::pow(last / island.low, 1.0 / steps);
   double best = last;
-  for (int i = 0; i < steps; ++i) {
-    const double low = island.low * std::pow(last / island.low, static_cast<double>(i) / steps);
-    if (rough(low) < rough(best)) {
+  double least = rough(last);
+  double low = island.low;
+  for (int i = 0; i < steps; ++i, low *= step) {
+    const double now = rough(low);
+    if (now < least) {
       best = low;
+      least = now;
     }
   }
-  const double step = std::pow(last / island.low, 1.0 / steps);
-  constexpr int bits = 30;
-  const double refined =
-      boost::math::tools::brent_find_minima(use, std::max(island.low, best / step),
-                                            std::min(last, best * step), bits)
-          .first;
-  return use(refined) <= 1 ? std::optional(refined) : std::nullopt;
+  constexpr double aside = 1e-4;
+  if (best == last && use(last - (last - island.low) * aside) >= at_last.use) {
+    return at_last;
+  }
+  constexpr int bits = 24;
+  const auto [at, value] = boost::math::tools::brent_find_minima(
+      use, std::max(island.low, best / step), std::min(last, best * step), bits);
+  return value < at_last.use ? FrictionBox{at, value} : at_last;
+}
+
+std::optional<double> PulseRegion::box_in(const Island& island, double tolerance) const {
+  const auto box = cheapest_box(island, tolerance);
+  return box && box->use <= 1 ? std::optional(box->low) : std::nullopt;
 }
 
 bool PulseRegion::feasible() const {
@@ -129,21 +152,26 @@ bool PulseRegion::feasible() const {
 
 /// As far as f and delta_max, or the given Delta, allow.
 double PulseRegion::widest(const Island& island, double f, double delta) const {
-  const double most = std::max(widest_tolerance, asked_);
-  const double of_f = std::min({most, (f - island.low) / f, (island.high - f) / f});
-  const auto fits = [&](double tolerance) {
-    const double low = std::max(island.low, f * (1 - tolerance));
-    const double high = std::min(island.high, f * (1 + tolerance));
+  // A side of the box that stays where it is allows any tolerance.
+  const auto along = [](double room, double side) { return side > 0 ? room / side : HUGE_VAL; };
+  const double of_f = f < island.low || f > island.high
+                          ? 0
+                          : std::min({most_tolerance(), along((f - island.low) / f, shape_.f_low),
+                                      along((island.high - f) / f, shape_.f_high)});
+  const auto room = [&](double tolerance) {
+    const double low = std::max(island.low, low_of(f, tolerance));
+    const double high = std::min(island.high, high_of(f, tolerance));
     if (std::isinf(delta)) {
-      return use_of_delta(low, high, tolerance) <= 1;
+      return 1 - use_of_delta(low, high, tolerance);
     }
-    return delta * (1 + tolerance) <= delta_max_ &&
-           profile_->need_between(low, high, criterion_) <= delta * (1 - tolerance);
+    return std::min(
+        delta_max_ - delta * (1 + shape_.delta_high * tolerance),
+        delta * (1 - shape_.delta_low * tolerance) - profile_->need_between(low, high, criterion_));
   };
-  if (of_f < 0 || fits(of_f)) {
-    return std::max(of_f, 0.0);
+  if (room(of_f) >= 0) {
+    return of_f;
   }
-  return fits(0) ? last_that_holds(0.0, of_f, fits) : 0;
+  return room(0) >= 0 ? last_not_negative(0.0, of_f, room) : 0;
 }
 
 DesignPoint PulseRegion::with_best_delta(const Island& island, double f) const {
@@ -151,12 +179,13 @@ DesignPoint PulseRegion::with_best_delta(const Island& island, double f) const {
   const double inside = std::clamp(f, island.low, island.high);
   const double tolerance = widest(island, inside, HUGE_VAL);
   const double need =
-      profile_->need_between(std::max(island.low, inside * (1 - tolerance)),
-                             std::min(island.high, inside * (1 + tolerance)), criterion_);
+      profile_->need_between(std::max(island.low, low_of(inside, tolerance)),
+                             std::min(island.high, high_of(inside, tolerance)), criterion_);
   // An arrival at rest needs a notch as well, of any size.
   const double least = std::max(need, std::numeric_limits<double>::epsilon() * at(inside).peak);
-  const double delta = std::min(least / (1 - std::max(tolerance, reserve)) * (1 + edge_rounding),
-                                delta_max_ / (1 + tolerance));
+  const double delta =
+      std::min(least / (1 - std::max(shape_.delta_low * tolerance, reserve)) * (1 + edge_rounding),
+               delta_max_ / (1 + shape_.delta_high * tolerance));
   return {inside, delta, tolerance};
 }
 
@@ -169,14 +198,16 @@ std::optional<double> PulseRegion::tolerance_of(double f, double delta) const {
   }
   // Below every sample nothing but the need changes.
   const auto fits = [&](double tolerance) {
-    const FirstReturn worst = profile_->between(f * (1 - tolerance), f * (1 + tolerance));
-    return holds(worst) && f * (1 + tolerance) <= f_max_ && delta * (1 + tolerance) <= delta_max_ &&
-           worst.need(criterion_) <= delta * (1 - tolerance);
+    const double high = high_of(f, tolerance);
+    const FirstReturn worst = profile_->between(low_of(f, tolerance), high);
+    return holds(worst) && high <= f_max_ &&
+           delta * (1 + shape_.delta_high * tolerance) <= delta_max_ &&
+           worst.need(criterion_) <= delta * (1 - shape_.delta_low * tolerance);
   };
   if (!(f < profile_->samples().front().f && fits(0))) {
     return std::nullopt;
   }
-  const double most = std::max(widest_tolerance, asked_);
+  const double most = most_tolerance();
   return fits(most) ? most : last_that_holds(0.0, most, fits);
 }
 

@@ -11,6 +11,7 @@
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,12 @@ namespace stillpoint::design {
 struct Island {
   double low{0};
   double high{0};
+};
+
+/// The low end of a box of f, and the part of delta_max that it needs.
+struct FrictionBox {
+  double low{0};
+  double use{0};
 };
 
 /// In the units of WorstReturn.
@@ -36,9 +43,15 @@ class PulseRegion {
   [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
   /// The largest need of a box, over what delta_max leaves for it: at most 1 where it fits.
   [[nodiscard]] double use_of_delta(double low, double high, double tolerance) const;
-  /// The low end of the box of that tolerance that needs the least Delta, where that is within
-  /// delta_max.
+  /// The box of that tolerance that needs the least Delta; empty where none fits in f.
+  [[nodiscard]] std::optional<FrictionBox> cheapest_box(const Island& island,
+                                                        double tolerance) const;
+  /// Its low end, where the need is within delta_max.
   [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance) const;
+  /// The tolerance of f, as far as delta_max allows.
+  [[nodiscard]] double widest_box(const Island& island, double f) const {
+    return widest(island, f, HUGE_VAL);
+  }
   [[nodiscard]] bool feasible() const;
 
   /// The point of an island with the Delta that leaves the most tolerance, and with half of its
@@ -53,8 +66,27 @@ class PulseRegion {
   [[nodiscard]] double length_unit() const { return length_; }
   [[nodiscard]] double asked() const { return asked_; }
 
+  /// The sides of a box of f, and the f whose box has that low end.
+  [[nodiscard]] double low_of(double f, double tolerance) const {
+    return f * (1 - shape_.f_low * tolerance);
+  }
+  [[nodiscard]] double high_of(double f, double tolerance) const {
+    return f * (1 + shape_.f_high * tolerance);
+  }
+  [[nodiscard]] double middle_of(double low, double tolerance) const {
+    return low / (1 - shape_.f_low * tolerance);
+  }
+  /// The f whose boxes of the tolerance asked for lie in the island: nothing, where low > high.
+  [[nodiscard]] Island middles(const Island& island) const {
+    return {middle_of(island.low, asked_), island.high / (1 + shape_.f_high * asked_)};
+  }
+  [[nodiscard]] const BoxShape& shape() const { return shape_; }
+  /// The largest tolerance that is looked for.
+  [[nodiscard]] double most_tolerance() const;
+
  private:
-  [[nodiscard]] bool holds(const FirstReturn& motion) const;
+  [[nodiscard]] double room(const FirstReturn& motion) const;
+  [[nodiscard]] bool holds(const FirstReturn& motion) const { return room(motion) >= 0; }
   void find_islands();
   [[nodiscard]] double widest(const Island& island, double f, double delta_free) const;
 
@@ -68,6 +100,7 @@ class PulseRegion {
   double delta_max_;
   double acceleration_max_;
   double asked_;  ///< tolerance
+  BoxShape shape_;
 };
 
 /// Nothing bounds Delta from above but delta_max, so that an interval of f that begins at 0 would

@@ -8,6 +8,8 @@
 #include "search/nlopt_fence.hpp"
 #include "search/run.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -25,6 +27,7 @@ struct PulseTask {
   const PulseRegion& region;
   Objective objective;
   Island island;
+  mutable FirstReturn last{.f = -1};
 
   PulseTask(const PulseRegion& of, Objective what, const Island& whole)
       : region(of), objective(what), island(whole) {
@@ -38,25 +41,36 @@ struct PulseTask {
   [[nodiscard]] double cost(double f) const {
     switch (objective) {
       case Objective::robust:
-        return -region.with_best_delta(island, f).tolerance;
+        return -region.widest_box(island, f);
       case Objective::amplitude:
-        return region.at(f).peak;
+        return at(f).peak;
       case Objective::time:
-        return region.at(f).time;
+        return at(f).time;
       case Objective::acceleration:
         break;
     }
-    return region.at(f).acceleration;
+    return at(f).acceleration;
+  }
+  /// What it costs and whether it fits are asked for the same f by turns.
+  [[nodiscard]] const FirstReturn& at(double f) const {
+    if (last.f != f) {
+      last = region.at(f);
+    }
+    return last;
   }
   /// The tolerance asked for is there.
-  [[nodiscard]] bool fits(double f) const {
+  [[nodiscard]] bool fits(double f) const { return room(f) >= 0; }
+  /// What the box of that tolerance leaves of the island, else of delta_max, as a part of it.
+  [[nodiscard]] double room(double f) const {
     const double tolerance = region.asked();
-    const double low = f * (1 - tolerance);
-    const double high = f * (1 + tolerance);
+    const double low = region.low_of(f, tolerance);
+    const double high = region.high_of(f, tolerance);
     constexpr double rounding = 1e-14;
-    return low >= island.low * (1 - rounding) && high <= island.high * (1 + rounding) &&
-           region.use_of_delta(std::max(low, island.low), std::min(high, island.high), tolerance) <=
-               1;
+    const double within = std::min(low / (island.low * (1 - rounding)) - 1,
+                                   1 - high / (island.high * (1 + rounding)));
+    return within < 0 ? within
+                      : 1 - region.use_of_delta(std::max(low, island.low),
+                                                std::min(high, island.high), tolerance);
   }
 };
 
@@ -65,6 +79,10 @@ struct PulseBest {
   std::optional<double> f;
   double cost{HUGE_VAL};
 
+  void consider(const PulseTask& task, const FirstReturn& motion) {
+    task.last = motion;
+    consider(task, motion.f);
+  }
   void consider(const PulseTask& task, double f_new) {
     const double inside = std::clamp(f_new, task.island.low, task.island.high);
     if (std::isnan(inside) || !task.fits(inside)) {
@@ -82,51 +100,78 @@ struct PulseBest {
 double middle_of_largest_box(const PulseTask& task) {
   const PulseRegion& region = task.region;
   const auto& island = task.island;
-  const auto fits = [&](double tolerance) { return region.box_in(island, tolerance).has_value(); };
-  const double by_edges = (island.high - island.low) / (island.high + island.low);
-  const double most = std::min(by_edges, std::max(widest_tolerance, region.asked()));
+  const auto& [f_low, f_high, delta_low, delta_high] = region.shape();
+  const double sides = island.high * f_low + island.low * f_high;
+  const double by_edges = sides > 0 ? (island.high - island.low) / sides : HUGE_VAL;
+  const double most = std::min(by_edges, region.most_tolerance());
   constexpr double rounding = 1e-15;
   double tolerance = std::max(region.asked(), most * (1 - rounding));
-  if (tolerance > region.asked() && !fits(tolerance)) {
-    tolerance = last_that_holds(region.asked(), tolerance, fits);
+  if (tolerance > region.asked() && !region.box_in(island, tolerance)) {
+    tolerance = last_not_negative(region.asked(), tolerance, [&](double now) {
+      const auto box = region.cheapest_box(island, now);
+      return box ? 1 - box->use : -1;
+    });
   }
-  return region.box_in(island, tolerance).value_or(island.low) / (1 - tolerance);
+  return region.middle_of(region.box_in(island, tolerance).value_or(island.low), tolerance);
+}
+
+/// The samples between two f, with both ends, and with more where they are few.
+std::vector<FirstReturn> looks_between(const PulseTask& task, double low, double high) {
+  constexpr std::size_t enough = 8;
+  std::vector<FirstReturn> looks{task.region.at(low)};
+  for (const FirstReturn& now : task.region.profile()->samples()) {
+    if (low < now.f && now.f < high) {
+      looks.push_back(now);
+    }
+  }
+  if (low < high) {
+    looks.push_back(task.region.at(high));
+  }
+  for (std::size_t i = 1; looks.size() < enough && i < enough && low < high; ++i) {
+    looks.push_back(
+        task.region.at(low * elementary::pow(high / low, static_cast<double>(i) / enough)));
+  }
+  std::ranges::sort(looks, {}, &FirstReturn::f);
+  return looks;
 }
 
 PulseBest bracketed(const PulseTask& task) {
   PulseBest best;
   const double tolerance = task.region.asked();
-  const double low = task.island.low / (1 - tolerance);
-  const double high = task.island.high / (1 + tolerance);
+  const auto [low, high] = task.region.middles(task.island);
   if (const auto box = task.region.box_in(task.island, tolerance)) {
-    best.consider(task, *box / (1 - tolerance));
+    best.consider(task, task.region.middle_of(*box, tolerance));
   }
   if (task.objective == Objective::robust) {
     best.consider(task, middle_of_largest_box(task));
     return best;
   }
-  constexpr int steps = 64;
-  double before = low;
-  bool fitted = task.fits(low);
-  best.consider(task, low);
-  for (int i = 1; i <= steps; ++i) {
-    const double now =
-        i == steps ? high : low * std::pow(high / low, static_cast<double>(i) / steps);
-    const bool fits = task.fits(now);
+  const std::vector<FirstReturn> looks = looks_between(task, low, high);
+  const FirstReturn* before = nullptr;
+  std::size_t at_best = 0;
+  for (const FirstReturn& now : looks) {
+    const double least = best.cost;
     best.consider(task, now);
-    if (fits != fitted) {  // the end of what delta_max leaves
-      best.consider(task, last_that_holds(fits ? now : before, fits ? before : now,
-                                          [&](double f) { return task.fits(f); }));
+    at_best = best.cost < least ? static_cast<std::size_t>(&now - looks.data()) : at_best;
+    if (before != nullptr && task.fits(now.f) != task.fits(before->f)) {
+      // The end of what delta_max leaves.
+      const bool fits = task.fits(now.f);
+      best.consider(task, last_not_negative(fits ? now.f : before->f, fits ? before->f : now.f,
+                                            [&](double f) { return task.room(f); }));
     }
-    before = now;
-    fitted = fits;
+    before = &now;
   }
-  if (best.f) {
-    constexpr int bits = 30;
-    const double step = std::pow(high / low, 1.0 / steps);
+  const double left = looks[at_best == 0 ? 0 : at_best - 1].f;
+  const double right = looks[std::min(at_best + 1, looks.size() - 1)].f;
+  // At an end from which the cost grows there is nothing to refine.
+  constexpr double aside = 1e-4;
+  const double end = looks[at_best].f;
+  const double inside = at_best == 0 ? end + aside * (right - end) : end - aside * (end - left);
+  const bool interior = left < end && end < right;
+  if (best.f && left < right && (interior || task.cost(inside) < task.cost(end))) {
+    constexpr int bits = 24;
     best.consider(task, boost::math::tools::brent_find_minima(
-                            [&](double f) { return task.cost(f); }, std::max(low, *best.f / step),
-                            std::min(high, *best.f * step), bits)
+                            [&](double f) { return task.cost(f); }, left, right, bits)
                             .first);
   }
   return best;
@@ -138,7 +183,7 @@ double start_of(const PulseTask& task) {
   if (task.objective != Objective::robust) {
     for (const FirstReturn& now : task.region.profile()->samples()) {
       if (task.island.low <= now.f && now.f <= task.island.high) {
-        best.consider(task, now.f);
+        best.consider(task, now);
       }
     }
   }
@@ -156,14 +201,17 @@ double slope(const Value& value, double at, const Island& within) {
 
 /// x = f / high of the island and, for `robust`, t: the least -t or cost with
 ///   low / high - x (1 - t) <= 0,  x (1 + t) - 1 <= 0,  need (1 + t) / ((1 - t) delta_max) - 1 <=
-///   0.
+///   0,
+/// t times the part of its own on each side.
 NloptProblem constrained(const PulseTask& task, double scale,
                          const std::function<void(double)>& visit) {
   const double high = task.island.high;
   const double low = task.island.low;
   const bool robust = task.objective == Objective::robust;
   const double asked = task.region.asked();
-  const double most = std::max(widest_tolerance, asked);
+  const double most = task.region.most_tolerance();
+  const double down = task.region.shape().f_low;
+  const double up = task.region.shape().f_high;
   NloptProblem posed;
   const double start = start_of(task) / high;
   posed.lower = Eigen::VectorXd::Constant(1, low / high);
@@ -191,16 +239,16 @@ NloptProblem constrained(const PulseTask& task, double scale,
     return cost(x[0] * high);
   };
   posed.constraints.emplace_back([=](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
-    store(gradient, -(1 - box(x)), x[0]);
-    return low / high - x[0] * (1 - box(x));
+    store(gradient, -(1 - down * box(x)), down * x[0]);
+    return low / high - x[0] * (1 - down * box(x));
   });
   posed.constraints.emplace_back([=](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
-    store(gradient, 1 + box(x), x[0]);
-    return x[0] * (1 + box(x)) - 1;
+    store(gradient, 1 + up * box(x), up * x[0]);
+    return x[0] * (1 + up * box(x)) - 1;
   });
   const auto use = [=, &task](double f, double t) {
-    const double box_low = std::clamp(f * (1 - t), low, high);
-    return task.region.use_of_delta(box_low, std::clamp(f * (1 + t), box_low, high), t) - 1;
+    const double box_low = std::clamp(f * (1 - down * t), low, high);
+    return task.region.use_of_delta(box_low, std::clamp(f * (1 + up * t), box_low, high), t) - 1;
   };
   posed.constraints.emplace_back([=, &task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     const double f = x[0] * high;
@@ -221,8 +269,9 @@ NloptProblem penalised(const PulseTask& task, double scale,
                        const std::function<void(double)>& visit) {
   const double asked = task.region.asked();
   NloptProblem posed;
-  posed.lower = Eigen::VectorXd::Constant(1, task.island.low / (1 - asked));
-  posed.upper = Eigen::VectorXd::Constant(1, task.island.high / (1 + asked));
+  const Island middles = task.region.middles(task.island);
+  posed.lower = Eigen::VectorXd::Constant(1, middles.low);
+  posed.upper = Eigen::VectorXd::Constant(1, middles.high);
   posed.upper = posed.upper.cwiseMax(posed.lower);
   const double unit = posed.upper[0];
   posed.lower /= unit;
@@ -233,7 +282,8 @@ NloptProblem penalised(const PulseTask& task, double scale,
     const double f = x[0] * unit;
     visit(f);
     return task.fits(f) ? task.cost(f) / scale
-                        : worse + task.region.use_of_delta(f * (1 - asked), f * (1 + asked), asked);
+                        : worse + task.region.use_of_delta(task.region.low_of(f, asked),
+                                                           task.region.high_of(f, asked), asked);
   };
   return posed;
 }
@@ -246,15 +296,12 @@ PulseBest searched(const PulseTask& task, double scale, const SearchOptions& opt
   const bool takes_constraints = algorithm.constraints == ConstraintSupport::yes;
   const NloptProblem posed =
       takes_constraints ? constrained(task, scale, visit) : penalised(task, scale, visit);
+  const Island middles = task.region.middles(task.island);
+  const double unit = takes_constraints ? task.island.high : std::max(middles.high, middles.low);
   const NloptOutcome outcome = run(posed, algorithm.name, options, [&]() -> Eigen::VectorXd {
-    return best.f ? Eigen::VectorXd::Constant(
-                        1, *best.f / (task.island.high / (1 + task.region.asked())))
-                  : posed.start;
+    return best.f ? Eigen::VectorXd::Constant(1, *best.f / middles.high) : posed.start;
   });
-  best.consider(task, outcome.x[0] * (takes_constraints
-                                          ? task.island.high
-                                          : std::max(task.island.high / (1 + task.region.asked()),
-                                                     task.island.low / (1 - task.region.asked()))));
+  best.consider(task, outcome.x[0] * unit);
   record.algorithm = algorithm.name;
   record.status = outcome.status;
   record.evaluations += outcome.evaluations;

@@ -4,6 +4,7 @@
 #include "check/judge.hpp"
 #include "pulse/integration.hpp"
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/design/cross_check.hpp>
 
 #include <algorithm>
@@ -44,13 +45,14 @@ void add_reduction(PulseCheck& check, const PulseProblem& problem, double f) {
   }
   const double p = problem.p;
   const double v0 = check.start->speed;
-  const double radius = std::hypot(f, v0 * p);
+  const double radius = elementary::hypot(f, v0 * p);
   const double peak = v0 / (radius + f) * v0;
   check.peak_error = peak / check.response.peak_amplitude - 1;
   if (f <= v0 * p / std::sqrt(8.0)) {  // f3
-    const double time = (std::atan2(v0 * p, f) + std::numbers::pi / 2 +
-                         std::atan2(f, std::sqrt(std::max(0.0, (radius - f) * (radius - 3 * f))))) /
-                        p;
+    const double time =
+        (elementary::atan2(v0 * p, f) + std::numbers::pi / 2 +
+         elementary::atan2(f, std::sqrt(std::max(0.0, (radius - f) * (radius - 3 * f))))) /
+        p;
     check.stop_time_error = (check.start->tau + time) / *check.response.stop_time - 1;
   }
 }

@@ -10,8 +10,6 @@ namespace stillpoint::design {
 
 namespace {
 
-using fmt::format;
-
 /// The last f that returns, and the motion there.
 FirstReturn last_return(const PulseRegion& region) {
   FirstReturn last;
@@ -50,8 +48,9 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
     edges.feasible = true;
     const bool binds = weakest != nullptr && within->low > weakest->f * (1 + 1e-9);
     edges.f2 = binds ? within->low * region.f_unit() : 0;
-    edges.f_lower = within->low / (1 - region.asked()) * region.f_unit();
-    edges.f_upper = within->high / (1 + region.asked()) * region.f_unit();
+    const Island middles = region.middles(*within);
+    edges.f_lower = middles.low * region.f_unit();
+    edges.f_upper = middles.high * region.f_unit();
     edges.f_lower = std::min(*edges.f_lower, *edges.f_upper);
   }
   return edges;
@@ -59,22 +58,22 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
 
 /// The first requirement that leaves nothing, in the order of the sentences of `reason_of`.
 Conflict conflict_of(const PulseRegion& region, const PulseProblem& problem, const Limits& limits) {
-  const double tolerance = limits.tolerance;
-  const auto fits = [&](const Limits& some, bool beta = true) {
+  const auto fits = [&](Limits some, bool beta = true) {
+    some.tolerance = limits.tolerance;
+    some.shape = limits.shape;
     return feasible(region, problem, some, beta);
   };
-  if (!fits({.tolerance = tolerance})) {
+  const auto& acceleration_max = limits.acceleration_max;
+  if (!fits({})) {
     return Conflict::amplitude_against_return;
   }
-  if (!fits({.f_max = limits.f_max, .tolerance = tolerance})) {
+  if (!fits({.f_max = limits.f_max})) {
     return Conflict::amplitude_against_f_max;
   }
-  if (!fits({.tolerance = tolerance, .acceleration_max = limits.acceleration_max}, false)) {
+  if (!fits({.acceleration_max = acceleration_max}, false)) {
     return Conflict::acceleration_alone;
   }
-  if (!fits({.f_max = limits.f_max,
-             .tolerance = tolerance,
-             .acceleration_max = limits.acceleration_max})) {
+  if (!fits({.f_max = limits.f_max, .acceleration_max = acceleration_max})) {
     return Conflict::amplitude_against_acceleration;
   }
   return Conflict::stop_against_delta_max;
@@ -82,38 +81,41 @@ Conflict conflict_of(const PulseRegion& region, const PulseProblem& problem, con
 
 std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseProblem& problem,
                       const Limits& limits) {
-  const std::string box =
-      limits.tolerance > 0 ? format(", with a tolerance of {:g}", limits.tolerance) : "";
+  const bool even = limits.shape == BoxShape{};
+  const std::string box = limits.tolerance > 0 && even
+                              ? fmt::format(", with a tolerance of {:g}", limits.tolerance)
+                          : limits.tolerance > 0 ? ", with the tolerances asked for"
+                                                 : "";
   const PulseRegion amplitude(region.profile(), problem, {});
   const double k = region.f_unit();
   const FirstReturn last = last_return(region);
   switch (conflict) {
     case Conflict::amplitude_against_return:
       if (amplitude.islands().empty()) {
-        return format(
+        return fmt::format(
             "amplitude and return exclude each other: coming back to x = 0 needs f <= {:.6g}, and "
             "with that the peak is {:.6g} at least, beyond beta = {:.6g}",
             last.f * k, last.peak * region.length_unit(), problem.beta);
       }
-      return format(
+      return fmt::format(
           "amplitude and return exclude each other: a peak within beta needs f >= {:.6g}, coming "
           "back to x = 0 needs f <= {:.6g}{}",
           amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
     case Conflict::amplitude_against_f_max:
-      return format(
+      return fmt::format(
           "amplitude and f_max exclude each other: a peak within beta needs f >= {:.6g}, f_max is "
           "{:.6g}{}",
           amplitude.islands().front().low * k, *limits.f_max, box);
     case Conflict::acceleration_alone:
-      return format("no f that returns keeps the transmitted acceleration within {:.6g} g{}",
-                    *limits.acceleration_max, box);
+      return fmt::format("no f that returns keeps the transmitted acceleration within {:.6g} g{}",
+                         *limits.acceleration_max, box);
     case Conflict::amplitude_against_acceleration:
-      return format(
+      return fmt::format(
           "amplitude and acceleration exclude each other: no f that returns keeps both the peak "
           "within beta and the transmitted acceleration within {:.6g} g{}",
           *limits.acceleration_max, box);
     default:
-      return format(
+      return fmt::format(
           "stop and delta_max exclude each other: no f that keeps the other requirements arrives "
           "slowly enough for delta <= {:.6g}{}",
           *limits.delta_max, box);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/worst_return.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,7 +75,8 @@ double top_of(const Placed& before, const Placed& now, const Placed& after) {
 }  // namespace
 
 WorstReturn::WorstReturn(const PulseProblem& problem)
-    : weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
+    : criterion_(problem.criterion),
+      weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
   add_cases(problem);
   add_samples();
 }
@@ -88,7 +91,8 @@ void WorstReturn::add_cases(const PulseProblem& problem) {
   add_leg(unit, lambda, stiffest, lambda, 1);
   corner_ = cases_.size();
   add_leg(unit, lambda, 1, shortest, 1);
-  cases_.push_back({shortest, 1, PulseProfile(with_wave(unit, 1, shortest), 1, weakest_ < 1)});
+  cases_.push_back(
+      {shortest, 1, PulseProfile(with_wave(unit, 1, shortest), 1, criterion_, weakest_ < 1)});
 }
 
 /// Without its end. The ratio lambda/p grows along it.
@@ -106,13 +110,14 @@ void WorstReturn::add_leg(const Pulse& unit, double lambda, double p, double to_
   const double turned = *duration(excitation(with_wave(unit, 1, lambda))) * p -
                         *duration(excitation(with_wave(unit, 1, to_lambda))) * to_p;
   const double steps =
-      std::clamp(std::ceil(std::max(std::log(ratio) / part, turned / turn)), 2.0, most);
+      std::clamp(std::ceil(std::max(elementary::log(ratio) / part, turned / turn)), 2.0, most);
   const auto count = static_cast<std::size_t>(steps);
   for (std::size_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / steps;
-    const double now = lambda * std::pow(to_lambda / lambda, share);
-    const double spring = p * std::pow(to_p / p, share);
-    cases_.push_back({now, spring, PulseProfile(with_wave(unit, 1, now), spring, weakest_ < 1)});
+    const double now = lambda * elementary::pow(to_lambda / lambda, share);
+    const double spring = p * elementary::pow(to_p / p, share);
+    cases_.push_back(
+        {now, spring, PulseProfile(with_wave(unit, 1, now), spring, criterion_, weakest_ < 1)});
   }
 }
 
@@ -164,7 +169,7 @@ FirstReturn WorstReturn::at(double f) const {
   }
   // Between the cases it may be more. What the parabola has more than its three is counted twice.
   const auto placed = [&](std::size_t i, const auto figure) {
-    return Placed{std::log(cases_[i].lambda / cases_[i].p), each[i].*figure};
+    return Placed{elementary::log(cases_[i].lambda / cases_[i].p), each[i].*figure};
   };
   for (std::size_t i = 1; worst.returns && i + 1 < each.size(); ++i) {
     if (i == corner_) {

@@ -46,7 +46,8 @@ class WorstReturn {
   [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
   [[nodiscard]] double need_near(double f, Criterion criterion) const;
 
-  double weakest_{1};  ///< k_low / k
+  Criterion criterion_;  ///< whose largest need the samples have
+  double weakest_{1};    ///< k_low / k
   std::vector<Case> cases_;
   std::size_t corner_{0};  ///< the case where p has reached its low end and lambda sets out
   std::vector<FirstReturn> samples_;

@@ -230,7 +230,11 @@ std::span<const std::string_view> combine_names() {
   return combines.all();
 }
 
-RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) {
+namespace {
+
+/// With the figures of a scan, where there are some.
+RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>* scanned,
+                    const RecordWatch& ask) {
   require_valid(request);
   const auto begin = std::chrono::steady_clock::now();
   RecordDesign result{completed(request), {}, {}, {}, {}};
@@ -238,15 +242,25 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) 
   const Suite suite(task);
   const SuiteBox box(task);
   SuiteWatch watch(task, ask);
-  const SuiteScan scanned = scan(suite, box, task.scan_points, task.threads, watch);
-  SuiteOptimum found =
-      optimum(suite, box, scanned, task.objective, task.limits, task.threads, watch);
+  const auto [side, all] = grid_size(box, task.scan_points);
+  SuiteScan scan{side, scanned != nullptr
+                           ? *scanned
+                           : grid_figures(suite, box, side, 0, all, task.threads, watch)};
+  const auto evaluated = std::ssize(scan.figures);
+  if (scanned != nullptr && evaluated != all) {
+    throw InputError("scanned", fmt::format("{} dampers", evaluated),
+                     fmt::format("must be {}, as the scan has", all));
+  }
+  SuiteFigures unknown;
+  unknown.settled = false;
+  scan.figures.resize(static_cast<std::size_t>(all), unknown);
+  SuiteOptimum found = optimum(suite, box, scan, task.objective, task.limits, task.threads, watch);
   result.search = {found.algorithm,
                    found.status,
                    found.evaluations,
                    0,
-                   scanned.evaluated,
-                   std::ranges::count_if(scanned.figures,
+                   evaluated,
+                   std::ranges::count_if(scan.figures,
                                          [&](const SuiteFigures& figures) {
                                            return admissible(figures, task.limits);
                                          }),
@@ -254,8 +268,8 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) 
   result.nearest = found.point;
   const bool feasible = admissible(found.point.figures, task.limits);
   if (!feasible) {
-    result.shortfalls = shortfalls(suite, box, scanned, task, found.point.figures,
-                                   result.search.evaluations, watch);
+    result.shortfalls =
+        shortfalls(suite, box, scan, task, found.point.figures, result.search.evaluations, watch);
   }
   result.search.interrupted = watch.stopped();
   result.search.wall_time_s =
@@ -267,6 +281,34 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) 
     result.finding = std::move(finding);
   }
   return result;
+}
+
+}  // namespace
+
+RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) {
+  return design(request, nullptr, ask);
+}
+
+RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>& scanned,
+                    const RecordWatch& ask) {
+  return design(request, &scanned, ask);
+}
+
+std::int64_t scan_size(const RecordDesignRequest& request) {
+  require_valid(request);
+  return grid_size(SuiteBox(completed(request)), request.scan_points).all;
+}
+
+std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request, std::int64_t first,
+                                    std::int64_t count, const RecordWatch& ask) {
+  require_valid(request);
+  const RecordDesignRequest task = completed(request);
+  const SuiteBox box(task);
+  const GridSize size = grid_size(box, task.scan_points);
+  require_within("first", static_cast<double>(first), 0, static_cast<double>(size.all));
+  require_within("count", static_cast<double>(count), 0, static_cast<double>(size.all - first));
+  SuiteWatch watch(task, ask);
+  return grid_figures(Suite(task), box, size.side, first, count, task.threads, watch);
 }
 
 SuiteMap suite_map(const RecordDesignRequest& request, double p, int side) {

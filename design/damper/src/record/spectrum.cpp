@@ -7,6 +7,8 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -118,6 +120,41 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
     }
   }
   return result;
+}
+
+namespace {
+
+std::size_t count_lower(const std::vector<SpectrumPoint>& points,
+                        double (*value)(const SpectrumFigures&)) {
+  return static_cast<std::size_t>(std::ranges::count_if(points, [&](const SpectrumPoint& point) {
+    return value(point.with_notch) < value(point.without);
+  }));
+}
+
+}  // namespace
+
+std::string summary(const Spectrum& spectrum) {
+  const std::vector<SpectrumPoint>& points = spectrum.combined;
+  const SpectrumRequest& task = spectrum.request;
+  if (task.delta == 0) {
+    return "Delta is 0, so there is no notch to compare with.";
+  }
+  const auto count = [&](double (*value)(const SpectrumFigures&)) {
+    const std::size_t lower = count_lower(points, value);
+    return lower == 0               ? std::string("at no period")
+           : lower == points.size() ? std::string("at every period")
+                                    : fmt::format("at {} of {} periods", lower, points.size());
+  };
+  const bool largest = *task.combine == Combine::max;
+  const std::string of =
+      task.records.size() == 1
+          ? std::string("under the record")
+          : fmt::format("({} of {} records)", largest ? "largest" : "mean", task.records.size());
+  return fmt::format(
+      "The notch lowers the residual {} {}, the transmitted acceleration {}, the peak {}.", of,
+      count([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
+      count([](const SpectrumFigures& one) { return one.acceleration; }),
+      count([](const SpectrumFigures& one) { return one.peak; }));
 }
 
 }  // namespace stillpoint::design

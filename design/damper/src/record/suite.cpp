@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite.hpp"
 
+#include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/record_batch.hpp>
 
 #include <algorithm>
 #include <array>
@@ -96,7 +96,10 @@ void Suite::add(SuiteFigures& all, const Motion& one) const {
 }
 
 void Suite::combine(SuiteFigures& all) const {
-  if (all.settled && combine_ == Combine::mean) {
+  if (!all.settled) {
+    all = SuiteFigures();
+    all.settled = false;
+  } else if (combine_ == Combine::mean) {
     const auto count = static_cast<double>(loads_.size());
     all.peak /= count;
     all.acceleration /= count;
@@ -118,7 +121,7 @@ SuiteFigures Suite::figures(const SuiteDamper& damper) const {
       all.settled = false;
     }
     if (!all.settled) {
-      return all;
+      break;
     }
   }
   combine(all);

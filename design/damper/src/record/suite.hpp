@@ -59,7 +59,7 @@ class Suite {
     double margin;
   };
   void add(SuiteFigures& all, const Motion& one) const;
-  /// Of all records.
+  /// Of all records; nothing where one of them does not settle.
   void combine(SuiteFigures& all) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_search.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -63,34 +65,37 @@ std::vector<double> SuiteScan::unit(std::size_t index, std::size_t variables) co
   return unit;
 }
 
-SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points, int threads,
-               SuiteWatch& watch) {
-  SuiteScan scan;
-  std::int64_t size = 1;
+GridSize grid_size(const SuiteBox& box, std::int64_t points) {
+  GridSize size;
   if (box.variables() > 0) {
     const double root =
-        std::pow(static_cast<double>(points), 1.0 / static_cast<double>(box.variables()));
-    scan.side = std::max<std::int64_t>(2, std::llround(root));
+        elementary::pow(static_cast<double>(points), 1.0 / static_cast<double>(box.variables()));
+    size.side = std::max<std::int64_t>(2, std::llround(root));
     for (std::size_t i = 0; i < box.variables(); ++i) {
-      size *= scan.side;
+      size.all *= size.side;
     }
   }
-  SuiteFigures unknown;
-  unknown.settled = false;
-  scan.figures.assign(static_cast<std::size_t>(size), unknown);
-  watch.expect(size);
+  return size;
+}
+
+std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box, std::int64_t side,
+                                       std::int64_t first, std::int64_t count, int threads,
+                                       SuiteWatch& watch) {
+  const SuiteScan grid{side, {}};
+  std::vector<SuiteFigures> all;
+  all.reserve(static_cast<std::size_t>(count));
+  watch.expect(count);
   std::vector<SuiteDamper> block;
-  for (std::int64_t begin = 0; begin < size && !watch.stopped(); begin += scan_block) {
+  for (std::int64_t begin = 0; begin < count && !watch.stopped(); begin += scan_block) {
     block.clear();
-    for (std::int64_t i = begin; i < std::min(begin + scan_block, size); ++i) {
-      block.push_back(box.at(scan.unit(static_cast<std::size_t>(i), box.variables())));
+    for (std::int64_t i = begin; i < std::min(begin + scan_block, count); ++i) {
+      block.push_back(box.at(grid.unit(static_cast<std::size_t>(first + i), box.variables())));
     }
     const std::vector<SuiteFigures> figures = suite.figures(block, threads);
-    std::ranges::copy(figures, scan.figures.begin() + begin);
-    scan.evaluated += static_cast<std::int64_t>(block.size());
+    all.insert(all.end(), figures.begin(), figures.end());
     watch.evaluated(block, figures);
   }
-  return scan;
+  return all;
 }
 
 }  // namespace stillpoint::design

@@ -32,18 +32,28 @@ class SuiteBox {
   std::vector<Variable> variables_;
 };
 
-/// A grid over the box, and the figures of each of its points.
+/// A grid over the box, and the figures of each of its points; of those that were not evaluated
+/// none settles.
 struct SuiteScan {
-  std::int64_t side{1};       ///< points along each variable
-  std::int64_t evaluated{0};  ///< all, if the search was not stopped; of the others none settles
+  std::int64_t side{1};  ///< points along each variable
   std::vector<SuiteFigures> figures;
 
   /// In [0, 1]; the last variable runs fastest.
   [[nodiscard]] std::vector<double> unit(std::size_t index, std::size_t variables) const;
 };
 
-[[nodiscard]] SuiteScan scan(const Suite& suite, const SuiteBox& box, std::int64_t points,
-                             int threads, SuiteWatch& watch);
+/// Points along each variable of a grid of about `points`, and in all.
+struct GridSize {
+  std::int64_t side{1};
+  std::int64_t all{1};
+};
+[[nodiscard]] GridSize grid_size(const SuiteBox& box, std::int64_t points);
+
+/// The figures of the points first <= i < first + count of a grid; fewer after a stop.
+[[nodiscard]] std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box,
+                                                     std::int64_t side, std::int64_t first,
+                                                     std::int64_t count, int threads,
+                                                     SuiteWatch& watch);
 
 /// The best point found, by the scan or by NLopt from its best.
 struct SuiteOptimum {

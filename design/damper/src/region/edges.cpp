@@ -2,24 +2,24 @@
 #include "region/edges.hpp"
 
 #include "unit_problem.hpp"
+#include "wide.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stillpoint::design {
 
 namespace {
 
-double rounded_up(long double value) {
+double rounded_up(Wide value) {
   const auto nearest = static_cast<double>(value);
   return nearest < value ? std::nextafter(nearest, HUGE_VAL) : nearest;
 }
 
-double rounded_down(long double value) {
+double rounded_down(Wide value) {
   const auto nearest = static_cast<double>(value);
   return nearest > value ? std::nextafter(nearest, -HUGE_VAL) : nearest;
 }
@@ -30,17 +30,18 @@ constexpr double sqrt_of_far_f2 = 1e152;
 /// V0 = beta p, so that f2 = 0 (or A = V0 p and f4 = 0): each of the three is a decimal rounded by
 /// 2^-53 of itself at most, |V0 - beta p| <= 3 2^-53 V0, and their difference would be that
 /// rounding alone.
-bool is_same(long double v0, long double speed) {
-  return std::abs(v0 - speed) <= 0x3p-53L * v0;
+bool is_same(Wide v0, Wide speed) {
+  const Wide difference = v0 < speed ? speed - v0 : v0 - speed;
+  return difference <= 0x3p-53 * v0;
 }
 
 /// (33). Where p V0 alone is above the limit, minus the root of the opposite: no f >= 0 meets that.
-double acceleration_edge(long double most, long double p_v0) {
+double acceleration_edge(Wide most, Wide p_v0) {
   if (is_same(p_v0, most)) {
     return 0;
   }
-  const long double square = (most - p_v0) * (most + p_v0);
-  return square < 0 ? rounded_down(-std::sqrt(-square)) : rounded_down(std::sqrt(square));
+  const Wide square = (most - p_v0) * (most + p_v0);
+  return square < 0 ? rounded_down(-root(-square)) : rounded_down(root(square));
 }
 
 bool fits(double floor, double cap, double tolerance) {
@@ -50,13 +51,13 @@ bool fits(double floor, double cap, double tolerance) {
 }  // namespace
 
 Edges edges(const Problem& problem, const Limits& limits) {
-  const long double v0 = problem.v0;
-  const long double p = problem.p;
-  const long double beta = problem.beta;
-  const long double speed = beta * p;
+  const Wide v0 = problem.v0;
+  const Wide p = problem.p;
+  const Wide beta = problem.beta;
+  const Wide speed = beta * p;
   Edges result{};
   result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
-  result.f3 = rounded_down(problem.starting_v0() * p / (2 * std::numbers::sqrt2_v<long double>));
+  result.f3 = rounded_down(problem.starting_v0() * p / (root(Wide(8))));
   result.f4 = limits.acceleration_max
                   ? acceleration_edge(*limits.acceleration_max, v0 * problem.stiffest_p())
                   : HUGE_VAL;
@@ -84,18 +85,18 @@ bool amplitude_fits_acceleration(const Edges& edges, const Limits& limits) {
 }
 
 double unchecked_delta1(const Problem& problem, double f) {
-  const long double v0 = problem.v0;
-  const long double phi = f / static_cast<long double>(problem.stiffest_p());
-  const long double radius = std::sqrt(v0 * v0 + phi * phi);
+  const Wide v0 = problem.v0;
+  const Wide phi = f / Wide(problem.stiffest_p());
+  const Wide radius = root(v0 * v0 + phi * phi);
   if (phi == 0) {  // Delta2 itself, which is rounded as a product of doubles
     return problem.v0 * problem.v0 / 2;
   }
   if (problem.criterion == Criterion::published) {
-    const long double speed = radius - 2 * phi;
+    const Wide speed = radius - 2 * phi;
     return static_cast<double>(speed * speed / 2);
   }
-  const long double returns = (v0 * v0 - 8 * phi * phi) / (radius + 3 * phi);
-  return static_cast<double>((radius - phi) * std::max(0.0L, returns) / 2);
+  const Wide returns = (v0 * v0 - 8 * phi * phi) / (radius + 3 * phi);
+  return static_cast<double>((radius - phi) * std::max(Wide(0), returns) / 2);
 }
 
 double lower_end_from_stop(const Problem& problem, const Limits& limits) {

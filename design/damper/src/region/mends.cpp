@@ -4,6 +4,7 @@
 #include "region/mend_list.hpp"
 #include "way/extent.hpp"
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
@@ -153,7 +154,7 @@ std::optional<double> stepped_p(const Case& base) {
     changed.problem.p = p;
     return feasible(changed);
   };
-  for (double factor = step; factor < std::pow(step, most_steps); factor *= step) {
+  for (double factor = step; factor < elementary::pow(step, most_steps); factor *= step) {
     for (const double p : {base.problem.p * factor, base.problem.p / factor}) {
       const auto [least, most] = valid_p(base.problem);
       if (p >= least && p <= most && fits(p)) {

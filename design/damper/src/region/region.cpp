@@ -2,6 +2,7 @@
 #include "region/edges.hpp"
 #include "unit_problem.hpp"
 #include "way/extent.hpp"
+#include "wide.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace stillpoint::design {
@@ -48,7 +48,7 @@ double least_beta(Problem problem) {
   // the least beta is within an ulp or two of the quotient. A start above it would miss the least
   // one.
   constexpr int ulps_below = 4;
-  problem.beta = static_cast<double>(problem.v0 / (std::numbers::sqrt2_v<long double> * problem.p));
+  problem.beta = static_cast<double>(problem.v0 / (root(Wide(2)) * problem.p));
   for (int i = 0; i < ulps_below; ++i) {
     problem.beta = std::nextafter(problem.beta, 0.0);
   }

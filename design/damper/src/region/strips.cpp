@@ -7,8 +7,6 @@
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
 
-#include <cmath>
-
 namespace stillpoint::design {
 
 std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arrival, double f) {

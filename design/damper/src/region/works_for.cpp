@@ -5,6 +5,7 @@
 #include "nearest_fit.hpp"
 #include "region/edges.hpp"
 #include "way/way.hpp"
+#include "wide.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/region.hpp>
@@ -17,8 +18,6 @@ namespace stillpoint::design {
 
 namespace {
 
-using Wide = long double;
-
 struct HitDamper {
   Wide f{0};
   Wide d{0};
@@ -28,20 +27,20 @@ struct HitDamper {
 };
 
 Wide root_of_difference(Wide a, Wide b) {
-  return std::sqrt((a - b) * (a + b));
+  return root((a - b) * (a + b));
 }
 
 Wide lowest_v0(const HitDamper& damper, Wide p) {
-  return std::max(std::sqrt(damper.d), std::sqrt(Wide(8)) * damper.f / p);
+  return std::max(root(damper.d), root(Wide(8)) * damper.f / p);
 }
 
 Wide highest_v0(const HitDamper& damper, Wide p) {
   const auto& [f, d, beta, criterion, acceleration] = damper;
   const Wide phi = f / p;
-  const Wide amplitude = std::sqrt(p * beta) * std::sqrt(p * beta + 2 * phi);
+  const Wide amplitude = root(p * beta) * root(p * beta + 2 * phi);
   const bool exact = criterion == Criterion::exact;
-  const Wide notch = std::sqrt(exact ? d + phi * phi : d);
-  const Wide stop = std::sqrt((exact ? 4 : 3) * phi * phi + 4 * phi * notch + d);
+  const Wide notch = root(exact ? d + phi * phi : d);
+  const Wide stop = root((exact ? 4 : 3) * phi * phi + 4 * phi * notch + d);
   const Wide least = std::min(amplitude, stop);
   return acceleration ? std::min(least, root_of_difference(*acceleration, f) / p) : least;
 }
@@ -49,17 +48,16 @@ Wide highest_v0(const HitDamper& damper, Wide p) {
 Wide lowest_p(const HitDamper& damper, Wide v0) {
   const auto& [f, d, beta, criterion, acceleration] = damper;
   const Wide square = (v0 / beta) * (v0 / beta) - 2 * f / beta;
-  return std::max(
-      {std::sqrt(f / beta), std::sqrt(std::max(Wide(0), square)), std::sqrt(Wide(8)) * f / v0});
+  return std::max({root(f / beta), root(std::max(Wide(0), square)), root(Wide(8)) * f / v0});
 }
 
 /// Infinite where nothing bounds it.
 Wide highest_p(const HitDamper& damper, Wide v0) {
   const auto& [f, d, beta, criterion, acceleration] = damper;
   const Wide lost = v0 * v0 - d;
-  const Wide root_d = std::sqrt(d);
-  const Wide per_phi = criterion == Criterion::exact ? std::sqrt(8 * (v0 * v0 + d))
-                                                     : 2 * root_d + std::sqrt(d + 3 * v0 * v0);
+  const Wide root_d = root(d);
+  const Wide per_phi =
+      criterion == Criterion::exact ? root(8 * (v0 * v0 + d)) : 2 * root_d + root(d + 3 * v0 * v0);
   const Wide stop = lost > 0 ? f * per_phi / lost : Wide(HUGE_VAL);
   return acceleration ? std::min(stop, root_of_difference(*acceleration, f) / v0) : stop;
 }
@@ -171,7 +169,7 @@ std::optional<WorksFor> works_for(const Problem& problem, const Limits& limits, 
     ServedInterval interval;
     interval.low =
         last_fit(std::max(static_cast<double>(low), std::min(nominal, valid.least)), nominal, fits);
-    if (!std::isinf(high)) {
+    if (high < HUGE_VAL) {
       interval.high = last_fit(std::min(static_cast<double>(high), std::max(nominal, valid.most)),
                                nominal, fits);
     }

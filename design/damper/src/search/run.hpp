@@ -6,7 +6,6 @@
 #include <stillpoint/design/search.hpp>
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 

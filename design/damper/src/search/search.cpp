@@ -10,6 +10,7 @@
 #include "way/room.hpp"
 #include "way/space.hpp"
 
+#include <stillpoint/core/elementary.hpp>
 #include <stillpoint/design/search.hpp>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ constexpr double clearly_better = 1e-8;
 /// x = 0 grows with a up to a3; where the mass rests before, beyond it, that falls: (5), (6).
 double first_half_turn(double low, double high) {
   const double swings_back_below = 1 / std::numbers::sqrt3;
-  const double before = std::atan2(1.0, high);
+  const double before = elementary::atan2(1.0, high);
   double phase = low < unit::a3 ? unit::stop_phase(low) : HUGE_VAL;
   if (high > unit::a3) {
     phase = std::min(phase, before + std::numbers::pi);

@@ -25,10 +25,9 @@ DecidingArrival deciding_arrival(const Problem& problem, double f, double delta)
   if (delta > unchecked_delta1(problem, f)) {
     return {1, true};
   }
-  const WideNotch notch{f / static_cast<long double>(problem.p),
-                        2 * static_cast<long double>(delta)};
-  long double reach = 3 * notch.phi;
-  long double pass = notch.before(stop_radius(problem) * notch.phi);
+  const WideNotch notch{f / Wide(problem.p), 2 * Wide(delta)};
+  Wide reach = 3 * notch.phi;
+  Wide pass = notch.before(stop_radius(problem) * notch.phi);
   for (int n = 2; n <= problem.arrivals; ++n) {
     reach = notch.before(reach);
     pass = notch.before(pass);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a way admits, in long double and rounded once, so that its strict edges are right to the
+// What a way admits, in Wide and rounded once, so that its strict edges are right to the
 // last bit.
 
 #include "region/edges.hpp"
@@ -12,8 +12,6 @@
 namespace stillpoint::design {
 
 namespace {
-
-using Wide = long double;
 
 Wide widened_reach(const Way& way, Wide f) {
   const Wide phi = f / way.problem.p;
@@ -32,8 +30,7 @@ double pass_speed(const Way& way, double f, double delta) {
   const Wide r = residual_of(problem);
   const Wide c = stop_radius(problem);
   const auto speed = [&](Wide phi, Wide radius, int steps) {
-    return least_double_from(
-        std::sqrt(WideNotch{phi, 2 * Wide(delta)}.square_before(radius, steps)));
+    return least_double_from(root(WideNotch{phi, 2 * Wide(delta)}.square_before(radius, steps)));
   };
   double least = HUGE_VAL;
   if (way.stops_last()) {
@@ -41,7 +38,7 @@ double pass_speed(const Way& way, double f, double delta) {
   }
   if (way.stops_early()) {
     const Wide at = r > 0 ? std::max<Wide>(f, r * way.problem.p * way.problem.p) : f;
-    const Wide spring = r > 0 ? std::min(p, std::sqrt(at / r)) : p;
+    const Wide spring = r > 0 ? std::min(p, root(at / r)) : p;
     least = std::min(least, speed(at / spring, c * at / spring + r * spring, way.n));
   }
   return least;
@@ -61,7 +58,7 @@ bool admissible(const Way& way, double f, double delta, double tolerance) {
   if (way.n > 0) {
     const Wide reach =
         reach_square(way, f * f_high, delta * (way.v_low > 0 ? delta_high : delta_low));
-    if (!(way.v_low > 0 ? problem.v0_low.value_or(problem.v0) >= least_double_from(std::sqrt(reach))
+    if (!(way.v_low > 0 ? problem.v0_low.value_or(problem.v0) >= least_double_from(root(reach))
                         : 2 * Wide(delta * delta_low) >= reach)) {
       return false;
     }
@@ -75,7 +72,7 @@ bool admissible(const Way& way, double f, double delta) {
 
 WaySpeeds way_speeds(const Way& way, double f, double delta) {
   const Wide reach = way.n > 0 ? reach_square(way, f, delta) : 0;
-  return {way.v_low > 0 ? least_double_from(std::sqrt(reach)) : least_double_from(reach / 2),
+  return {way.v_low > 0 ? least_double_from(root(reach)) : least_double_from(reach / 2),
           pass_speed(way, f, delta)};
 }
 

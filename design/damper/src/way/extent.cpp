@@ -5,6 +5,8 @@
 #include "way/highest.hpp"
 #include "way/room.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -104,18 +106,18 @@ Ends feasible_around(const Way& way, const WayPoint& inside) {
   const double t = way.limits.tolerance;
   const Ends all = within_f(way, t).value();
   const Ends scanned = scanned_f(way, all);
-  const auto left = [&](double log_f) { return room(way, way.scaled(std::exp(log_f)), t); };
-  const double at_inside = left(std::log(inside.f));
+  const auto left = [&](double log_f) { return room(way, way.scaled(elementary::exp(log_f)), t); };
+  const double at_inside = left(elementary::log(inside.f));
   const auto end = [&](double from, double open) {
-    const double at_from = left(std::log(from));
+    const double at_from = left(elementary::log(from));
     if (at_from >= 0 || at_inside <= 0) {
       return at_from >= 0 ? open : inside.f;
     }
-    const double at =
-        std::exp(from < inside.f
-                     ? falling_root([&](double u) { return -left(u); }, std::log(from),
-                                    std::log(inside.f), -at_from, -at_inside)
-                     : falling_root(left, std::log(inside.f), std::log(from), at_inside, at_from));
+    const double at = elementary::exp(
+        from < inside.f ? falling_root([&](double u) { return -left(u); }, elementary::log(from),
+                                       elementary::log(inside.f), -at_from, -at_inside)
+                        : falling_root(left, elementary::log(inside.f), elementary::log(from),
+                                       at_inside, at_from));
     return std::clamp(at, all.low, all.high);
   };
   if (way.plain && way.n == 1) {  // in closed form, (28), (29)
@@ -150,12 +152,12 @@ DesignPoint most_tolerant(const Way& way) {
     return {};
   }
   const Ends f = scanned_f(way, *all);
-  const auto never = [](double, double) { return false; };
+  const auto nowhere = [](double, double) { return false; };
   const auto by_tolerance = [](const DesignPoint& a, const DesignPoint& b) {
     return a.tolerance < b.tolerance;
   };
   const Highest best =
-      highest([&](double at) { return tolerance_at(way, way.scaled(at)); }, f, HUGE_VAL, never);
+      highest([&](double at) { return tolerance_at(way, way.scaled(at)); }, f, HUGE_VAL, nowhere);
   if (!(best.value > 0)) {
     return {};
   }

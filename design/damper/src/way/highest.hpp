@@ -3,6 +3,8 @@
 
 #include "way/unit_strip.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,10 +25,10 @@ template <class F, class Nowhere>
 Highest highest(const F& function, unit::Ends f, double enough, const Nowhere& nowhere) {
   constexpr int across = 8;    // evenly over f
   constexpr int decades = 16;  // evenly over log f
-  const double from = std::log(f.low);
-  const double to = std::log(f.high);
+  const double from = elementary::log(f.low);
+  const double to = elementary::log(f.high);
   Highest best{to, -HUGE_VAL};
-  const auto f_at = [&](double at) { return std::clamp(std::exp(at), f.low, f.high); };
+  const auto f_at = [&](double at) { return std::clamp(elementary::exp(at), f.low, f.high); };
   const auto value_at = [&](double at) { return function(f_at(at)); };
   const auto consider = [&](double at) {
     const double value = value_at(at);
@@ -49,7 +51,7 @@ Highest highest(const F& function, unit::Ends f, double enough, const Nowhere& n
   }
   for (int i = 0; i < across; ++i) {
     const double part = (i + 0.5) / across;
-    tried[static_cast<std::size_t>(decades + i)] = std::log(f.low + (f.high - f.low) * part);
+    tried[static_cast<std::size_t>(decades + i)] = elementary::log(f.low + (f.high - f.low) * part);
   }
   // From above: there are the designs that have some constant friction.
   std::ranges::sort(tried, std::greater());

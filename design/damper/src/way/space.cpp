@@ -7,7 +7,6 @@
 #include "way/room.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -169,9 +168,9 @@ NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective obje
     scale.slopes(gradient, force ? 1 : objective_slope(objective, a), 0, 0);
     return force ? a : objective_value(objective, a);
   };
-  const auto conditions = conditions_of(way, scale);
+  const auto inequalities = conditions_of(way, scale);
   if (support == ConstraintSupport::yes) {
-    posed.constraints = conditions;
+    posed.constraints = inequalities;
     posed.objective = cost;
     if (by_box) {
       posed.objective = [&tried, scale](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
@@ -182,13 +181,13 @@ NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective obje
     }
     return posed;
   }
-  posed.objective = [&way, &tried, scale, robust, cost, conditions](const Eigen::VectorXd& at,
-                                                                    Eigen::VectorXd& /*gradient*/) {
+  posed.objective = [&way, &tried, scale, robust, cost, inequalities](
+                        const Eigen::VectorXd& at, Eigen::VectorXd& /*gradient*/) {
     // Above every value inside: a half-cycle takes pi.
     const double above_all = 10.0 + way.passages();
     Eigen::VectorXd none;
     double violation = 0;
-    for (const Function& condition : conditions) {
+    for (const Function& condition : inequalities) {
       violation = std::max(violation, condition(at, none));
     }
     double value = above_all + violation;

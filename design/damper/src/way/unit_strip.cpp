@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "way/unit_strip.hpp"
 
+#include <stillpoint/core/elementary.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,7 +34,8 @@ Course course(int n, double a, double d, double error) {
     const double t = r - 2 * a;
     const double v = std::sqrt((r - a) * (r + a));  // the departure
     const double w = std::sqrt(std::max(0.0, (t - a) * (t + a)));
-    now.phase += std::numbers::pi - std::asin(a / r) + std::asin(std::min(1.0, a / t));
+    now.phase +=
+        std::numbers::pi - elementary::asin(a / r) + elementary::asin(std::min(1.0, a / t));
     // d asin(a/r) = (da - (a/r) dr)/v, d asin(a/t) = (da - (a/t) dt)/w.
     const double slope = 1 / std::max(w, 1 / steepest);
     now.by_a += -(1 - a / r * r_by_a) / v + (1 - a / t * (r_by_a - 2)) * slope;

@@ -3,6 +3,7 @@
 
 #include "region/edges.hpp"
 #include "unit_problem.hpp"
+#include "wide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ double residual_of(const Problem& problem) {
 
 double largest_f_at_rest(const Problem& problem) {
   const double r = residual_of(problem);
-  const long double edge = static_cast<long double>(r) * problem.p * problem.p;
+  const Wide edge = Wide(r) * problem.p * problem.p;
   const auto nearest = static_cast<double>(edge);
   const double below = nearest > edge ? std::nextafter(nearest, -HUGE_VAL) : nearest;
   const double f1 = problem.beta * problem.p * problem.p;

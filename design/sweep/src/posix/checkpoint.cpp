@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -65,6 +66,9 @@ Checkpoint from_json(const ordered_json& document) {
   digest.at(0).get_to(checkpoint.state.bytes.words);
   digest.at(1).get_to(checkpoint.state.bytes.rest);
   digest.at(2).get_to(checkpoint.state.bytes.size);
+  if (std::min({checkpoint.state.rows, checkpoint.bytes, checkpoint.state.bytes.size}) < 0) {
+    throw std::runtime_error("not a checkpoint");
+  }
   return checkpoint;
 }
 
@@ -109,11 +113,17 @@ int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   if (descriptor < 0) {
     return errno;
   }
-  const int error = write_all(descriptor, to_json(checkpoint).dump(2) + "\n");
-  if (::close(descriptor) != 0 || error != 0) {
-    return error != 0 ? error : errno;
+  int error = write_all(descriptor, to_json(checkpoint).dump(2) + "\n");
+  if (::close(descriptor) != 0 && error == 0) {
+    error = errno;
   }
-  return std::rename(next.c_str(), path.c_str()) == 0 ? 0 : errno;
+  if (error == 0 && std::rename(next.c_str(), path.c_str()) != 0) {
+    error = errno;
+  }
+  if (error != 0) {
+    ::unlink(next.c_str());
+  }
+  return error;
 }
 
 std::string difference(const std::string& old_task, const std::string& new_task) {

@@ -61,7 +61,12 @@ void create(OpenPart& files) {
   }
   lock(files);
   // Nothing is in the file before this is: an empty file without a checkpoint has just begun.
-  save(files);
+  try {
+    save(files);
+  } catch (...) {
+    ::unlink(files.part().c_str());
+    throw;
+  }
 }
 
 /// Cuts off what came after the last checkpoint.

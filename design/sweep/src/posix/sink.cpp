@@ -17,7 +17,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 namespace stillpoint::sweep {
@@ -96,6 +95,18 @@ std::string task_of(const SweepSpec& spec) {
   return task.dump();
 }
 
+/// What is left of a sweep, or nothing yet.
+OpenPart resumed(const SweepSpec& spec, const std::string& task) {
+  OpenPart files = resume_part(*spec.output, task);
+  const std::int64_t rows = files.saved.state.rows;
+  if (const auto count = own_entries(spec).count; count && rows > *count) {
+    throw LeftoverError(
+        fmt::format("resume {}: says {} rows, but the sweep has {}: remove it to start again",
+                    files.checkpoint(), rows, *count));
+  }
+  return files;
+}
+
 std::unique_ptr<RowSink> open_stream(const std::string& path) {
   Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!descriptor.is_open()) {
@@ -143,7 +154,7 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
     }
   }
   const std::string task = task_of(spec);
-  return std::make_unique<PartFile>(spec.resume ? resume_part(*spec.output, task)
+  return std::make_unique<PartFile>(spec.resume ? resumed(spec, task)
                                                 : begin_part(*spec.output, task));
 }
 

@@ -35,6 +35,9 @@ struct RecordDesignReport {
 [[nodiscard]] std::string progress_words(const design::RecordProgress& progress,
                                          const std::optional<design::PhysicalInput>& physical);
 
+/// "locked: under 1 of 2 records ..."; empty where no record locks the damper.
+[[nodiscard]] std::string lock_sentence(const RecordDesignReport& report);
+
 [[nodiscard]] Document document(const RecordDesignReport& report);
 /// As docs/reports.md describes it.
 [[nodiscard]] nlohmann::ordered_json json(const RecordDesignReport& report);

@@ -100,6 +100,9 @@ struct AccuracyReport {
 [[nodiscard]] figures::HtmlPage page(const DesignReport& report);
 [[nodiscard]] figures::HtmlPage page(const RegionReport& report);
 [[nodiscard]] figures::HtmlPage page(const MotionReport& report);
+/// Those figures alone.
+[[nodiscard]] std::vector<figures::Figure> drawings(const RegionReport& report);
+[[nodiscard]] std::vector<figures::Figure> drawings(const MotionReport& report);
 
 /// tau,x,v, and with physical input t_s,x_m,v_m_per_s, a line for each state.
 [[nodiscard]] std::string trajectory_csv(const std::vector<State>& states,

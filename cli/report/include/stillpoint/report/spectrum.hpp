@@ -21,6 +21,9 @@ struct SpectrumReport {
   design::PhysicalInput physical;  ///< its period is none of the spectrum's
 };
 
+/// "locked: at 3 of 9 periods ..."; empty where it locks at none.
+[[nodiscard]] std::string lock_sentence(const SpectrumReport& report);
+
 [[nodiscard]] Document document(const SpectrumReport& report);
 /// As docs/reports.md describes it.
 [[nodiscard]] nlohmann::ordered_json json(const SpectrumReport& report);

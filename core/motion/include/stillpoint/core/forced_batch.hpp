@@ -4,6 +4,10 @@
 #include <stillpoint/core/batch.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/surface.hpp>
+
+#include <Eigen/Core>
 
 #include <limits>
 #include <vector>
@@ -34,5 +38,47 @@ struct ForcedBatchOptions {
                                                        const BatchValues& delta,
                                                        const Excitation& excitation,
                                                        const ForcedBatchOptions& options = {});
+
+struct RecordBatchOptions {
+  double hold{std::numeric_limits<double>::infinity()};  ///< of every oscillator
+  Surface surface{};  ///< under every mass; any but the paper's runs without lanes
+  /// As in ForcedOptions, but a motion with more half-cycles is no error: its outcome is `running`.
+  double half_cycle_limit{1e8};
+  int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
+};
+
+/// The metrics of entry i are the i-th of each array, and they are those of forced_response.
+///
+/// An array cannot hold an empty value: where the outcome is never_stops or running, nothing else
+/// means anything, and where the notch does not hold the mass locked_from is infinite.
+struct RecordBatchResult {
+  Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome;
+  Eigen::ArrayXd peak_amplitude;
+  Eigen::ArrayXd peak_absolute_acceleration;
+  Eigen::ArrayXd stop_position;
+  Eigen::ArrayXd locked_from;
+  Eigen::ArrayXd half_cycles;
+  Eigen::ArrayXd turning_points;
+  Eigen::ArrayXd sticks;
+  Eigen::ArrayXd decision_margin;  ///< infinite where nothing was decided
+
+  [[nodiscard]] Eigen::Index size() const { return outcome.size(); }
+};
+
+/// The motions from x = 0 with v0 of many oscillators (p[i], f[i], delta[i]) under one record,
+/// through it and free to their rests. `result` is resized if its size differs.
+///
+/// The values are bit for bit those of forced_response, for every instruction set and number of
+/// threads: docs/batch.md. Records with times of their own run without lanes.
+///
+/// Throws InputError for input that forced_response refuses, with the entry in the field ("f[17]"),
+/// for arrays of different lengths, and for threads < 0.
+void record_batch(double v0, const BatchValues& p, const BatchValues& f, const BatchValues& delta,
+                  const Record& record, const RecordBatchOptions& options,
+                  RecordBatchResult& result);
+
+[[nodiscard]] RecordBatchResult record_batch(double v0, const BatchValues& p, const BatchValues& f,
+                                             const BatchValues& delta, const Record& record,
+                                             const RecordBatchOptions& options = {});
 
 }  // namespace stillpoint

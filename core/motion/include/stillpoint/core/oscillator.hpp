@@ -11,9 +11,9 @@ namespace stillpoint {
 /// `delta` acts only at x = 0: each passage costs the kinetic energy v^2/2 = delta. `f` and
 /// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
 ///
-/// In the paper a mass at rest in the notch stays there under any load. One that can hold only so
-/// much, `hold` >= 0 besides f, lets the mass go when |W| exceeds f + hold: docs/notches.md. It
-/// takes a load to see the difference, and delta > 0.
+/// In the paper a mass at rest in the notch stays there under any load: no |W| exceeds f + `hold`,
+/// which is infinite. A notch with a finite hold >= 0 lets the mass go when |W| does:
+/// docs/notches.md. It takes a load to see the difference, and delta > 0.
 template <class Real>
 struct BasicOscillator {
   Real p{1};

@@ -3,7 +3,7 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/half_cycle_walk.hpp>
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>

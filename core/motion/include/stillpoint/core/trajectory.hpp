@@ -1,36 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/state.hpp>
+#include <stillpoint/core/surface.hpp>
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace stillpoint {
-
-enum class EventKind {
-  start,
-  turn,     ///< x' = 0 at a peak from which the motion goes on
-  arrival,  ///< x = 0, with the speed before the notch
-  passage,  ///< the same instant, with the speed after it
-  rest,     ///< the end of the motion
-};
-
-/// The name in output: the enumerator's own.
-[[nodiscard]] std::string_view name(EventKind kind) noexcept;
-
-/// The enumerator of that name; empty where there is none.
-[[nodiscard]] std::optional<EventKind> parse_event_kind(std::string_view name) noexcept;
-
-struct Event {
-  EventKind kind{EventKind::start};
-  State state;
-};
 
 /// How much of a motion a Trajectory holds.
 struct TrajectoryOptions {
@@ -78,6 +62,41 @@ class Trajectory {
   double horizon_;
   std::vector<Arc> arcs_;
   std::vector<Event> events_;
+};
+
+struct ForcedTrajectoryOptions {
+  double horizon{0};               ///< the last tau; > 0
+  std::int64_t pieces{2'000'000};  ///< at most; a motion with more throws InputError of t_end
+  /// As in ForcedOptions; if it returns false, the trajectory ends there.
+  std::function<bool(double)> go_on{};
+  bool to_rest{false};  ///< ends at the final rest, if that is known by then and not at tau = 0
+};
+
+/// A forced motion with its state at any instant of [0, horizon] and its events in order of time.
+/// It holds every piece: some 200 bytes for each turn, passage, rest or interval of a record.
+class ForcedTrajectory {
+ public:
+  /// Throws InputError as forced_response does.
+  ForcedTrajectory(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
+                   const ForcedTrajectoryOptions& limits, const Surface& surface = {});
+
+  /// The state at tau; at an instant with two velocities the later one. Throws InputError outside
+  /// [0, horizon].
+  [[nodiscard]] State at(double tau) const;
+
+  /// `samples` >= 2 evenly spaced instants of [0, horizon] and every event, in order of time.
+  [[nodiscard]] std::vector<State> sampled(std::int64_t samples) const;
+
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  [[nodiscard]] double horizon() const { return horizon_; }
+
+ private:
+  class Pieces;
+  class Watcher;
+
+  double horizon_;
+  std::vector<Event> events_;
+  std::shared_ptr<const Pieces> pieces_;
 };
 
 }  // namespace stillpoint

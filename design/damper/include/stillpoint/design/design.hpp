@@ -50,6 +50,9 @@ struct DesignResult : RegionVerdict {
 [[nodiscard]] double even_tolerance(const Problem& problem, const Limits& limits,
                                     const DesignPoint& point);
 
+/// The same of a result with a finding, under a pulse too.
+[[nodiscard]] double even_tolerance(const DesignResult& result);
+
 /// The result in one line for people: the damper and its motion, or why there is none.
 [[nodiscard]] std::string summary(const DesignResult& result);
 

@@ -3,7 +3,6 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/pulse_speed.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <functional>
@@ -100,6 +99,7 @@ struct PulseCheck {
   std::optional<double> stop_time_error;  ///< of start.tau + its stop time, likewise; empty also
                                           ///< where it does not stop at x = 0
   std::vector<PulseWarning> warnings;     ///< why it would be off
+  double even_tolerance{0};  ///< the largest of f and Delta at once, whatever the shape of the box
   /// The objective's value of the best point that NLopt saw, and of the best along f alone, which
   /// is found without it: the tolerance, the peak, the stop time or the transmitted acceleration.
   std::optional<double> searched;

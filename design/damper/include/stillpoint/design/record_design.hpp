@@ -179,6 +179,19 @@ using RecordWatch = std::function<bool(const RecordProgress&)>;
 /// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask = {});
 
+/// How many dampers the scan of that design has.
+[[nodiscard]] std::int64_t scan_size(const RecordDesignRequest& request);
+/// The figures of the dampers first <= i < first + count of that scan; fewer after a stop. They
+/// depend on no other damper, so that a scan may be computed in parts. Throws InputError.
+[[nodiscard]] std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request,
+                                                  std::int64_t first, std::int64_t count,
+                                                  const RecordWatch& ask = {});
+/// The same design from the figures of its whole scan, to the last bit. Throws InputError, also
+/// where they are not scan_size(request).
+[[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
+                                  const std::vector<SuiteFigures>& scanned,
+                                  const RecordWatch& ask = {});
+
 /// The figures over f and delta for one p, in the middles of even cells: delta runs faster.
 struct SuiteMap {
   std::vector<double> f;

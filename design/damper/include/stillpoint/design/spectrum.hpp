@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace stillpoint::design {
@@ -47,9 +48,11 @@ struct Spectrum {
 };
 
 /// `go_on`, if not empty, is asked once at a time, but by several threads, with the share that is
-/// done; after a false
-/// the rest is skipped and the spectrum of no use. Throws InputError.
+/// done; after a false the rest is skipped and the spectrum of no use. Throws InputError.
 [[nodiscard]] Spectrum spectrum(const SpectrumRequest& request,
                                 const std::function<bool(double)>& go_on = {});
+
+/// In one line: at how many periods the notch lowers what is combined of the records.
+[[nodiscard]] std::string summary(const Spectrum& spectrum);
 
 }  // namespace stillpoint::design

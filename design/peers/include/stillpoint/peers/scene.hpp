@@ -7,7 +7,6 @@
 #include <stillpoint/core/surface.hpp>
 
 #include <cstdint>
-#include <optional>
 
 namespace stillpoint::peers {
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::sweep {
@@ -35,13 +36,17 @@ struct PartLabel {
 /// Puts parts in order.
 class PartOrder {
  public:
-  /// Throws records::FileError for a part of another sweep than the first one.
+  /// Of a "sweep" or whatever else is split, for messages.
+  explicit PartOrder(std::string_view whole = "sweep") : whole_(whole) {}
+
+  /// Throws records::FileError for a part of another whole than the first one.
   void add(PartLabel label);
   /// The places of the parts as they were added, from the first part to the last. Throws FileError
   /// for a part that is there twice, and InputError for one that is missing.
   [[nodiscard]] std::vector<std::size_t> places() const;
 
  private:
+  std::string_view whole_;
   std::vector<PartLabel> labels_;
 };
 

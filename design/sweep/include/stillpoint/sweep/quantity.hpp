@@ -44,6 +44,8 @@ enum class Quantity : std::uint8_t {
   sticks,
   stick_time,
   peak_absolute_acceleration,
+  locked_from,
+  largest_load_while_locked,
 };
 
 /// How a quantity is written. In memory all are doubles.
@@ -90,6 +92,8 @@ inline constexpr std::array quantity_forms{
     QuantityForm{Quantity::sticks, "sticks"},
     QuantityForm{Quantity::stick_time, "stick_time"},
     QuantityForm{Quantity::peak_absolute_acceleration, "peak_absolute_acceleration"},
+    QuantityForm{Quantity::locked_from, "locked_from"},
+    QuantityForm{Quantity::largest_load_while_locked, "largest_load_while_locked"},
 };
 
 inline constexpr std::size_t quantity_count = quantity_forms.size();

@@ -4,10 +4,8 @@
 #include <stillpoint/sweep/quantity.hpp>
 #include <stillpoint/sweep/units.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>

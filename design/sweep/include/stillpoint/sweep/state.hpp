@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -60,5 +61,8 @@ struct SweepState {
   /// Adds the results of one more block.
   void add(const SweepBlock& block);
 };
+
+/// In one line: how many of the motions, or of the design problems, come out well.
+[[nodiscard]] std::string summary(const SweepState& state, bool of_designs);
 
 }  // namespace stillpoint::sweep

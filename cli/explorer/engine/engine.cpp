@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// What engine.js calls: requests and answers are texts of JSON, columns of numbers are memory.
+
+#include "answer.hpp"
+#include "input/motion.hpp"
+#include "options/scene.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/report/version.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+std::string said;             // the text that was returned last
+std::vector<double> numbers;  // the columns that were computed last
+
+bool always() {
+  return true;
+}
+
+/// A text is read as on the command line, anything else as in a scene.
+Settings given(Command command, const json& options) {
+  Settings texts;
+  json scene = json::object();
+  for (const auto& [key, value] : options.items()) {
+    std::string name = key;
+    std::ranges::replace(name, '_', '-');
+    const Option* const option = find_option(name);
+    if (value.is_string() && option != nullptr && option->kind != OptionKind::flag) {
+      texts.set_text(*option, value.get<std::string>(), command);
+    } else {
+      scene[name] = value;
+    }
+  }
+  Settings settings = scene_settings(scene, command);
+  settings.complete_with(texts);
+  return scene_and_flags(command, {}, settings);
+}
+
+template <class Report>
+ordered_json said_of(const Report& report, const json& wanted) {
+  ordered_json drawn = ordered_json::array();
+  // The page draws no figure of a design: the region's are the same.
+  if constexpr (!std::is_same_v<Report, report::DesignReport>) {
+    if (!wanted.empty()) {
+      for (const figures::Figure& figure : drawings(report)) {
+        if (std::ranges::find(wanted, json(figure.id)) != wanted.end()) {
+          drawn.push_back({{"id", figure.id},
+                           {"title", figure.title},
+                           {"caption", figure.caption},
+                           {"svg", svg(figure, figures::Frame::in_page)}});
+        }
+      }
+    }
+  }
+  constexpr int indent = 2;
+  return {{"exit", static_cast<int>(exit_code(report))},
+          {"json", report::json(report).dump(indent) + "\n"},
+          {"figures", drawn}};
+}
+
+/// Suites of records and sweeps are for the program alone.
+ordered_json said_by(Command command, const Settings& settings, const json& wanted) {
+  switch (command) {
+    case Command::design:
+      if (settings.has("record") || settings.has("records-list")) {
+        throw UsageError("a design under records is for the program: stillpoint design --record");
+      }
+      return said_of(design_report(settings), wanted);
+    case Command::region:
+      return said_of(region_report(settings), wanted);
+    case Command::simulate:
+      return said_of(motion_report(settings, always), wanted);
+    default:
+      throw UsageError(fmt::format("{} is for the program alone", name(command)));
+  }
+}
+
+ordered_json run(const json& request) {
+  const auto wanted = request.at("command").get<std::string>();
+  const Command command = parse_command(wanted).value_or(Command::init);
+  const Settings settings = given(command, request.at("options"));
+  ordered_json answer = said_by(command, settings, request.at("figures"));
+  answer["doubts"] = doubts(settings, command);
+  return answer;
+}
+
+void motion(const json& options, int points) {
+  Settings settings = given(Command::simulate, options);
+  settings.set(*find_option("samples"), static_cast<std::int64_t>(points));
+  const report::MotionReport report = motion_report(settings, always);
+  const std::vector<State>& states = report.answer.trajectory;
+  numbers.clear();
+  for (double State::*const value : {&State::tau, &State::x, &State::v}) {
+    for (const State& state : states) {
+      numbers.push_back(state.*value);
+    }
+  }
+}
+
+/// As free_batch answers, without its lanes, which are a tenth of all code here.
+void batch(const json& options, std::size_t size, const double* columns) {
+  const Settings settings = given(Command::simulate, options);
+  const MotionInput input = motion_input(settings, Command::simulate, true);
+  const Surface surface = surface_input(settings, input.physical);
+  numbers.resize(3 * size);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Oscillator oscillator{.p = input.p, .f = columns[i], .delta = columns[size + i]};
+    const Start start{.x0 = 0, .v0 = columns[2 * size + i]};
+    const Response found = surface.plain()
+                               ? free_response(oscillator, start, {.times = false, .margin = false})
+                               : forced_response(oscillator, start, NoExcitation{}, {}, surface);
+    numbers[i] = found.peak_amplitude;
+    numbers[size + i] = found.stop_position.value_or(0);
+    numbers[2 * size + i] = static_cast<double>(found.outcome);
+  }
+}
+
+/// The text that `work` returns; what is wrong with the input as {"error": ...}.
+template <class Work>
+const char* answered(const Work& work) {
+  try {
+    said = work().dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  } catch (const std::exception& error) {
+    said = ordered_json{{"error", error.what()}}.dump(-1, ' ', false,
+                                                      ordered_json::error_handler_t::replace);
+  }
+  return said.c_str();
+}
+
+}  // namespace
+
+}  // namespace stillpoint::cli
+
+using namespace stillpoint;
+
+extern "C" {
+
+/// {version, style, outcomes}.
+const char* stillpoint_about();
+/// Of {command, options, figures}, the ids of those to draw: {exit, json, figures, doubts} or
+/// {error}.
+const char* stillpoint_run(const char* request);
+/// "{}" or {error}; then the columns tau, x and v are in stillpoint_numbers().
+const char* stillpoint_motion(const char* options, int points);
+/// The same of the columns f, delta and v0: peak, position of rest and outcome.
+const char* stillpoint_batch(const char* options, int size, const double* columns);
+const double* stillpoint_numbers();
+int stillpoint_count();
+
+const char* stillpoint_about() {
+  return cli::answered([] {
+    nlohmann::ordered_json outcomes = nlohmann::ordered_json::array();
+    for (int i = 0; i <= static_cast<int>(Outcome::stopped_in_notch); ++i) {
+      outcomes.push_back(std::string(name(static_cast<Outcome>(i))));
+    }
+    return nlohmann::ordered_json{{"version", report::program_version()},
+                                  {"style", std::string(figures::figure_style()) +
+                                                "@media screen and (prefers-color-scheme: dark){" +
+                                                std::string(figures::dark_figure_style()) + "}"},
+                                  {"outcomes", outcomes}};
+  });
+}
+
+const char* stillpoint_run(const char* request) {
+  return cli::answered([&] { return cli::run(cli::json::parse(request)); });
+}
+
+const char* stillpoint_motion(const char* options, int points) {
+  return cli::answered([&] {
+    cli::motion(cli::json::parse(options), points);
+    return nlohmann::ordered_json::object();
+  });
+}
+
+const char* stillpoint_batch(const char* options, int size, const double* columns) {
+  return cli::answered([&] {
+    cli::batch(cli::json::parse(options), static_cast<std::size_t>(size), columns);
+    return nlohmann::ordered_json::object();
+  });
+}
+
+const double* stillpoint_numbers() {
+  return cli::numbers.data();
+}
+
+int stillpoint_count() {
+  return static_cast<int>(cli::numbers.size());
+}
+}

@@ -1,0 +1,59 @@
+// The engine of the page, see page/engine.d.ts. `createModule` and `stillpointWasm`, the bytes of the
+// WebAssembly, come before it in what join.mjs joins.
+
+/** @returns {Promise<Engine>} */
+async function createEngine() {
+  const module = await createModule({ wasmBinary: stillpointWasm });
+
+  /** @param {(text: number) => number} work */
+  const withText = (text, work) => {
+    const size = module.lengthBytesUTF8(text) + 1;
+    const at = module._malloc(size);
+    module.stringToUTF8(text, at, size);
+    try {
+      return JSON.parse(module.UTF8ToString(work(at)));
+    } finally {
+      module._free(at);
+    }
+  };
+  const column = (index, size) => {
+    const at = module._stillpoint_numbers() / 8 + index * size;
+    return module.HEAPF64.slice(at, at + size);
+  };
+
+  return {
+    ...JSON.parse(module.UTF8ToString(module._stillpoint_about())),
+
+    run(command, options, ask = {}, files = {}) {
+      for (const [name, content] of Object.entries(files)) module.FS.writeFile(name, content);
+      try {
+        const request = { command, options, figures: ask.figures ?? [] };
+        const answer = withText(JSON.stringify(request), module._stillpoint_run);
+        return answer.error === undefined ? { ...answer, report: JSON.parse(answer.json) } : answer;
+      } finally {
+        for (const name of Object.keys(files)) module.FS.unlink(name);
+      }
+    },
+
+    motion(options, points) {
+      const said = withText(JSON.stringify(options), (text) => module._stillpoint_motion(text, points));
+      if (said.error !== undefined) return said;
+      const size = module._stillpoint_count() / 3;
+      return { t: column(0, size), x: column(1, size), v: column(2, size) };
+    },
+
+    batch(options, f, delta, v0) {
+      const size = f.length;
+      const at = module._malloc(3 * 8 * Math.max(size, 1));
+      try {
+        [f, delta, v0].forEach((values, i) => module.HEAPF64.set(values, at / 8 + i * size));
+        const said = withText(JSON.stringify(options), (text) =>
+          module._stillpoint_batch(text, size, at));
+        if (said.error !== undefined) return said;
+        return { peak: column(0, size), rest: column(1, size), outcome: Uint8Array.from(column(2, size)) };
+      } finally {
+        module._free(at);
+      }
+    },
+  };
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Elements, and numbers as they are shown: rounded to read, in full in data-value.
+"use strict";
+
+/**
+ * @param {string} id
+ * @returns {HTMLElement}
+ */
+function el(id) {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`no element ${id}`);
+  return found;
+}
+
+/**
+ * @param {string} id
+ * @returns {HTMLInputElement}
+ */
+function input(id) {
+  return /** @type {HTMLInputElement} */ (el(id));
+}
+
+/** @typedef {Node | string} Part */
+
+/**
+ * @param {string} tag
+ * @param {Record<string, string>} attributes
+ * @param {Part[]} parts
+ */
+function make(tag, attributes = {}, ...parts) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...parts);
+  return node;
+}
+
+/**
+ * @param {string} tag
+ * @param {Record<string, string | number>} attributes
+ * @param {Part[]} parts
+ */
+function svg(tag, attributes = {}, ...parts) {
+  const node = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
+  node.append(...parts);
+  return node;
+}
+
+/** Units that take a prefix, with the prefixes that are usual for them. */
+const prefixes = /** @type {Record<string, [number, string][]>} */ ({
+  m: [
+    [1, "m"],
+    [1e-3, "mm"],
+    [1e-6, "µm"],
+  ],
+  s: [
+    [1, "s"],
+    [1e-3, "ms"],
+  ],
+  N: [
+    [1e9, "GN"],
+    [1e6, "MN"],
+    [1e3, "kN"],
+    [1, "N"],
+  ],
+  J: [
+    [1e9, "GJ"],
+    [1e6, "MJ"],
+    [1e3, "kJ"],
+    [1, "J"],
+  ],
+  kg: [
+    [1e3, "t"],
+    [1, "kg"],
+  ],
+});
+
+/**
+ * @param {number} value
+ * @param {number} count significant digits
+ */
+function digits(value, count = 5) {
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-4 || size >= 1e7)) {
+    return value.toExponential(count - 1).replace(/\.?0*e\+?/, "e");
+  }
+  return String(Number(value.toPrecision(count)));
+}
+
+/**
+ * A value in its SI unit as one reads it: 0.1374 m are 137.4 mm.
+ * @param {number} value
+ * @param {string} unit
+ * @param {number} count significant digits
+ */
+function words(value, unit, count = 5) {
+  if (unit === "%") return `${digits(100 * value, 4)} %`;
+  const list = prefixes[unit];
+  if (!list || value === 0) return digits(value, count) + (unit && ` ${unit}`);
+  const from = unit === "s" ? 0.1 : 1; // 0.81 s reads better than 810 ms
+  const [factor, name] =
+    list.find(([size]) => Math.abs(value) >= from * size) ?? list[list.length - 1];
+  return `${digits(value / factor, count)} ${name}`;
+}
+
+/**
+ * Shows a number in an element that exists.
+ * @param {HTMLElement} node
+ * @param {number | null | undefined} value
+ * @param {string} unit
+ * @param {string} sign
+ */
+function show(node, value, unit = "", sign = "") {
+  if (value === null || value === undefined) {
+    node.textContent = "–";
+    delete node.dataset.value;
+    delete node.dataset.unit;
+    return;
+  }
+  node.textContent = sign + words(value, unit).replace(" ", "\u00a0");
+  node.dataset.value = String(value);
+  node.dataset.unit = unit === "%" ? "1" : unit;
+}
+
+/**
+ * A number within a sentence.
+ * @param {number | null | undefined} value
+ * @param {string} unit
+ * @param {string} sign
+ */
+function number(value, unit = "", sign = "") {
+  const node = make("span");
+  show(node, value, unit, sign);
+  return node;
+}
+
+/**
+ * @param {HTMLElement} node
+ * @param {Part[]} parts
+ */
+function fill(node, ...parts) {
+  node.replaceChildren(...parts);
+}

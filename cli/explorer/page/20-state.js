@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// The state of the page is a set of options, named as the program names them, and nothing else: the
+// link, the command and the scene are three ways to write it.
+"use strict";
+
+const physical_only = [
+  "velocity",
+  "max-displacement",
+  "period",
+  "natural-frequency",
+  "stiffness",
+  "mass",
+  "gravity",
+  "notch-width-m",
+  "residual-m",
+  "delta-max-m",
+];
+const dimensionless_only = ["v0", "p", "beta"];
+const either = [
+  "title",
+  "arrivals",
+  "residual",
+  "notch-width",
+  "hold",
+  "criterion",
+  "tolerance",
+  "tolerance-f",
+  "tolerance-delta",
+  "f-max",
+  "delta-max",
+  "acceleration-max",
+  "objective",
+  "algorithm",
+];
+const damper_options = ["f", "delta", "delta-m"];
+const known = [...dimensionless_only, ...physical_only, ...either, ...damper_options];
+
+/** Each stands for the stiffness of the spring. */
+const spring_options = ["period", "natural-frequency", "stiffness"];
+
+/** What a command does not take. */
+const foreign = /** @type {Record<string, string[]>} */ ({
+  design: ["f", "delta", "delta-m", "hold"],
+  region: ["notch-width", "notch-width-m", "hold", "objective", "algorithm"],
+});
+
+/** @param {Options} options */
+function is_physical(options) {
+  return !dimensionless_only.some((name) => name in options);
+}
+
+/** @param {Options} options */
+function has_damper(options) {
+  return "f" in options && ("delta" in options || "delta-m" in options);
+}
+
+/**
+ * @param {Options} options
+ * @param {string[]} names
+ */
+function without(options, names) {
+  return Object.fromEntries(Object.entries(options).filter(([name]) => !names.includes(name)));
+}
+
+/**
+ * What a command is given of the state.
+ * @param {"design" | "region"} command
+ * @param {Options} options
+ */
+function options_of(command, options) {
+  return without(options, foreign[command]);
+}
+
+/**
+ * A motion of this damper. It has one hit and one spring: of ranges, those that the report names.
+ * @param {Options} options
+ * @param {any} report of design or region
+ * @param {{ f: number, delta: number, hit: number | null }} damper hit: another velocity than the task's
+ */
+function motion_options(options, report, damper) {
+  const { physical } = report;
+  const result = /** @type {Options} */ ({ f: String(damper.f), delta: String(damper.delta) });
+  /** @param {string} name @param {number} value */
+  const one = (name, value) => {
+    if (name in options) result[name] = options[name].includes(":") ? String(value) : options[name];
+  };
+  if (!physical) {
+    one("v0", report.input.v0);
+    one("p", report.input.p);
+    one("notch-width", 0);
+    if (damper.hit !== null) result.v0 = String(damper.hit);
+    return result;
+  }
+  for (const name of [
+    "natural-frequency",
+    "stiffness",
+    "mass",
+    "gravity",
+    "notch-width",
+    "notch-width-m",
+  ]) {
+    one(name, 0);
+  }
+  if ("natural-frequency" in result && options["natural-frequency"].includes(":")) {
+    delete result["natural-frequency"];
+    result.period = String(physical.period_s);
+  } else if ("stiffness" in result && options.stiffness.includes(":")) {
+    delete result.stiffness;
+    result.period = String(physical.period_s);
+  }
+  one("period", physical.period_s);
+  one("velocity", physical.velocity_m_per_s);
+  if (damper.hit !== null) {
+    // The length unit goes with the velocity, so the damper that is built is given in metres.
+    delete result.delta;
+    result["delta-m"] = String(physical.delta_m);
+    result.velocity = String(damper.hit);
+  }
+  return result;
+}
+
+/**
+ * The same task without units.
+ * @param {Options} options
+ * @param {any} report of the task
+ * @param {{ f: number, delta: number } | null} damper
+ */
+function to_plain(options, { input }, damper) {
+  /** @param {number} value @param {number[] | null} range */
+  const text = (value, range) => (range ?? [value]).join(":");
+  const result = without(options, [...physical_only, ...damper_options]);
+  result.v0 = text(input.v0, input.v0_range);
+  result.p = text(input.p, input.p_range);
+  result.beta = String(input.beta);
+  if (input.residual !== null) result.residual = String(input.residual);
+  if (input.delta_max !== null) result["delta-max"] = String(input.delta_max);
+  if (damper && has_damper(options)) {
+    result.f = String(damper.f);
+    result.delta = String(damper.delta);
+  }
+  return result;
+}
+
+/**
+ * The same task with units. Any length unit is the same motion; this one has the period of a
+ * building on isolators.
+ * @param {Options} options
+ * @param {any} report of the task
+ */
+function to_physical(options, { input }) {
+  const period = 2.8;
+  const gravity = 9.80665;
+  const length = gravity * (input.p / ((2 * Math.PI) / period)) ** 2;
+  const short = (/** @type {number} */ value) => String(Number(value.toPrecision(6)));
+  const velocities = (input.v0_range ?? [input.v0]).map((/** @type {number} */ v) =>
+    short(v * Math.sqrt(gravity * length)),
+  );
+  const dropped = [
+    ...dimensionless_only,
+    ...damper_options,
+    "residual",
+    "delta-max",
+    "notch-width",
+  ];
+  return {
+    ...without(options, dropped),
+    velocity: velocities.join(":"),
+    period: `${period}s`,
+    "max-displacement": `${short(input.beta * length * 1000)}mm`,
+  };
+}
+
+/** @param {Options} options */
+function to_fragment(options) {
+  return known
+    .filter((name) => name in options)
+    .map(
+      (name) =>
+        `${name}=${encodeURIComponent(options[name]).replaceAll("%2F", "/").replaceAll("%3A", ":")}`,
+    )
+    .join("&");
+}
+
+/**
+ * @param {string} fragment
+ * @returns {{ options: Options, unknown: string[] }}
+ */
+function from_fragment(fragment) {
+  const options = /** @type {Options} */ ({});
+  const unknown = [];
+  for (const part of fragment.replace(/^#/, "").split("&").filter(Boolean)) {
+    const at = part.indexOf("=");
+    let [name, value] = at < 0 ? [part, ""] : [part.slice(0, at), part.slice(at + 1)];
+    try {
+      name = decodeURIComponent(name);
+      value = decodeURIComponent(value);
+    } catch {
+      // Not encoded, or badly: taken as it stands.
+    }
+    name = name.replaceAll("_", "-");
+    if (known.includes(name) && value !== "") options[name] = value;
+    else unknown.push(part);
+  }
+  return { options, unknown };
+}
+
+/**
+ * A scene of data/scenes as options; nothing where it is about something that this page does not show.
+ * @param {Record<string, string | number | Array<string | number>>} scene
+ */
+function from_scene(scene) {
+  const options = /** @type {Options} */ ({});
+  for (const [key, value] of Object.entries(scene)) {
+    const name = key.replaceAll("_", "-");
+    if (!known.includes(name)) return null;
+    options[name] = Array.isArray(value) ? value.join(":") : String(value);
+  }
+  return "v0" in options || "velocity" in options ? options : null;
+}
+
+/** @param {string} text */
+function shell_word(text) {
+  return /^[\w./:+,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`;
+}
+
+/**
+ * @param {string} command
+ * @param {Options} options
+ */
+function command_line(command, options) {
+  const flags = Object.entries(options).map(([name, value]) => ` --${name} ${shell_word(value)}`);
+  return `stillpoint ${command}${flags.join("")}`;
+}
+
+/** @param {Options} options */
+function to_scene(options) {
+  const numeric = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i;
+  const entries = Object.entries(options).map(([name, value]) => {
+    const ends = value.split(":");
+    if (ends.length === 2 && ends.every((end) => numeric.test(end)))
+      return [name, ends.map(Number)];
+    return [name, name !== "title" && numeric.test(value) ? Number(value) : value];
+  });
+  return JSON.stringify(Object.fromEntries(entries), null, 2) + "\n";
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The phase portrait, and where the energy goes. Each returns what moves its mark.
+"use strict";
+
+/**
+ * @typedef {object} Series of a motion in the units that are shown
+ * @property {Float64Array} t
+ * @property {Float64Array} x
+ * @property {Float64Array} v
+ * @property {number} most of the time
+ * @property {number} limit
+ */
+
+/**
+ * @typedef {object} PlotUnits what one dimensionless unit is in the units that are shown
+ * @property {number} length
+ * @property {number} time
+ * @property {number} velocity
+ * @property {number} energy
+ * @property {string} length_label
+ * @property {string} time_label
+ * @property {string} time_unit
+ * @property {string} velocity_label
+ * @property {string} energy_label
+ * @property {string} energy_unit
+ * @property {number} energy_si in the SI unit
+ */
+
+const portrait = { width: 460, height: 330, left: 60, bottom: 42 };
+
+/** A little more than the range. @param {number} least @param {number} most @param {string} label */
+function wider(least, most, label) {
+  const room = 0.06 * (most - least || 1);
+  return { least: least - room, most: most + room, label };
+}
+
+/**
+ * @param {Series} series
+ * @param {PlotUnits} units
+ * @returns {(x: number, v: number) => void}
+ */
+function draw_phase({ t, x, v, limit }, units) {
+  const most = Math.max(...x);
+  const plot = new Plot(
+    wider(Math.min(...x, 0), most > 0.6 * limit ? Math.max(most, limit) : most, units.length_label),
+    wider(Math.min(...v), Math.max(...v), units.velocity_label),
+    { ...portrait, title: "Phase portrait", name: "Velocity against displacement." },
+  );
+  const height = plot.height;
+  plot.add("limit", `M${plot.across(limit)} 0V${height}M${plot.across(-limit)} 0V${height}`);
+  let motion = "";
+  let jumps = "";
+  for (let i = 0; i < t.length; i++) {
+    const at = `${plot.across(x[i]).toFixed(2)} ${plot.up(v[i]).toFixed(2)}`;
+    // At x = 0 the notch takes its energy at once.
+    const jump = i > 0 && t[i] === t[i - 1];
+    if (jump) jumps += `M${plot.across(x[i - 1])} ${plot.up(v[i - 1])}L${at}`;
+    motion += `${i === 0 || jump ? "M" : "L"}${at}`;
+  }
+  plot.add("past", motion);
+  plot.add("jump", jumps);
+  const dot = svg("circle", { class: "now", r: 5 });
+  plot.inner.append(dot);
+  el("phase").replaceChildren(plot.node);
+  return (x_now, v_now) =>
+    dot.setAttribute("transform", `translate(${plot.across(x_now)} ${plot.up(v_now)})`);
+}
+
+/**
+ * @param {Series} series
+ * @param {Motion} motion dimensionless
+ * @param {{ p: number, f: number }} damper
+ * @param {PlotUnits} units
+ * @returns {(time: number) => void}
+ */
+function draw_energy({ t, most }, motion, { p, f }, units) {
+  const count = t.length;
+  const energy = (/** @type {number} */ i) => (motion.v[i] ** 2 + (p * motion.x[i]) ** 2) / 2;
+  const all = energy(0);
+  let way = 0;
+  const left = new Float64Array(count + 1);
+  const with_friction = new Float64Array(count + 1);
+  for (let i = 0; i < count; i++) {
+    // Turns are among the instants, so the way between two is the difference.
+    if (i > 0) way += Math.abs(motion.x[i] - motion.x[i - 1]);
+    left[i] = energy(i);
+    with_friction[i] = Math.min(all, left[i] + f * way);
+  }
+  left[count] = left[count - 1];
+  with_friction[count] = with_friction[count - 1];
+  const times = Float64Array.from({ length: count + 1 }, (_, i) => (i < count ? t[i] : most));
+  const scaled = (/** @type {Float64Array} */ list) => list.map((e) => e * units.energy);
+  const plot = new Plot(
+    { least: 0, most, label: units.time_label },
+    { least: 0, most: 1.06 * all * units.energy || 1, label: units.energy_label },
+    {
+      ...portrait,
+      title: "Where the energy goes",
+      name: "Energy over time: what is left, and what friction and notch took.",
+    },
+  );
+  const line = (/** @type {Float64Array} */ list) => plot.line(times, scaled(list));
+  const back = (/** @type {Float64Array} */ list) =>
+    plot.line(times.slice().reverse(), scaled(list).slice().reverse()).replace("M", "L");
+  const nothing = new Float64Array(count + 1);
+  const everything = new Float64Array(count + 1).fill(all);
+  for (const [look, lower, upper] of /** @type {const} */ ([
+    ["blue", nothing, left],
+    ["orange", left, with_friction],
+    ["green", with_friction, everything],
+  ])) {
+    plot.add(`area ${look}`, `${line(lower)}${back(upper)}Z`);
+    plot.add(`curve ${look}`, line(upper));
+  }
+  const now = plot.add("now-line", `M0 0V${plot.height}`);
+  const took = with_friction[count] - left[count];
+  const key = (
+    /** @type {string} */ ink,
+    /** @type {string} */ name,
+    /** @type {number} */ value,
+  ) =>
+    make(
+      "span",
+      { class: `key ${ink}` },
+      make("span", {}, `${name} `, number(value * units.energy_si, units.energy_unit)),
+    );
+  el("energy").replaceChildren(
+    plot.node,
+    make(
+      "p",
+      {},
+      key("ink-left", "kinetic and spring", left[count]),
+      key("ink-friction", "constant friction", took),
+      key("ink-notch", "notch", all - with_friction[count]),
+    ),
+  );
+  return (time) => now.setAttribute("transform", `translate(${plot.across(time)} 0)`);
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The strip of hits: how each ends for the damper as it is. Its slider tries one.
+"use strict";
+
+const ends_words = /** @type {Record<string, string>} */ ({
+  held: "held",
+  centred: "centred",
+  off_centre: "off centre",
+  too_far: "too far",
+});
+
+class HitsView {
+  /** @param {(hit: number | null) => void} try_hit */
+  constructor(try_hit) {
+    /** @type {{ from: number, to: number, ends: string }[]} */
+    this.hits = [];
+    this.most = 1;
+    this.unit = "";
+    el("strip").replaceChildren(
+      make("div", { class: "lane", id: "lane" }),
+      make("input", {
+        type: "range",
+        id: "hit",
+        min: "0",
+        max: "2000",
+        "aria-label": "velocity of the hit tried",
+      }),
+      make("div", { class: "ends", id: "hit-ends" }),
+    );
+    input("hit").addEventListener("input", () =>
+      try_hit((Number(input("hit").value) / 2000) * this.most),
+    );
+    el("design-hit").addEventListener("click", () => try_hit(null));
+  }
+
+  /** @param {any} report with the damper's hits */
+  draw(report) {
+    const { physical } = report;
+    const listed = physical?.hits ?? report.hits ?? [];
+    const suffix = physical ? "_m_per_s" : "";
+    this.unit = physical ? "m/s" : "";
+    this.hits = (report.hits ?? []).map((/** @type {any} */ hit, /** @type {number} */ i) => ({
+      from: listed[i][`from${suffix}`],
+      to: listed[i][`to${suffix}`],
+      ends: hit.ends,
+    }));
+    if (!this.hits.length) return;
+    this.most = this.hits[this.hits.length - 1].to;
+    const percent = (/** @type {number} */ value) => `${(100 * value) / this.most}%`;
+    const lane = el("lane");
+    lane.replaceChildren(
+      ...this.hits.map(({ from, to, ends }) => {
+        const part = make("div", { class: `part ${ends}` });
+        part.style.left = percent(from);
+        part.style.width = percent(to - from);
+        if (to - from > 0.09 * this.most) part.append(make("span", {}, ends_words[ends] ?? ends));
+        part.title = `${ends_words[ends]}: ${digits(from, 3)} to ${words(to, this.unit, 3)}`;
+        return part;
+      }),
+    );
+    const [low, high] = (report.input.v0_range ?? [report.input.v0]).map(
+      (/** @type {number} */ v0) => v0 * (physical?.velocity_unit_m_per_s ?? 1),
+    );
+    for (const hit of high === undefined ? [low] : [low, high]) {
+      const mark = make("div", { class: "designed" });
+      mark.style.left = percent(hit);
+      lane.append(mark);
+    }
+    this.designed = high ?? low;
+    fill(el("hit-ends"), number(0, this.unit), number(this.most, this.unit));
+  }
+
+  /**
+   * Shows which hit is tried, and how it ended.
+   * @param {number | null} hit @param {any} motion report of simulate @param {number} limit
+   */
+  show(hit, motion, limit) {
+    const value = hit ?? this.designed ?? 0;
+    const slider = input("hit");
+    if (document.activeElement !== slider || hit === null)
+      slider.value = String(Math.round((2000 * value) / this.most));
+    /** @type {HTMLButtonElement} */ (el("design-hit")).disabled = hit === null;
+    slider.setAttribute("aria-valuetext", words(value, this.unit, 4));
+    const { response, physical } = motion;
+    const length = physical ? "m" : "";
+    const peak = physical ? physical.peak_m : response.peak_amplitude;
+    const rest = physical ? physical.stop_position_m : response.stop_position;
+    const too_far = peak > limit * (1 + 1e-12);
+    const moved = response.half_cycles > 0;
+    fill(
+      el("hit-words"),
+      hit === null ? "The design hit of " : "A hit of ",
+      number(value, this.unit),
+      ...(!moved
+        ? [" is held: the notch does not let the mass go."]
+        : [
+            too_far ? " goes too far: the peak is " : " reaches ",
+            number(peak, length),
+            too_far ? ", the limit " : " of ",
+            number(limit, length),
+            ...(rest === null
+              ? [", and it never comes to rest."]
+              : rest === 0
+                ? [", and the mass rests at the centre."]
+                : [
+                    `, and the mass rests ${response.outcome === "stopped_in_notch" ? "in the notch, off its middle" : "off centre"} by `,
+                    number(Math.abs(rest), length),
+                    ".",
+                  ]),
+          ]),
+    );
+  }
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// A record dropped on the page: the damper under it.
+"use strict";
+
+const largest_record = 20e6; // bytes; a record of an hour at 200 values a second has 10 MB
+
+class RecordView {
+  /** @param {() => void} changed */
+  constructor(changed) {
+    this.changed = changed;
+    /** @type {{ name: string, bytes: Uint8Array } | null} */
+    this.record = null;
+    input("record-file").addEventListener("change", () =>
+      this.take(input("record-file").files?.[0]),
+    );
+    for (const id of ["record-units", "record-step"]) el(id).addEventListener("change", changed);
+    el("record-away").addEventListener("click", () => {
+      this.record = null;
+      input("record-file").value = "";
+      changed();
+    });
+    for (const kind of ["dragover", "dragleave", "drop"]) {
+      document.addEventListener(kind, (event) => {
+        const files = /** @type {DragEvent} */ (event).dataTransfer;
+        if (!files?.types.includes("Files")) return;
+        event.preventDefault();
+        document.body.classList.toggle("dropping", kind === "dragover");
+        if (kind === "drop") this.take(files.files[0]);
+      });
+    }
+  }
+
+  /** @param {File | undefined} file */
+  async take(file) {
+    if (!file) return;
+    if (file.size > largest_record) {
+      this.record = null;
+      this.changed();
+      this.refuse(
+        `${file.name} has ${digits(file.size / 1e6, 3)} MB; this page reads at most ${largest_record / 1e6} MB. ` +
+          `The program has no such limit: stillpoint simulate --record.`,
+      );
+      return;
+    }
+    this.record = {
+      name: file.name.replace(/[#,]/g, "_"),
+      bytes: new Uint8Array(await file.arrayBuffer()),
+    };
+    this.changed();
+    el("record-heading").scrollIntoView({ block: "nearest" });
+  }
+
+  /** @param {string} words */
+  refuse(words) {
+    fill(el("record-answer"), make("p", { class: "bad" }, words));
+    el("record-figures").replaceChildren();
+  }
+
+  /**
+   * @param {Engine} engine
+   * @param {Options} damper the options of the motion that it is put under the record
+   * @param {string | undefined} hold
+   */
+  draw(engine, damper, hold) {
+    el("record-away").hidden = this.record === null;
+    if (!this.record) {
+      el("record-answer").replaceChildren();
+      el("record-figures").replaceChildren();
+      return;
+    }
+    const { name, bytes } = this.record;
+    /** @type {Options} */
+    const options = { ...without(damper, ["velocity", "v0"]), record: name };
+    if (hold) options.hold = hold;
+    const units = /** @type {HTMLSelectElement} */ (el("record-units"));
+    if (units.selectedIndex > 0) options["record-units"] = units.value;
+    if (input("record-step").value.trim())
+      options["record-step"] = input("record-step").value.trim();
+    const answer = engine.run(
+      "simulate",
+      options,
+      { figures: ["motion", "excitation"] },
+      { [name]: bytes },
+    );
+    if ("error" in answer) return this.refuse(answer.error);
+    this.show(name, answer);
+  }
+
+  /** @param {string} name @param {Answer} answer */
+  show(name, { report, figures }) {
+    const { response, physical } = report;
+    const [length, time] = physical ? ["m", "s"] : ["", ""];
+    const value = (/** @type {string} */ of_physical, /** @type {string} */ plain) =>
+      physical ? physical[of_physical] : response[plain];
+    const fact = (
+      /** @type {string} */ title,
+      /** @type {Node} */ node,
+      /** @type {string} */ id,
+    ) => {
+      if (node instanceof HTMLElement) node.id = id;
+      return make("div", {}, make("dt", {}, title), make("dd", {}, node));
+    };
+    const locked = value("locked_from_s", "locked_from");
+    fill(
+      el("record-answer"),
+      make(
+        "dl",
+        { class: "facts" },
+        fact("peak", number(value("peak_m", "peak_amplitude"), length), "record-peak"),
+        fact(
+          "transmitted",
+          number(response.peak_absolute_acceleration, "g"),
+          "record-acceleration",
+        ),
+        fact(
+          locked === null || locked === undefined ? "not locked at the end" : "locked from",
+          number(locked, time),
+          "record-locked",
+        ),
+        fact(
+          "residual",
+          number(value("final_position_m", "final_position"), length),
+          "record-residual",
+        ),
+      ),
+      make(
+        "p",
+        { class: "faint" },
+        `${name}: `,
+        number(report.input.excitation.samples),
+        " values.",
+      ),
+    );
+    const plates = figures.map((figure) => {
+      const plate = make("div", { class: "plate" });
+      put_figure(plate, {
+        ...figure,
+        svg: figure.svg.replaceAll(`${figure.id}-`, `record-${figure.id}-`),
+      });
+      return plate;
+    });
+    el("record-figures").replaceChildren(...plates);
+  }
+}

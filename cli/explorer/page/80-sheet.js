@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// The specification: two pages for the one who builds or checks the damper.
+"use strict";
+
+const assumptions = [
+  "One rigid mass moves in one direction on a linear spring, without viscous damping.",
+  "The constant friction is the same at rest and in motion, whatever the speed, the pressure and the temperature. Give their spread as the tolerance.",
+  "The notch takes the same energy at every passage through x = 0.",
+  "The hit is a velocity at x = 0, where the mass has left the notch. It holds for pulses that are short against the natural period.",
+  "Nothing stops the mass at the stroke limit: farther out the motion goes on.",
+  "One hit: each further one starts from the rest of the one before.",
+];
+
+/**
+ * @typedef {object} Sheet
+ * @property {Options} options
+ * @property {any} report of the design, or of the damper that was chosen
+ * @property {any} motion
+ * @property {boolean} chosen the damper was set by hand
+ * @property {boolean} admissible
+ * @property {number | null} tolerance
+ * @property {string} command
+ * @property {string} link
+ * @property {string} version
+ */
+
+/** @param {[string, Part[] | null][]} rows those without a value are left out */
+function sheet_table(rows) {
+  const body = make("tbody");
+  for (const [name, value] of rows) {
+    if (value)
+      body.append(make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, ...value)));
+  }
+  return make("table", {}, body);
+}
+
+/** @param {string[]} head @param {Part[][]} rows */
+function sheet_columns(head, rows) {
+  const cells = (/** @type {string} */ tag, /** @type {Part[]} */ row) =>
+    make("tr", {}, ...row.map((part) => make(tag, {}, part)));
+  return make(
+    "table",
+    {},
+    make("thead", {}, cells("th", head)),
+    make("tbody", {}, ...rows.map((row) => cells("td", row))),
+  );
+}
+
+/** @param {number[] | null | undefined} range @param {string} unit @returns {Part[] | null} */
+function range_parts(range, unit) {
+  if (!range) return null;
+  const [low, high] = range;
+  return high === null
+    ? ["at least ", number(low, unit)]
+    : [number(low, unit), " to ", number(high, unit)];
+}
+
+/** @param {Sheet} sheet */
+function build_rows({ report, motion, tolerance, options }) {
+  const physical = report.physical;
+  const { f, delta } = motion.input;
+  return sheet_table([
+    ["constant friction", ["f = ", number(f)]],
+    [
+      "friction force",
+      physical?.friction_force_n ? [number(physical.friction_force_n, "N")] : null,
+    ],
+    ["notch", ["Δ = ", number(delta), ...(physical ? [" = ", number(physical.delta_m, "m")] : [])]],
+    [
+      "capacity",
+      physical?.energy_per_passage_j
+        ? [number(physical.energy_per_passage_j, "J"), " at a passage"]
+        : null,
+    ],
+    [
+      "notch width",
+      options["notch-width-m"] || options["notch-width"]
+        ? [options["notch-width-m"] ?? options["notch-width"]]
+        : null,
+    ],
+    ["notch holds", options.hold ? [`${options.hold} besides f`] : null],
+    [
+      "tolerance",
+      tolerance === null
+        ? ["none: not admissible"]
+        : [number(tolerance, "%", "±"), " of f and Δ at once"],
+    ],
+  ]);
+}
+
+/** @param {Sheet} sheet */
+function performance_rows({ report, motion }) {
+  const { response, physical } = motion;
+  const { practice, works_for } = report;
+  const limit = report.input.beta * (physical?.length_unit_m ?? 1);
+  const peak = physical?.peak_m ?? response.peak_amplitude;
+  const [length, time] = physical ? ["m", "s"] : ["", ""];
+  const rest = physical ? physical.stop_position_m : response.stop_position;
+  return sheet_table([
+    [
+      "peak",
+      [
+        number(peak, length),
+        ", ",
+        number(peak / limit, "%"),
+        " of the limit ",
+        number(limit, length),
+      ],
+    ],
+    [
+      "at rest",
+      rest === null
+        ? ["never"]
+        : [
+            "at x = ",
+            number(rest, rest === 0 ? "" : length),
+            " after ",
+            number(physical?.stop_time_s ?? response.stop_time, time),
+          ],
+    ],
+    ["transmitted", [number(response.peak_absolute_acceleration, "g"), " outside the notch"]],
+    [
+      "works for hits of",
+      range_parts(
+        report.physical?.works_for_velocity_m_per_s ?? works_for?.v0,
+        physical ? "m/s" : "",
+      ),
+    ],
+    [
+      physical ? "and periods of" : "and p of",
+      range_parts(report.physical?.works_for_period_s ?? works_for?.p, physical ? "s" : ""),
+    ],
+    ["base shear/weight", practice ? [number(practice.base_shear_over_weight)] : null],
+    [
+      "secant stiffness",
+      practice && report.physical?.secant_stiffness_n_per_m
+        ? [number(report.physical.secant_stiffness_n_per_m, "N"), "/m"]
+        : null,
+    ],
+    [
+      "equivalent damping",
+      practice?.equivalent_damping
+        ? [number(practice.equivalent_damping, "%"), " of critical"]
+        : null,
+    ],
+    [
+      "re-centring",
+      practice?.energy_ratio
+        ? [
+            "Eₛ/Eₕ = ",
+            number(practice.energy_ratio),
+            " (EN 15129), d/dᵣₘ = ",
+            number(practice.residual_ratio),
+            " (EN 1998-2)",
+          ]
+        : null,
+    ],
+  ]);
+}
+
+/** How hits of each strength end. @param {Sheet} sheet */
+function hit_rows({ report }) {
+  const { physical, hits } = report;
+  const suffix = physical ? "_m_per_s" : "";
+  return sheet_table(
+    (hits ?? []).map((/** @type {any} */ hit, /** @type {number} */ i) => {
+      const limits = physical?.hits[i] ?? hit;
+      const range = range_parts(
+        [limits[`from${suffix}`], limits[`to${suffix}`]],
+        physical ? "m/s" : "",
+      );
+      return [ends_words[hit.ends] ?? hit.ends, range];
+    }),
+  );
+}
+
+/** @param {Sheet} sheet */
+function check_nodes({ report }) {
+  const nodes = /** @type {Node[]} */ ([]);
+  if (report.cross_check) {
+    nodes.push(
+      sheet_columns(
+        ["computed again by", "relative error", "allowed", ""],
+        report.cross_check.methods.map((/** @type {any} */ method) => [
+          method.name.replaceAll("_", " "),
+          number(method.relative_error),
+          number(method.tolerance),
+          method.passed ? "agrees" : "DISAGREES",
+        ]),
+      ),
+    );
+  }
+  nodes.push(
+    sheet_columns(
+      ["condition", "variable", "value", "", "bound", ""],
+      report.constraints.map((/** @type {any} */ one) => [
+        one.name.replaceAll("_", " "),
+        one.variable,
+        number(one.value),
+        one.relation.replace("<=", "≤").replace(">=", "≥"),
+        number(one.limit),
+        one.satisfied ? "met" : "VIOLATED",
+      ]),
+    ),
+  );
+  return nodes;
+}
+
+/** @param {string} id */
+function plate_copy(id) {
+  const plate = make("div");
+  // The copy has ids of its own: a pattern in what is not displayed is not drawn.
+  plate.innerHTML = el(id).innerHTML.replaceAll(`${id}-`, `sheet-${id}-`);
+  return plate;
+}
+
+/** @param {Sheet} sheet */
+function draw_sheet(sheet) {
+  const { options, chosen, admissible, command, link, version } = sheet;
+  const task = Object.entries(without(options, ["title", ...damper_options]));
+  const title = options.title ?? "Damper with constant and point friction";
+  const day = new Date().toLocaleDateString("en-GB", {
+    day: "numeric",
+    month: "long",
+    year: "numeric",
+  });
+  const head = chosen
+    ? `Damper chosen by hand; ${admissible ? "it meets every condition" : "it is NOT admissible"}.`
+    : options.objective && options.objective !== "robust"
+      ? `The best damper for the objective ${options.objective}.`
+      : "Of all dampers, this one tolerates the largest errors of manufacture.";
+  fill(
+    el("sheet"),
+    make(
+      "div",
+      { class: "leaf" },
+      make("h1", {}, title),
+      make("p", {}, `Specification of a damper. ${head}`),
+      make("h2", {}, "To build"),
+      build_rows(sheet),
+      make("h2", {}, "What it does"),
+      performance_rows(sheet),
+      make("h2", {}, "How hits end"),
+      hit_rows(sheet),
+      make("div", { class: "plates" }, plate_copy("region"), plate_copy("phase")),
+    ),
+    make(
+      "div",
+      { class: "leaf" },
+      make("h2", {}, "Task"),
+      sheet_table(task.map(([name, value]) => [name.replaceAll("-", " "), [value]])),
+      make("h2", {}, "Checks"),
+      ...check_nodes(sheet),
+      make("h2", {}, "Assumptions"),
+      make("ul", {}, ...assumptions.map((text) => make("li", {}, text))),
+      make("h2", {}, "The same with the program"),
+      make("pre", {}, command),
+      make("p", { class: "foot" }, `stillpoint ${version}, ${day}. State of the page: #${link}`),
+    ),
+  );
+}

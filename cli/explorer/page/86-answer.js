@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// The answer in words and numbers.
+"use strict";
+
+/**
+ * @typedef {object} Answered
+ * @property {any} design report of the task's best damper
+ * @property {any} judged report of the damper that is shown
+ * @property {any} motion its motion
+ * @property {{ f: number, delta: number } | null} damper
+ * @property {number | null} tolerance
+ * @property {boolean} admissible
+ * @property {boolean} chosen the damper was set by hand
+ * @property {Options} options
+ */
+
+class AnswerView {
+  /** @param {(options: Options) => void} go */
+  constructor(go) {
+    this.go = go;
+  }
+
+  /** @param {Answered} shown */
+  show(shown) {
+    this.show_numbers(shown);
+    this.show_verdict(shown);
+    this.show_judgement(shown);
+  }
+
+  /** @param {Answered} shown */
+  show_numbers({ motion, damper, judged, tolerance, chosen }) {
+    const { physical } = judged;
+    const [length, time] = physical ? ["m", "s"] : ["", ""];
+    // The design's own numbers are those of its report.
+    const { response, physical: of_motion } = (chosen ? motion : judged.design && judged) ?? {};
+    show(el("f"), damper?.f);
+    show(el("delta"), physical ? physical.delta_m : damper?.delta, length);
+    show(el("tolerance"), tolerance, "%", "±");
+    show(el("peak"), physical ? of_motion?.peak_m : response?.peak_amplitude, length);
+    show(el("stop-time"), physical ? of_motion?.stop_time_s : response?.stop_time, time);
+    show(el("acceleration"), response?.peak_absolute_acceleration, "g");
+    const force = physical?.friction_force_n;
+    fill(el("f-sub"), ...(force ? [number(force, "N")] : []));
+    fill(el("delta-sub"), ...(physical && damper ? ["dimensionless ", number(damper.delta)] : []));
+    const limit = judged.input.beta * (physical?.length_unit_m ?? 1);
+    const peak = response?.peak_amplitude;
+    fill(
+      el("peak-sub"),
+      ...(response ? [number(peak / judged.input.beta, "%"), " of ", number(limit, length)] : []),
+    );
+    const rest = physical ? of_motion?.stop_position_m : response?.stop_position;
+    const built = motion?.input.notch_width ? (physical ? motion.physical : motion.response) : null;
+    const built_rest = built && (physical ? built.stop_position_m : built.stop_position);
+    const at =
+      rest === 0 ? ["at x = 0"] : typeof rest === "number" ? ["at x = ", number(rest, length)] : [];
+    const as_built =
+      typeof built_rest === "number" && !chosen
+        ? ["; as built at ", number(built_rest, length)]
+        : [];
+    fill(el("rest-sub"), ...at, ...as_built);
+    for (const [id, value] of /** @type {const} */ ([
+      ["set-f", damper?.f],
+      ["set-delta", physical ? physical.delta_m * 1000 : damper?.delta],
+    ])) {
+      if (document.activeElement === el(id)) continue;
+      input(id).value =
+        value === undefined ? "" : digits(value, 6) + (id === "set-delta" && physical ? "mm" : "");
+    }
+  }
+
+  /** @param {Answered} shown */
+  show_verdict({ design, judged, damper, options, chosen }) {
+    const force = judged.physical?.friction_force_n;
+    const energy = judged.physical?.energy_per_passage_j;
+    const parts = /** @type {Part[]} */ ([]);
+    if (!damper) {
+      parts.push(...this.conflict_words(design), ...this.mends(design, options));
+    } else if (force && energy) {
+      parts.push(
+        chosen ? "You chose a friction force of " : "Build a friction force of ",
+        number(force, "N"),
+      );
+      parts.push(" and a notch that takes ", number(energy, "J"), " at a passage.");
+    } else {
+      parts.push(chosen ? "You chose f = " : "Build f = ", number(damper.f), " and Δ = ");
+      parts.push(
+        judged.physical ? number(judged.physical.delta_m, "m") : number(damper.delta),
+        ".",
+      );
+    }
+    fill(el("verdict"), ...parts);
+  }
+
+  /** @param {any} design @returns {Part[]} */
+  conflict_words({ region, physical, input }) {
+    if (String(region.conflict) !== "amplitude,return")
+      return [`No damper will do: ${region.reason}.`];
+    const limit = number(input.beta * (physical?.length_unit_m ?? 1), physical ? "m" : "");
+    return [
+      "No damper will do. To stay within ",
+      limit,
+      ", f must be at least ",
+      number(region.f2),
+      "; to come back to x = 0, at most ",
+      number(region.f3),
+      ".",
+    ];
+  }
+
+  /** What would make it feasible, each to be applied. @param {any} design @param {Options} options @returns {Part[]} */
+  mends({ region, physical }, options) {
+    const buttons = /** @type {Part[]} */ ([]);
+    const offer = (
+      /** @type {string} */ name,
+      /** @type {number | null} */ value,
+      /** @type {string} */ unit,
+      /** @type {string} */ title,
+    ) => {
+      if (
+        value === null ||
+        value === undefined ||
+        !(name in options) ||
+        options[name].includes(":")
+      )
+        return;
+      // On the edge itself one damper is left, without any tolerance: a fiftieth beyond it, there are some.
+      const least = name === "max-displacement" || name === "beta" || name === "p";
+      const better = Number((value * (least ? 1.02 : 0.98)).toPrecision(3));
+      const button = make("button", { type: "button" }, `${title} `, number(better, unit));
+      button.addEventListener("click", () => this.go({ ...options, [name]: `${better}${unit}` }));
+      buttons.push(" ", button);
+    };
+    if (physical) {
+      offer("max-displacement", physical.max_displacement_mend_m, "m", "Use a limit of");
+      offer("velocity", physical.velocity_mend_m_per_s, "m/s", "a hit of");
+      offer("period", physical.period_mend_s, "s", "a period of");
+    } else {
+      const names = { beta: "Use a limit of", v0: "a hit of", p: "p =" };
+      for (const [name, title] of Object.entries(names)) {
+        offer(
+          name,
+          region.mends.find((/** @type {any} */ one) => one.input === name)?.value,
+          "",
+          title,
+        );
+      }
+    }
+    return buttons;
+  }
+
+  /** @param {Answered} shown */
+  show_judgement({ judged, damper, admissible }) {
+    const node = el("judgement");
+    node.classList.toggle("broken", !admissible);
+    if (!damper) return fill(node, "The forbidden sides meet; nothing is left between them.");
+    if (admissible) {
+      const served = judged.physical?.works_for_velocity_m_per_s ?? judged.works_for?.v0;
+      const range = range_parts(served, judged.physical ? "m/s" : "");
+      return fill(
+        node,
+        "Every condition is met.",
+        ...(range ? [" It works for hits of ", ...range, "."] : []),
+      );
+    }
+    const broken = judged.constraints.filter((/** @type {any} */ one) => !one.satisfied);
+    if (!broken.length)
+      return fill(node, "Not admissible: between the arrivals the mass would rest off centre.");
+    return fill(
+      node,
+      ...broken.flatMap((/** @type {any} */ one) => [...broken_words(one, judged), " "]),
+    );
+  }
+}

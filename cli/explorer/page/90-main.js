@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: MIT
+// From the options to what is seen: the engine is asked, and each view shows its part.
+"use strict";
+
+/** How much is drawn anew: another hit, another damper, another task. */
+const Level = { hit: 1, damper: 2, task: 3 };
+const points = 400; // of a motion
+
+class Bench {
+  /** @param {Engine} engine */
+  constructor(engine) {
+    this.engine = engine;
+    /** @type {Options} */
+    this.options = {};
+    /** @type {number | null} */
+    this.hit = null;
+    this.pending = 0;
+    this.requested = false;
+    this.record_timer = 0;
+    this.finished = false; // the change is one to go back from
+    this.opened = false;
+    this.source = ""; // the control that made the change
+    this.last_source = "";
+    this.last_time = 0;
+    /** @type {string[]} */
+    this.unknown = [];
+    /** @type {any} */ this.design = null;
+    /** @type {any} */ this.judged = null;
+    /** @type {any} */ this.motion = null;
+    /** @type {{ f: number, delta: number } | null} */ this.damper = null;
+    this.tolerance = /** @type {number | null} */ (null);
+    this.admissible = false;
+    this.answer = new AnswerView((options) => this.go(options));
+    this.fields = new Fields((change, done, source) => this.edit(change, done, source ?? ""));
+    this.region = new RegionView((f, delta, done, source) => this.move(f, delta, done, source));
+    this.motion_view = new MotionView();
+    this.hits = new HitsView((hit) => this.try_hit(hit));
+    this.record = new RecordView(() => this.draw_record());
+    this.listen();
+    this.open();
+  }
+
+  listen() {
+    const preset = /** @type {HTMLSelectElement} */ (el("preset"));
+    preset.append(make("option", { value: "" }, "your own"));
+    for (const [name, scene] of Object.entries(scenes)) {
+      if (from_scene(scene))
+        preset.append(make("option", { value: name }, name.replaceAll("_", " ")));
+    }
+    preset.addEventListener("change", () => {
+      const options = from_scene(scenes[preset.value] ?? {});
+      if (options) this.go(options);
+    });
+    input("dimensionless").addEventListener("change", () => this.turn_units());
+    input("spread").addEventListener("input", () => this.redraw(Level.damper));
+    for (const id of ["set-f", "set-delta"])
+      el(id).addEventListener("change", () => this.set_damper());
+    el("release").addEventListener("click", () => this.go(without(this.options, damper_options)));
+    el("share-link").addEventListener("click", () => {
+      share(
+        "This state as a link",
+        `${location.href.split("#")[0]}#${to_fragment(this.options)}`,
+        "stillpoint.url.txt",
+      );
+    });
+    el("share-command").addEventListener("click", () =>
+      share("The same digits from the program", this.commands(), "stillpoint.sh"),
+    );
+    el("share-scene").addEventListener("click", () =>
+      share("scene.json", to_scene(this.options), "scene.json"),
+    );
+    el("print").addEventListener("click", () => print());
+    addEventListener("beforeprint", () => this.draw_sheet());
+    addEventListener("popstate", () => this.open());
+    el("task").addEventListener("submit", (event) => event.preventDefault());
+    el("footer").textContent =
+      `stillpoint ${this.engine.version}. Everything is computed on this page; nothing is sent or loaded.`;
+  }
+
+  /** Shows what the address says. */
+  open() {
+    const { options, unknown } = from_fragment(location.hash);
+    this.unknown = unknown;
+    this.hit = null;
+    this.opened = true;
+    this.options = Object.keys(options).length ? options : (from_scene(scenes.isolator) ?? {});
+    this.redraw(Level.task);
+  }
+
+  /** Another state, to which one can go back. @param {Options} options */
+  go(options) {
+    this.options = options;
+    this.hit = null;
+    this.unknown = [];
+    this.source = "";
+    this.finished = true;
+    this.redraw(Level.task);
+  }
+
+  /** Steps of the same control, one close after the other, are one step to go back. */
+  remember() {
+    const fragment = `#${to_fragment(this.options)}`;
+    const now = performance.now();
+    const same =
+      this.source !== "" && this.source === this.last_source && now - this.last_time < 1000;
+    if (fragment === location.hash) return;
+    if (same) history.replaceState(null, "", fragment);
+    else history.pushState(null, "", fragment);
+    this.last_source = this.source;
+    this.last_time = now;
+  }
+
+  /** @param {(options: Options) => Options} change @param {boolean} done @param {string} source */
+  edit(change, done, source) {
+    this.options = change(this.options);
+    this.source = source;
+    this.hit = null;
+    this.unknown = [];
+    this.finished ||= done;
+    this.redraw(Level.task);
+  }
+
+  /** @param {number} f @param {number} delta @param {boolean} done @param {string} source */
+  move(f, delta, done, source) {
+    this.source = source;
+    this.options = { ...without(this.options, damper_options), f: String(f), delta: String(delta) };
+    this.hit = null;
+    this.finished ||= done;
+    this.redraw(Level.damper);
+  }
+
+  /** What was typed for the damper: with a unit it is a length. */
+  set_damper() {
+    const f = input("set-f").value.trim();
+    const delta = input("set-delta").value.trim();
+    if (!f || !delta) return;
+    const name = /[a-zµ]\s*$/i.test(delta) ? "delta-m" : "delta";
+    this.go({ ...without(this.options, damper_options), f, [name]: delta });
+  }
+
+  /** @param {number | null} hit */
+  try_hit(hit) {
+    this.hit = hit;
+    this.redraw(Level.hit);
+  }
+
+  /** The same task with or without units. */
+  turn_units() {
+    const on = input("dimensionless").checked;
+    if (on === !is_physical(this.options)) return;
+    const { options, design, damper } = this;
+    this.go(on ? to_plain(options, design, damper) : to_physical(options, design));
+  }
+
+  /** At most once a frame. @param {number} level */
+  redraw(level) {
+    this.pending = Math.max(this.pending, level);
+    if (this.requested) return;
+    this.requested = true;
+    requestAnimationFrame(() => {
+      this.requested = false;
+      const start = performance.now();
+      const done = this.pending;
+      this.pending = 0;
+      this.update(done);
+      // For the tests, and for who looks: the last redraws, in the browser's own record of times.
+      if (performance.getEntriesByName("redraw").length > 500) performance.clearMeasures("redraw");
+      performance.measure("redraw", { start, end: performance.now(), detail: done });
+    });
+  }
+
+  /** @param {number} level */
+  update(level) {
+    const message = this.ask(level);
+    if (this.finished) this.remember();
+    this.finished = false;
+    document.body.classList.remove("loading");
+    document.body.classList.toggle("stale", message !== null);
+    const unknown = this.unknown?.length
+      ? `The link holds what this page does not know: ${this.unknown.join(", ").slice(0, 200)}.`
+      : "";
+    const notice = [message ?? "", unknown].filter(Boolean).join(". ");
+    el("notice").hidden = notice === "";
+    if (el("notice").textContent !== notice) el("notice").textContent = notice;
+    input("dimensionless").checked = !is_physical(this.options);
+    if (level === Level.task || message) {
+      this.fields.show(this.options, message ? null : this.design);
+      this.show_preset();
+    }
+    this.fields.blame(message);
+    if (message === null) this.show(level);
+  }
+
+  /** Asks the engine; what is wrong with the input, or nothing. @param {number} level */
+  ask(level) {
+    const { engine, options } = this;
+    if (level === Level.task) {
+      const design = engine.run("design", options_of("design", options));
+      if ("error" in design) return design.error;
+      const task = without(options_of("region", options), damper_options);
+      const region = engine.run("region", task, { figures: ["region"] });
+      if ("error" in region) return region.error;
+      this.keep_damper(design.report);
+      this.design = design.report;
+      this.figure = region.figures[0];
+    }
+    if (level >= Level.damper) {
+      this.judged = this.design;
+      if (has_damper(this.options)) {
+        const judged = engine.run("region", options_of("region", this.options));
+        if ("error" in judged) return judged.error;
+        this.judged = judged.report;
+      }
+      this.take_damper();
+    }
+    if (!this.damper) {
+      this.motion = null;
+      return null;
+    }
+    const run = motion_options(options, this.judged, { ...this.damper, hit: this.hit });
+    const motion = engine.run("simulate", run);
+    if ("error" in motion) return motion.error;
+    this.motion = motion.report;
+    return null;
+  }
+
+  /** A damper that is built keeps its length when the unit of length changes with the task. @param {any} next */
+  keep_damper(next) {
+    const old = this.design?.physical?.length_unit_m;
+    const now = next.physical?.length_unit_m;
+    const by_link = this.opened;
+    this.opened = false;
+    if (by_link || !old || !now || old === now || !("delta" in this.options)) return;
+    const delta = (Number(this.options.delta) * old) / now;
+    if (Number.isFinite(delta)) this.options = { ...this.options, delta: String(delta) };
+  }
+
+  take_damper() {
+    const { judged } = this;
+    if (judged === this.design) {
+      const { design } = judged;
+      this.damper = design && { f: design.f, delta: design.delta };
+      this.tolerance = design?.tolerance ?? null;
+      this.admissible = design !== null;
+    } else {
+      this.damper = { f: judged.input.f, delta: judged.input.delta };
+      this.tolerance = judged.tolerance;
+      this.admissible = judged.admissible === true;
+    }
+  }
+
+  show_preset() {
+    const fragment = to_fragment(this.options);
+    const name = Object.keys(scenes).find((key) => {
+      const options = from_scene(scenes[key]);
+      return options && to_fragment(options) === fragment;
+    });
+    /** @type {HTMLSelectElement} */ (el("preset")).value = name ?? "";
+  }
+
+  /** @param {number} level */
+  show(level) {
+    const chosen = this.judged !== this.design;
+    if (level === Level.task) {
+      this.region.draw(this.figure, this.design);
+      this.fields.show_end(this.least_stroke());
+    }
+    document.body.classList.toggle("nothing", !this.damper);
+    if (level >= Level.damper) {
+      this.answer.show({ ...this, chosen });
+      /** @type {HTMLButtonElement} */ (el("release")).disabled = !chosen;
+    }
+    if (!this.damper || !this.motion) return this.show_nothing();
+    if (level >= Level.damper) {
+      this.region.show({ ...this.damper, tolerance: this.tolerance, admissible: this.admissible });
+      this.hits.draw(this.judged);
+      this.draw_later();
+    }
+    const scale = this.judged.physical?.length_unit_m ?? 1;
+    this.hits.show(this.hit, this.motion, this.judged.input.beta * scale);
+    this.draw_motion();
+    if (level >= Level.damper)
+      draw_cloud(this.engine, this.judged, this.damper, this.plain_motion());
+  }
+
+  /** The motion shown, dimensionless. @returns {Options} */
+  plain_motion() {
+    const { v0, p, f, delta, notch_width } = this.motion.input;
+    const options = { v0: String(v0), p: String(p), f: String(f), delta: String(delta) };
+    return notch_width === null ? options : { ...options, "notch-width": String(notch_width) };
+  }
+
+  /** The stroke below which no damper will do: what a far smaller one would need. */
+  least_stroke() {
+    const [name, small] = is_physical(this.options)
+      ? ["max-displacement", 0.2 * this.design.physical.max_displacement_min_m]
+      : ["beta", 0.2 * this.design.region.beta_min];
+    const task = without(options_of("region", this.options), damper_options);
+    const answer = this.engine.run("region", { ...task, [name]: String(small) });
+    if ("error" in answer) return null;
+    const { physical, region } = answer.report;
+    if (physical) return physical.max_displacement_mend_m;
+    return region.mends.find((/** @type {any} */ one) => one.input === "beta")?.value ?? null;
+  }
+
+  show_nothing() {
+    const parts = ["motion", "phase", "energy", "cloud", "cloud-words", "hit-words", "lane"];
+    for (const id of [...parts, "record-figures", "record-answer"]) el(id).replaceChildren();
+    this.motion_view.stop();
+    this.motion_view.drawn = null;
+  }
+
+  draw_motion() {
+    const motion = this.engine.motion(this.plain_motion(), points);
+    if ("error" in motion) return fill(el("motion"), motion.error);
+    const { physical, input: run } = this.motion;
+    this.motion_view.draw({
+      motion,
+      p: run.p,
+      f: run.f,
+      width: run.notch_width ?? 0,
+      limit: physical
+        ? (this.judged.input.beta * this.judged.physical.length_unit_m) / physical.length_unit_m
+        : this.judged.input.beta,
+      units: plot_units(physical),
+    });
+  }
+
+  draw_record() {
+    if (!this.motion || !this.damper) return;
+    this.record.draw(
+      this.engine,
+      motion_options(this.options, this.judged, { ...this.damper, hit: 0 }),
+      this.options.hold,
+    );
+  }
+
+  /** A record takes longer than a frame, so it waits until the damper stands still. */
+  draw_later() {
+    clearTimeout(this.record_timer);
+    if (this.record.record) this.record_timer = setTimeout(() => this.draw_record(), 120);
+  }
+
+  commands() {
+    const design = without(this.options, damper_options);
+    if (!has_damper(this.options))
+      return command_line("design", options_of("design", design)) + "\n";
+    const judged = command_line("region", options_of("region", this.options));
+    const run =
+      this.damper && motion_options(this.options, this.judged, { ...this.damper, hit: null });
+    return `${judged}\n${run ? command_line("simulate", run) : ""}\n`;
+  }
+
+  draw_sheet() {
+    if (!this.motion || !this.damper) {
+      fill(
+        el("sheet"),
+        make("h1", {}, "No damper"),
+        make("p", {}, el("verdict").textContent ?? ""),
+      );
+      return;
+    }
+    draw_sheet({
+      options: this.options,
+      report: this.judged,
+      motion: this.motion,
+      chosen: this.judged !== this.design,
+      admissible: this.admissible,
+      tolerance: this.tolerance,
+      command: this.commands().trim(),
+      link: to_fragment(this.options),
+      version: this.engine.version,
+    });
+  }
+}
+
+createEngine().then(
+  (engine) => {
+    document.head.append(make("style", {}, engine.style));
+    const bench = new Bench(engine);
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) {
+      requestAnimationFrame(() => requestAnimationFrame(() => bench.motion_view.play()));
+    }
+  },
+  (error) => {
+    document.body.classList.remove("loading");
+    el("notice").hidden = false;
+    el("notice").textContent = `This browser cannot run the engine: ${error}`;
+  },
+);

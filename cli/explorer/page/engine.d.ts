@@ -1,0 +1,60 @@
+// What the page knows of the engine, the program compiled to WebAssembly.
+
+/** What a command is given: option names without "--", values as text with units. */
+type Options = Record<string, string>;
+
+interface Figure {
+  id: string;
+  title: string;
+  caption: string;
+  svg: string;
+}
+
+interface Answer {
+  /** The program's exit code: 0, or 3 where no damper is admissible. */
+  exit: number;
+  /** The JSON report. */
+  report: any;
+  figures: Figure[];
+}
+
+/** Wrong input: the program's one line. */
+interface Refusal {
+  error: string;
+}
+
+/** Dimensionless, from the start to the end of the motion. */
+interface Motion {
+  t: Float64Array;
+  x: Float64Array;
+  v: Float64Array;
+}
+
+interface Batch {
+  peak: Float64Array;
+  rest: Float64Array;
+  outcome: Uint8Array;
+}
+
+interface Engine {
+  version: string;
+  /** The style sheet of its figures. */
+  style: string;
+  outcomes: string[];
+  run(
+    command: string,
+    options: Options,
+    ask?: { figures?: string[] },
+    files?: Record<string, Uint8Array>,
+  ): Answer | Refusal;
+  motion(options: Options, points: number): Motion | Refusal;
+  batch(options: Options, f: Float64Array, delta: Float64Array, v0: Float64Array): Batch | Refusal;
+}
+
+declare function createEngine(): Promise<Engine>;
+
+/** The files of data/scenes by their names. */
+declare const scenes: Record<string, Record<string, string | number | Array<string | number>>>;
+
+/** Of the engine, unpacked by loader.js. */
+declare var stillpointWasm: Uint8Array;

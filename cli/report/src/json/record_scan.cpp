@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/report/record_scan.hpp>
+
+#include "json/parts.hpp"
+#include "sweep_parts.hpp"
+
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/json_text.hpp>
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace stillpoint::report {
+
+namespace {
+
+using design::SuiteFigures;
+using nlohmann::ordered_json;
+
+constexpr auto record_scan_schema = "stillpoint/record-scan/1";
+constexpr std::array<std::pair<const char*, double SuiteFigures::*>, 4> scan_columns{
+    {{"peak_amplitude", &SuiteFigures::peak},
+     {"peak_absolute_acceleration", &SuiteFigures::acceleration},
+     {"residual", &SuiteFigures::residual},
+     {"decision_margin", &SuiteFigures::margin}}};
+
+RecordScan record_scan_from(ordered_json document) {
+  const ordered_json digest = document.at("digest");
+  document.erase("digest");
+  if (document.at("schema") != record_scan_schema || digest != digest_json(document)) {
+    throw std::runtime_error("not a part of a scan");
+  }
+  RecordScan scan;
+  document.at("part").at("number").get_to(scan.label.part.number);
+  document.at("part").at("count").get_to(scan.label.part.count);
+  document.at("dampers").get_to(scan.label.whole.entries);
+  scan.label.task = document.at("task").dump();
+  const ordered_json& columns = document.at("figures");
+  scan.figures.resize(columns.at(scan_columns.front().first).size());
+  for (const auto& [column, member] : scan_columns) {
+    const ordered_json& values = columns.at(column);
+    for (std::size_t i = 0; i < scan.figures.size(); ++i) {
+      const ordered_json& value = values.at(i);
+      if (value.is_null()) {
+        scan.figures[i].settled = false;
+      } else {
+        value.get_to(scan.figures[i].*member);
+      }
+    }
+  }
+  if (!scan.label.is_whole(std::ssize(scan.figures))) {
+    throw std::runtime_error("not that part");
+  }
+  return scan;
+}
+
+}  // namespace
+
+ordered_json json(const RecordScan& scan) {
+  ordered_json columns;
+  for (const auto& [column, member] : scan_columns) {
+    ordered_json& values = columns[column] = ordered_json::array();
+    for (const SuiteFigures& figures : scan.figures) {
+      values.push_back(figures.settled ? number(figures.*member) : ordered_json(nullptr));
+    }
+  }
+  const auto& [path, part, task, whole] = scan.label;
+  ordered_json result{{"schema", record_scan_schema},
+                      {"program", program_json()},
+                      {"part", {{"number", part.number}, {"count", part.count}}},
+                      {"dampers", whole.entries},
+                      {"figures", std::move(columns)},
+                      {"task", ordered_json::parse(task)}};
+  result["digest"] = digest_json(result);
+  return result;
+}
+
+RecordScan read_record_scan(const std::string& path) {
+  constexpr std::size_t largest_file = std::size_t{1} << 30U;
+  const std::string text = records::read_text_file("part", path, largest_file);
+  try {
+    sweep::require_json_object(text, {.kind = "part", .path = path});
+    RecordScan scan = record_scan_from(ordered_json::parse(text));
+    scan.label.path = path;
+    return scan;
+  } catch (const std::exception&) {
+    throw records::FileError(
+        {.kind = "part", .path = path},
+        "is no whole part of a design under records: it was cut short or has changed");
+  }
+}
+
+RecordScan merged_record_scan(const std::vector<std::string>& parts) {
+  sweep::PartOrder order("design");
+  std::vector<RecordScan> scans;
+  scans.reserve(parts.size());
+  for (const std::string& path : parts) {
+    order.add(scans.emplace_back(read_record_scan(path)).label);
+  }
+  RecordScan all{scans.front().label, {}};
+  all.figures.reserve(static_cast<std::size_t>(all.label.whole.entries));
+  for (const std::size_t place : order.places()) {
+    const std::vector<SuiteFigures>& figures = scans[place].figures;
+    all.figures.insert(all.figures.end(), figures.begin(), figures.end());
+  }
+  return all;
+}
+
+}  // namespace stillpoint::report

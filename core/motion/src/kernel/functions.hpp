@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/elementary.hpp>
+
+/// The functions of elementary.hpp for the other scalars of the kernels, from their own libraries.
+namespace stillpoint::elementary {
+
+template <class Real>
+struct SinCosOf {
+  Real sine;
+  Real cosine;
+};
+
+template <class Real>
+[[nodiscard]] SinCosOf<Real> sin_cos(const Real& x) {
+  using std::cos;
+  using std::sin;
+  return {sin(x), cos(x)};
+}
+
+template <class Real>
+[[nodiscard]] Real atan2(const Real& y, const Real& x) {
+  using std::atan2;
+  return atan2(y, x);
+}
+
+template <class Real>
+[[nodiscard]] Real asin(const Real& x) {
+  using std::asin;
+  return asin(x);
+}
+
+template <class Real>
+[[nodiscard]] Real acos(const Real& x) {
+  using std::acos;
+  return acos(x);
+}
+
+}  // namespace stillpoint::elementary

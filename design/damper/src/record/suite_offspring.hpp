@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// New points of the unit box from the best of those that were tried. A thin curved ridge between
+/// limits, where neither a grid nor a descent gets on, is followed by their differences: these
+/// point along it, and are as long as it still is.
+class SuiteOffspring {
+ public:
+  using Point = std::vector<double>;
+
+  /// About the best of them.
+  [[nodiscard]] std::vector<Point> about(const Point& best, std::size_t count);
+  /// Of differences of two of `kept` from a third, and about each of them.
+  [[nodiscard]] std::vector<Point> of(const std::vector<Point>& kept, std::size_t count);
+
+ private:
+  double unit();  ///< in [0, 1). The library's distributions differ between implementations
+  const Point& any(const std::vector<Point>& kept);
+  Point near(Point point);
+
+  std::mt19937_64 random_{20'081};
+};
+
+}  // namespace stillpoint::design

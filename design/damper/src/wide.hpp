@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What decides to the last bit of a double is computed in 64 bits, the long double of x86. Where
+// long double has 113 bits, each operation is rounded to 64 of them, so that the same digits come
+// out.
+
+#include <cfloat>
+#include <cmath>
+
+#if LDBL_MANT_DIG != 64
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+#endif
+
+namespace stillpoint::design {
+
+#if LDBL_MANT_DIG == 64
+
+using Wide = long double;
+
+[[nodiscard]] inline Wide root(Wide square) {
+  return std::sqrt(square);
+}
+
+#else
+
+class Wide {
+ public:
+  Wide() = default;
+  template <class Number>
+  requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, long double>) Wide(Number value)
+      : value_(value) {}  // NOLINT(google-explicit-constructor): as long double
+  [[nodiscard]] explicit operator double() const { return static_cast<double>(value_); }
+
+  friend Wide operator-(Wide a) { return Wide(Exact{-a.value_}); }
+  friend Wide operator+(Wide a, Wide b) { return rounded(a.value_ + b.value_); }
+  friend Wide operator-(Wide a, Wide b) { return rounded(a.value_ - b.value_); }
+  friend Wide operator*(Wide a, Wide b) { return rounded(a.value_ * b.value_); }
+  friend Wide operator/(Wide a, Wide b) { return rounded(a.value_ / b.value_); }
+  friend Wide root(Wide square) { return rounded(std::sqrt(square.value_)); }
+
+  friend bool operator==(Wide a, Wide b) { return a.value_ == b.value_; }
+  friend bool operator<(Wide a, Wide b) { return a.value_ < b.value_; }
+  friend bool operator>(Wide a, Wide b) { return a.value_ > b.value_; }
+  friend bool operator<=(Wide a, Wide b) { return a.value_ <= b.value_; }
+  friend bool operator>=(Wide a, Wide b) { return a.value_ >= b.value_; }
+
+ private:
+  static_assert(LDBL_MANT_DIG == 113 && std::endian::native == std::endian::little);
+
+  struct Exact {
+    long double value;
+  };
+  explicit Wide(Exact exact) : value_(exact.value) {}
+
+  /// To even where it is half-way.
+  static Wide rounded(long double value) {
+    constexpr int lost = 113 - 64;
+    auto [low, high] = std::bit_cast<std::array<std::uint64_t, 2>>(value);
+    const std::uint64_t up = (std::uint64_t{1} << (lost - 1)) - 1 + ((low >> lost) & 1);
+    low += up;
+    high += low < up ? 1 : 0;
+    low = low >> lost << lost;
+    return Wide(Exact{std::bit_cast<long double>(std::array<std::uint64_t, 2>{low, high})});
+  }
+
+  long double value_{0};
+};
+
+#endif
+
+}  // namespace stillpoint::design

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The page in a real browser, without a window, and the program beside it. Given by the environment:
+// STILLPOINT_PAGE, STILLPOINT_PROGRAM, STILLPOINT_BROWSER.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { createRequire } from "node:module";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const { chromium } = createRequire(
+  new URL("../../../cli/explorer/page/package.json", import.meta.url),
+)("playwright-core");
+
+const page_file = resolve(process.env.STILLPOINT_PAGE ?? "build/explorer/stillpoint.html");
+export const address = pathToFileURL(page_file).href;
+const program_file = process.env.STILLPOINT_PROGRAM ?? "build/release/cli/stillpoint";
+
+export const file = page_file;
+export const isolator = "velocity=0.4m/s&period=2.8s&max-displacement=150mm&mass=1200t";
+
+let browser = null;
+
+export async function start() {
+  // The sandbox of the browser needs rights that a container lacks; this page is our own.
+  browser = await chromium.launch({
+    executablePath: process.env.STILLPOINT_BROWSER ?? "/usr/bin/chromium",
+    args: ["--no-sandbox"],
+  });
+}
+
+export async function end() {
+  await browser?.close();
+}
+
+/** Opens the page, lets `visit` try something, and sees that nothing was loaded and nothing went wrong. */
+export async function with_page(fragment, settings, visit) {
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 900 },
+    reducedMotion: "reduce",
+    ...settings,
+  });
+  const page = await context.newPage();
+  const wrong = [];
+  const loaded = [];
+  page.on("console", (message) => wrong.push(message.text()));
+  page.on("pageerror", (error) => wrong.push(String(error)));
+  page.on("request", (request) => loaded.push(request.url().slice(0, 200)));
+  await page.goto(fragment ? `${address}#${fragment}` : address);
+  await page.waitForSelector("body:not(.loading)");
+  await settle(page);
+  await visit(page);
+  assert.deepEqual(wrong, []);
+  assert.deepEqual(
+    loaded.filter((url) => !url.startsWith(address) && !/^(data|blob):/.test(url)),
+    [],
+  );
+  await context.close();
+}
+
+/** Until what was asked for is drawn. */
+export async function settle(page) {
+  await page.evaluate(
+    () =>
+      new Promise((done) =>
+        requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done))),
+      ),
+  );
+}
+
+/** Another state in the same page, as when a link is pasted into its address. */
+export async function go(page, fragment) {
+  await page.evaluate((text) => (location.hash = text), fragment);
+  await settle(page);
+}
+
+/** The numbers of the design in full; null where none is shown. */
+export function numbers(page) {
+  return page.evaluate(() =>
+    Object.fromEntries(
+      ["f", "delta", "tolerance", "peak", "stop-time"].map((id) => {
+        const value = document.getElementById(id).dataset.value;
+        return [id, value === undefined ? null : Number(value)];
+      }),
+    ),
+  );
+}
+
+export async function notice(page) {
+  return (await page.isVisible("#notice")) ? page.textContent("#notice") : "";
+}
+
+/** Types into a field of the task. */
+export async function type(page, name, text) {
+  await page.fill(`#in-${name}`, text);
+  await page.press(`#in-${name}`, "Enter");
+  await settle(page);
+}
+
+/** The middle of the handle. */
+export async function handle_place(page) {
+  const box = await page.locator(".handle .grip").boundingBox();
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** Drags the handle to places, one after the other. */
+export async function drag(page, ...places) {
+  await page.locator(".handle .grip").scrollIntoViewIfNeeded();
+  const from = await handle_place(page);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  for (const { x, y } of places) {
+    await page.mouse.move(x, y, { steps: 4 });
+    await settle(page);
+  }
+  await page.mouse.up();
+  await settle(page);
+}
+
+/** Runs the program; its report, or what it refuses. */
+export function program(words) {
+  const run = spawnSync(program_file, [...words, "--json"], { encoding: "utf8" });
+  assert.equal(run.error, undefined);
+  return run.stdout ? JSON.parse(run.stdout) : { refused: run.stderr };
+}
+
+/** The words of a fragment's options, for the program. */
+export function words_of(fragment, left_out = []) {
+  return [...new URLSearchParams(fragment)]
+    .filter(([name]) => !left_out.includes(name))
+    .flatMap(([name, value]) => [`--${name}`, value]);
+}

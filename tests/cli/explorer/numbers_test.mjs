@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// The numbers of the page are those of the program, to the last digit.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import * as bench from "./bench.mjs";
+
+const { go, isolator, numbers, notice, program, settle, with_page, words_of } = bench;
+const damper = ["f", "delta", "delta-m"];
+
+before(bench.start);
+after(bench.end);
+
+/** Evenly in [0, 1), from a seed (mulberry32). */
+function random_from(seed) {
+  return () => {
+    seed = (seed + 0x6d2b79f5) | 0;
+    let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+}
+
+/** A task as a fragment: with units or without, one hit or a range, sometimes with a damper. */
+function random_task(random) {
+  const between = (low, high) => low * (high / low) ** random();
+  const now_and_then = (chance, text) => (random() < chance ? `&${text()}` : "");
+  const digits = (value) => String(Number(value.toPrecision(1 + Math.floor(16 * random()))));
+  const p = between(0.05, 5);
+  const v0 = between(0.01, 10);
+  const beta = (v0 / p) * between(0.65, 1.5);
+  const range = (value) =>
+    random() < 0.2 ? `${digits(0.8 * value)}:${digits(1.05 * value)}` : digits(value);
+  let task;
+  if (random() < 0.5) {
+    task = `v0=${range(v0)}&p=${digits(p)}&beta=${digits(beta)}`;
+    task += now_and_then(0.2, () => `residual=${digits(beta * 0.02)}`);
+  } else {
+    const period = between(0.1, 8);
+    const velocity = between(0.01, 2);
+    const stroke = (velocity * period * between(0.65, 1.5)) / (2 * Math.PI);
+    task = `velocity=${range(velocity)}&max-displacement=${digits(stroke * 1000)}mm`;
+    task +=
+      random() < 0.5 ? `&period=${digits(period)}s` : `&natural-frequency=${digits(1 / period)}Hz`;
+    task += now_and_then(0.5, () => `mass=${digits(between(1, 1e4))}t`);
+    task += now_and_then(0.2, () => `residual-m=${digits(stroke * 20)}mm`);
+  }
+  task += now_and_then(0.4, () => `arrivals=${1 + Math.floor(4 * random())}`);
+  task += now_and_then(0.3, () => "criterion=exact");
+  task += now_and_then(0.2, () => `tolerance=${digits(0.2 * random())}`);
+  task += now_and_then(
+    0.2,
+    () => `objective=${["amplitude", "time", "acceleration"][Math.floor(3 * random())]}`,
+  );
+  return task;
+}
+
+/** What the program says of a task without a damper of its own. */
+function design_numbers(task) {
+  const report = program(["design", ...words_of(task)]);
+  if (report.refused) return report;
+  const { design, response, physical } = report;
+  return {
+    f: design?.f ?? null,
+    delta: design ? (physical?.delta_m ?? design.delta) : null,
+    tolerance: design?.tolerance ?? null,
+    peak: design ? (physical?.peak_m ?? response.peak_amplitude) : null,
+    "stop-time": design ? (physical?.stop_time_s ?? response.stop_time) : null,
+  };
+}
+
+test("200 random tasks have the program's numbers", () =>
+  with_page(isolator, {}, async (page) => {
+    const seed = Number(process.env.STILLPOINT_SEED ?? 20261122);
+    console.log(`seed ${seed}`);
+    const random = random_from(seed);
+    let designs = 0;
+    for (let i = 0; i < 200; i++) {
+      const task = random_task(random);
+      await go(page, task);
+      const wanted = design_numbers(task);
+      if (wanted.refused) {
+        assert.ok(wanted.refused.includes(await notice(page)), `${task}: ${wanted.refused}`);
+        continue;
+      }
+      assert.equal(await notice(page), "", task);
+      assert.deepEqual(await numbers(page), wanted, task);
+      designs += wanted.f !== null;
+    }
+    console.log(`${designs} of 200 have a damper`);
+    assert.ok(designs > 100);
+  }));
+
+test("a damper set by hand has the numbers of region and simulate", () =>
+  with_page(isolator, {}, async (page) => {
+    const random = random_from(7);
+    for (let i = 0; i < 40; i++) {
+      const physical = i % 2;
+      const f = (physical ? 0.04 : 0.5) * random();
+      const delta = (physical ? 0.06 : 0.6) * random();
+      const task = physical ? "velocity=0.4&period=2.8&max-displacement=0.15" : "v0=1&p=1&beta=0.8";
+      const state = `${task}&f=${f}&delta=${delta}`;
+      await go(page, state);
+      const judged = program(["region", ...words_of(state)]);
+      const motion = program(["simulate", ...words_of(state, ["max-displacement", "beta"])]);
+      assert.deepEqual(await numbers(page), {
+        f,
+        delta: judged.physical?.delta_m ?? delta,
+        tolerance: judged.tolerance,
+        peak: motion.physical?.peak_m ?? motion.response.peak_amplitude,
+        "stop-time": motion.physical?.stop_time_s ?? motion.response.stop_time,
+      });
+      const broken = judged.constraints.some(({ satisfied }) => !satisfied);
+      assert.equal(
+        await page.evaluate(() => document.querySelector(".overlay.broken") !== null),
+        broken,
+        state,
+      );
+      assert.equal(
+        /Every condition is met/.test(await page.textContent("#judgement")),
+        !broken,
+        state,
+      );
+      // A side lights up only where the damper is forbidden.
+      assert.ok(broken || (await page.locator("#region .lit").count()) === 0, state);
+    }
+  }));
+
+/** Runs what a reader would paste into a shell. */
+function shell(line) {
+  const program_file = process.env.STILLPOINT_PROGRAM ?? "build/release/cli/stillpoint";
+  const run = spawnSync("sh", ["-c", `stillpoint() { '${program_file}' "$@" --json; }; ${line}`], {
+    encoding: "utf8",
+  });
+  return JSON.parse(run.stdout);
+}
+
+test("command, scene and link give the same digits", () =>
+  with_page("", {}, async (page) => {
+    const taken = async (button) => {
+      await page.click(button);
+      const text = await page.inputValue("#share-text");
+      await page.keyboard.press("Escape");
+      return text;
+    };
+    const folder = mkdtempSync(join(tmpdir(), "explorer-"));
+    try {
+      for (const preset of await page.evaluate(() =>
+        [...document.querySelectorAll("#preset option")].map((o) => o.value),
+      )) {
+        if (!preset) continue;
+        await page.selectOption("#preset", preset);
+        await settle(page);
+        const shown = await numbers(page);
+        const design = shell(await taken("#share-command"));
+        assert.equal(design.design?.f ?? null, shown.f, preset);
+        assert.equal(
+          design.physical?.peak_m ?? design.response?.peak_amplitude ?? null,
+          shown.peak,
+          preset,
+        );
+        const scene = join(folder, "scene.json");
+        writeFileSync(scene, await taken("#share-scene"));
+        assert.deepEqual(program(["design", scene]).design, design.design, preset);
+        const link = await taken("#share-link");
+        await go(page, "v0=1&p=1&beta=0.9");
+        await go(page, new URL(link).hash.slice(1));
+        assert.deepEqual(await numbers(page), shown, preset);
+      }
+      await go(page, `${isolator}&f=0.03&delta=0.04`);
+      const shown = await numbers(page);
+      const [judged, run] = (await taken("#share-command")).trim().split("\n").map(shell);
+      assert.equal(judged.tolerance, shown.tolerance);
+      assert.equal(run.physical.peak_m, shown.peak);
+      assert.equal(run.physical.stop_time_s, shown["stop-time"]);
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  }));

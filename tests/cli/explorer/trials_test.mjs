@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// Ten things that someone tries who opens the page for the first time.
+import assert from "node:assert/strict";
+import { mkdtempSync, openSync, closeSync, ftruncateSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import * as bench from "./bench.mjs";
+
+const { drag, go, handle_place, isolator, notice, numbers, settle, type, with_page } = bench;
+
+before(bench.start);
+after(bench.end);
+
+test("a wrong unit is named, and the right one mends it", () =>
+  with_page(isolator, {}, async (page) => {
+    const right = await numbers(page);
+    await type(page, "velocity", "0.4kg");
+    assert.match(await notice(page), /^velocity = "0\.4kg": must be a number in m\/s/);
+    assert.equal(await page.getAttribute("#in-velocity", "aria-invalid"), "true");
+    await type(page, "velocity", "400mm/s");
+    assert.equal(await notice(page), "");
+    assert.equal(await page.getAttribute("#in-velocity", "aria-invalid"), null);
+    assert.deepEqual(await numbers(page), right);
+  }));
+
+test("a frequency in the field of the period is a frequency", () =>
+  with_page(isolator, {}, async (page) => {
+    await type(page, "period", "0.5Hz");
+    assert.equal(await notice(page), "");
+    assert.equal(await page.getAttribute("#in-period", "data-value"), "2");
+  }));
+
+test("an impossible stroke is explained, and what it needs is offered", () =>
+  with_page(isolator, {}, async (page) => {
+    await type(page, "max-displacement", "50mm");
+    assert.match(await page.textContent("#verdict"), /^No damper will do\. To stay within 50\smm/);
+    assert.deepEqual(Object.values(await numbers(page)), [null, null, null, null, null]);
+    for (const offer of await page.locator("#verdict button").all()) {
+      await offer.click();
+      await settle(page);
+      assert.notEqual((await numbers(page)).f, null);
+      await page.goBack();
+      await settle(page);
+      assert.equal((await numbers(page)).f, null);
+    }
+  }));
+
+test("a record of 100 MB is refused with the bound, and a small one is not", () =>
+  with_page(isolator, {}, async (page) => {
+    const folder = mkdtempSync(join(tmpdir(), "explorer-"));
+    try {
+      const large = join(folder, "large.txt");
+      const opened = openSync(large, "w");
+      ftruncateSync(opened, 100e6);
+      closeSync(opened);
+      await page.setInputFiles("#record-file", large);
+      await page.waitForSelector("#record-answer .bad");
+      assert.match(
+        await page.textContent("#record-answer"),
+        /large\.txt has 100 MB; this page reads at most 20 MB/,
+      );
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+    await page.setInputFiles(
+      "#record-file",
+      new URL("../../../data/records/near_fault_pulse.txt", import.meta.url).pathname,
+    );
+    await page.waitForSelector("#record-locked");
+    const shown = await page.getAttribute("#record-locked", "data-value");
+    const { f, delta } = await numbers(page);
+    const report = bench.program([
+      ...[
+        "simulate",
+        "--period",
+        "2.8s",
+        "--mass",
+        "1200t",
+        "--f",
+        String(f),
+        "--delta-m",
+        String(delta),
+      ],
+      ...[
+        "--record",
+        new URL("../../../data/records/near_fault_pulse.txt", import.meta.url).pathname,
+      ],
+    ]);
+    assert.equal(Number(shown), report.physical.locked_from_s);
+    for (const [id, value] of [
+      ["record-peak", report.physical.peak_m],
+      ["record-acceleration", report.response.peak_absolute_acceleration],
+      ["record-residual", report.physical.final_position_m],
+    ]) {
+      assert.equal(Number(await page.getAttribute(`#${id}`, "data-value")), value, id);
+    }
+  }));
+
+test("a hit of zero is refused as a task and held as a trial", () =>
+  with_page(isolator, {}, async (page) => {
+    await type(page, "velocity", "0");
+    assert.match(await notice(page), /^velocity = 0: must be/);
+    await go(page, isolator);
+    assert.equal(await notice(page), "");
+    await page.fill("#hit", "0");
+    await settle(page);
+    assert.match(await page.textContent("#hit-words"), /is held/);
+    assert.equal(await notice(page), "");
+  }));
+
+test("dragged out of the frame, the damper stays on its edge", () =>
+  with_page(isolator, {}, async (page) => {
+    const plot = await page.locator("#region .frame").boundingBox();
+    for (const place of [
+      { x: -400, y: -300 },
+      { x: 2500, y: -300 },
+      { x: 2500, y: 4000 },
+      { x: -400, y: 4000 },
+    ]) {
+      await drag(page, place);
+      const at = await handle_place(page);
+      assert.ok(at.x > plot.x - 2 && at.x < plot.x + plot.width + 2, JSON.stringify(at));
+      assert.ok(at.y > plot.y - 2 && at.y < plot.y + plot.height + 2, JSON.stringify(at));
+      const { f, delta } = await numbers(page);
+      assert.ok(f >= 0 && delta >= 0);
+      // Let go outside, it is let go.
+      await page.mouse.move(plot.x + 50, plot.y + 50);
+      await settle(page);
+      assert.equal((await numbers(page)).f, f);
+    }
+  }));
+
+test("zoomed in, the damper still follows the pointer", () =>
+  with_page(
+    isolator,
+    { viewport: { width: 640, height: 500 }, deviceScaleFactor: 2 },
+    async (page) => {
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 640);
+      await page.locator("#region").scrollIntoViewIfNeeded();
+      const from = await handle_place(page);
+      const to = { x: from.x - 60, y: from.y + 20 };
+      await drag(page, to);
+      const at = await handle_place(page);
+      assert.ok(Math.hypot(at.x - to.x, at.y - to.y) < 3, JSON.stringify({ at, to }));
+    },
+  ));
+
+test("printed, it is a specification of two pages", () =>
+  with_page(isolator, { colorScheme: "dark" }, async (page) => {
+    const paper = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+    assert.equal(paper.match(/\/Type\s*\/Page\b/g)?.length, 2);
+    await page.emulateMedia({ media: "print" });
+    assert.equal(await page.isVisible("#bench"), false);
+    const text = await page.innerText("#sheet");
+    for (const words of [
+      "283.81 kN",
+      "69.423 kJ",
+      "±34.18 %",
+      "0.34015 m/s to 0.42925 m/s",
+      "agrees",
+      "Assumptions",
+    ]) {
+      assert.ok(text.replaceAll("\u00a0", " ").includes(words), words);
+    }
+  }));
+
+test("going back undoes, going forward does again", () =>
+  with_page(isolator, {}, async (page) => {
+    const states = [await numbers(page)];
+    await type(page, "period", "3s");
+    states.push(await numbers(page));
+    await page.selectOption("#preset", "plain");
+    await settle(page);
+    states.push(await numbers(page));
+    const at = await handle_place(page);
+    await drag(page, { x: at.x - 20, y: at.y }, { x: at.x - 40, y: at.y - 10 });
+    states.push(await numbers(page));
+    assert.match(page.url(), /[#&]f=.*&delta=/);
+    assert.equal(new Set(states.map(({ f }) => f)).size, states.length);
+    for (const state of states.slice(0, -1).reverse()) {
+      await page.goBack();
+      await settle(page);
+      assert.deepEqual(await numbers(page), state);
+    }
+    for (const state of states.slice(1)) {
+      await page.goForward();
+      await settle(page);
+      assert.deepEqual(await numbers(page), state);
+    }
+  }));
+
+test("a link with nonsense says so and harms nothing", () =>
+  with_page("v0=abc&p=%E0%A4%A&<img src=x onerror=alert(1)>&beta&__proto__=1", {}, async (page) => {
+    const said = await notice(page);
+    assert.match(said, /^(v0 = "abc"|p = "%E0%A4%A"): /);
+    assert.match(said, /__proto__=1/);
+    assert.equal(await page.locator("#notice img").count(), 0);
+    for (const nonsense of [
+      "%",
+      "=",
+      "v0=1e999&p=1&beta=1",
+      "f=1",
+      "v0=1&p=1&beta=1&f=nan&delta=-1",
+      "velocity=1&v0=1",
+    ]) {
+      await go(page, nonsense);
+      assert.notEqual(await notice(page), "", nonsense);
+    }
+    await page.selectOption("#preset", "isolator");
+    await settle(page);
+    assert.equal(await notice(page), "");
+    assert.equal(
+      (await numbers(page)).peak,
+      bench.program(["design", ...bench.words_of(isolator)]).physical.peak_m,
+    );
+  }));
+
+test("resized down to 400 pixels, everything is within reach and the numbers stay", () =>
+  with_page(isolator, {}, async (page) => {
+    const wide = await numbers(page);
+    for (const width of [1280, 1000, 700, 400, 320]) {
+      await page.setViewportSize({ width, height: 800 });
+      await settle(page);
+      const outside = await page.evaluate((right) => {
+        const seen = [
+          ...document.querySelectorAll(
+            "#bench button, #bench input, #bench select, #bench svg, #bench dd",
+          ),
+        ];
+        return seen
+          .filter(
+            (node) =>
+              node.getClientRects().length && node.getBoundingClientRect().right > right + 1,
+          )
+          .map((node) => node.id || node.className.baseVal || node.textContent);
+      }, width);
+      assert.deepEqual(outside, [], `${width}`);
+      const covered = await page.evaluate(() => {
+        const boxes = [...document.querySelectorAll("main > *")].map((node) =>
+          node.getBoundingClientRect(),
+        );
+        const meet = (a, b) =>
+          a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+        return boxes
+          .filter((a, i) => a.width < 225 || boxes.slice(i + 1).some((b) => meet(a, b)))
+          .map((box) => JSON.stringify(box));
+      });
+      assert.deepEqual(covered, [], `${width}`);
+      assert.ok(
+        (await page.evaluate(() => document.documentElement.scrollWidth)) <= width,
+        `${width}`,
+      );
+      assert.deepEqual(await numbers(page), wide);
+    }
+    const at = await handle_place(page);
+    await drag(page, { x: at.x - 15, y: at.y });
+    assert.notEqual((await numbers(page)).f, wide.f);
+  }));

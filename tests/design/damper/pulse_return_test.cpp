@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "pulse/closed_return.hpp"
+#include "pulse/profile.hpp"
+#include "random_source.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+BOOST_AUTO_TEST_SUITE(pulse_return_test)
+
+// The first return in closed form, held against the forced motion, which looks for every event.
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// Some ten roundings of the pieces, and those that lambda times the rounding of the velocity that
+/// a full sine leaves, the difference of its halves, makes of the time of a slow return.
+constexpr double rounding = 1e-12;
+/// Closer than this to another kind of motion, either may be right.
+constexpr double undecided = 1e-10;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(random_motions_are_those_of_the_forced_run) {
+  RandomSource random(20261122);
+  std::array<int, 3> closed{};
+  std::array<int, 3> returned{};
+  for (int i = 0; i < 30'000; ++i) {
+    const double lambda = std::pow(10, random.uniform(-1.5, i % 2 == 0 ? 0.5 : 4));
+    const double f = i % 3 == 0 ? random.uniform(0, 0.999)
+                                : std::min(0.999, std::pow(10, random.uniform(-5, 0.3)) / lambda);
+    const Pulse pulse =
+        std::array<Pulse, 3>{HalfSine{1, lambda}, FullSine{1, lambda},
+                             Rectangle{1, lambda}}[static_cast<std::size_t>(random.pick(3))];
+    const auto found = closed_return(pulse, f);
+    const ForcedResponse motion = forced_response({1, f, 1e200}, {}, excitation(pulse));
+    if (!found || motion.decision_margin.value_or(0) < undecided) {
+      continue;
+    }
+    ++closed[pulse.index()];
+    // Both as in the cross-check: (31), and what an f hardly below k magnifies.
+    const double allowed = rounding * std::max(1.0, f / std::max(found->speed, 1e-9 * f)) / (1 - f);
+    BOOST_TEST_CONTEXT("run " << i << ", " << name(pulse) << ", lambda " << lambda << ", f " << f) {
+      BOOST_TEST(found->returns == (motion.stops_at_zero && motion.half_cycles == 1.0));
+      BOOST_TEST(found->turns == motion.turning_points.value_or(0));
+      BOOST_TEST(std::abs(found->peak / motion.peak_amplitude - 1) <= allowed);
+      BOOST_TEST(std::abs(found->acceleration / motion.peak_absolute_acceleration - 1) <= allowed);
+      if (found->returns) {
+        ++returned[pulse.index()];
+        BOOST_TEST(std::abs(found->speed - motion.arrival_speed.value()) <= allowed * found->peak);
+        BOOST_TEST(std::abs(found->time / motion.stop_time.value() - 1) <= allowed);
+      } else {
+        const double rest = std::abs(motion.stop_position.value());
+        BOOST_TEST(std::abs(found->clearance - rest * (rest - 2 * f)) <= allowed * found->peak);
+      }
+    }
+  }
+  BOOST_TEST(*std::ranges::min_element(closed) >= 3000);
+  BOOST_TEST(*std::ranges::min_element(returned) >= 2500);
+}
+
+// While the rectangle with lambda = p lasts the mass swings about 1 - f to 2 (1 - f); from there it
+// comes back with w^2 = A (A - 2 f), half a period and a part of a swing about f later.
+BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_is_known_by_hand) {
+  const auto found = closed_return(Rectangle{1, 1}, 0.25);
+  BOOST_REQUIRE(found.has_value());
+  const auto close = boost::test_tools::tolerance(1e-14);
+  BOOST_TEST(found->returns);
+  BOOST_TEST(found->peak == 1.5, close);
+  BOOST_TEST(found->speed == std::sqrt(1.5), close);
+  BOOST_TEST(found->exact_need == 0.75, close);
+  BOOST_TEST(found->published_need == 0.75 + 0.25 * 0.25 / 2, close);
+  BOOST_TEST(found->acceleration == 1.75, close);
+  BOOST_TEST(found->time == std::acos(-1.0) + std::acos(-0.25 / 1.25), close);
+}
+
+// The mass is held from its turn on, where A - 1 <= f, and rests for ever where A <= f as well.
+BOOST_AUTO_TEST_CASE(what_does_not_return_says_how_far_it_is_from_it) {
+  const auto swings_back = closed_return(Rectangle{1, 1}, 0.6);  // A = 0.8 < 2 f
+  BOOST_REQUIRE(swings_back.has_value());
+  BOOST_TEST(!swings_back->returns);
+  BOOST_TEST(swings_back->turns == 2);
+  BOOST_TEST(swings_back->clearance == 0.8 * (0.8 - 1.2), boost::test_tools::tolerance(1e-14));
+  const auto rests = closed_return(Rectangle{1, 1}, 0.7);  // A = 0.6 < f
+  BOOST_REQUIRE(rests.has_value());
+  BOOST_TEST(!rests->returns);
+  BOOST_TEST(rests->turns == 1);
+  BOOST_TEST(!closed_return(HalfSine{1, 0.49}, 0.1).has_value());
+  BOOST_TEST(!closed_return(FullSine{1, 0.99}, 0.1).has_value());
+  BOOST_TEST(!closed_return(HalfSine{1, 1}, 1).has_value());
+}
+
+// Its root, from either side, in a handful of steps: where the function jumps in some fifty.
+BOOST_AUTO_TEST_CASE(an_edge_is_the_last_place_that_is_not_negative) {
+  int calls = 0;
+  const auto smooth = [&](double x) {
+    ++calls;
+    return std::cos(x) - x;
+  };
+  constexpr double fixed_point = 0.73908513321516064166;
+  BOOST_TEST(last_not_negative(0.0, 1.0, smooth) == fixed_point,
+             boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(std::cos(last_not_negative(0.0, 1.0, smooth)) >= last_not_negative(0.0, 1.0, smooth));
+  BOOST_TEST(calls <= 3 * 14);
+  const auto jump = [&](double x) { return x > 0.3 ? 1e-300 : -1.0; };
+  const double edge = last_not_negative(1.0, 0.0, jump);
+  BOOST_TEST(edge > 0.3);
+  BOOST_TEST(edge == 0.3, boost::test_tools::tolerance(2e-14));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

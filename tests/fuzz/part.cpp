@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz.hpp"
+
+#include <stillpoint/report/reduction.hpp>
+#include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/sink.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "posix/part_file.hpp"
+
+#include <array>
+#include <vector>
+
+// What sweeps leave for one another: parts with rows, parts that are reduced, and checkpoints. Up
+// to three files stand one behind the other, each behind a line "=====".
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::fuzz;
+
+constexpr std::string_view separator = "=====\n";
+
+std::vector<std::string> files_of(std::string_view text) {
+  std::vector<std::string> files;
+  while (files.size() < 3 && text.starts_with(separator)) {
+    text.remove_prefix(separator.size());
+    const std::size_t end = std::min(text.find(separator), text.size());
+    files.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return files;
+}
+
+/// Puts the place of its seal right, with which a part with rows ends: any other is refused. What
+/// is refused for its digest stays so: that is no protection against intent.
+void seal(std::string& part) {
+  constexpr std::size_t digits = 20;
+  const std::size_t place = part.rfind("#stillpoint-part ");
+  if (place != std::string::npos && part.size() >= place + digits + 2) {
+    part.replace(part.size() - digits - 1, digits, fmt::format("{:020}", place));
+  }
+}
+
+void read_checkpoint(const std::string& path) {
+  if (const auto checkpoint = sweep::read_checkpoint(path)) {
+    require(sweep::difference(checkpoint->task, checkpoint->task).empty(), "a task is not itself");
+    require_short("was " + sweep::difference(checkpoint->task, "{}"));
+  }
+}
+
+void merge_reductions(const std::vector<std::string>& paths) {
+  const report::ReductionReport merged = report::merged(paths);
+  // What is printed holds no number that is not finite, which is an assertion.
+  static_cast<void>(text(document(merged)));
+  static_cast<void>(json(merged).dump());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const std::array<MemoryFile, 3> places;
+  std::vector<std::string> files = files_of(text_of(data, size));
+  if (files.empty()) {
+    return -1;  // not worth a place in the corpus
+  }
+  std::vector<std::string> paths;
+  for (std::string& file : files) {
+    seal(file);
+    places.at(paths.size()).hold(file);
+    paths.push_back(places.at(paths.size()).path());
+  }
+  accepted<sweep::LeftoverError>([&] { read_checkpoint(paths.front()); });
+  accepted([&] { merge_reductions(paths); });
+  accepted([&] { static_cast<void>(sweep::merge("/dev/null", paths)); });
+  return 0;
+}
