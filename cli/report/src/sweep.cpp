@@ -5,6 +5,8 @@
 #include "json/parts.hpp"
 #include "sweep_parts.hpp"
 
+#include <stillpoint/sweep/json_text.hpp>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -48,7 +50,7 @@ ordered_json outcomes_json(const SweepState& state) {
 
 void outcomes_from_json(const ordered_json& outcomes, SweepState& state) {
   for (std::size_t i = 0; i < sweep_outcome_count; ++i) {
-    outcomes.at(std::string(sweep_outcome_name(i))).get_to(state.outcomes[i]);
+    sweep::read_integers(outcomes.at(std::string(sweep_outcome_name(i))), state.outcomes[i]);
   }
 }
 

@@ -44,18 +44,18 @@ Seal seal_from(const ordered_json& document) {
     throw std::runtime_error("not a seal");
   }
   Seal seal;
-  document.at("part").get_to(seal.label.part.number);
-  document.at("parts").get_to(seal.label.part.count);
-  document.at("entries").get_to(seal.label.whole.entries);
-  document.at("list").get_to(seal.label.whole.digest);
+  read_integers(document.at("part"), seal.label.part.number);
+  read_integers(document.at("parts"), seal.label.part.count);
+  read_integers(document.at("entries"), seal.label.whole.entries);
+  read_integers(document.at("list"), seal.label.whole.digest);
   seal.format = document.at("format") == name(RowFormat::npy) ? RowFormat::npy : RowFormat::csv;
   document.at("fields").get_to(seal.npy_fields);
-  document.at("header").get_to(seal.header);
-  document.at("rows").get_to(seal.state.rows);
-  document.at("outcomes").get_to(seal.state.outcomes);
-  document.at("feasible").get_to(seal.state.feasible);
-  document.at("digest").get_to(seal.state.bytes.words);
-  document.at("rest").get_to(seal.state.bytes.rest);
+  read_integers(document.at("header"), seal.header);
+  read_integers(document.at("rows"), seal.state.rows);
+  read_integers(document.at("outcomes"), seal.state.outcomes);
+  read_integers(document.at("feasible"), seal.state.feasible);
+  read_integers(document.at("digest"), seal.state.bytes.words);
+  read_integers(document.at("rest"), seal.state.bytes.rest);
   seal.label.task = document.at("task").dump();
   return seal;
 }

@@ -234,6 +234,23 @@ BOOST_AUTO_TEST_CASE(that_are_torn_are_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(whose_seal_has_numbers_that_are_no_integers_are_refused) {
+  const Arguments names = split(grid, 2);
+  const std::string whole = read(names[0]);
+  for (const std::string_view key : {"part", "entries", "rows", "outcomes", "digest", "rest"}) {
+    const std::size_t place =
+        whole.find_first_of("0123456789", whole.rfind(fmt::format("\"{}\":", key)));
+    const std::size_t end = whole.find_first_not_of("0123456789", place);
+    for (const std::string_view number : {"1.75e20", "1.5", "18446744073709551616"}) {
+      std::string changed = whole;
+      write(names[0], changed.replace(place, end - place, number));
+      BOOST_TEST_CONTEXT(key << " " << number) {
+        check_refused(names, {names[0], "no whole part"});
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
   const Arguments names = split(grid, 2);
   const auto check_foreign = [&](const Arguments& sweep, Texts says) {

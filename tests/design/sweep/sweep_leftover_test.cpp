@@ -79,7 +79,8 @@ BOOST_AUTO_TEST_CASE(with_a_number_of_rows_that_cannot_be_is_refused) {
   BOOST_TEST_REQUIRE(place != std::string::npos);
   SweepSpec rest = spec();  // of 10 000 entries
   rest.resume = true;
-  for (const char* const other : {"-1", "-9223372036854775808", "10001", "9223372036854775807"}) {
+  for (const char* const other : {"-1", "-9223372036854775808", "10001", "9223372036854775807",
+                                  "9223372036854775808", "1.75e20", "1.5", "true"}) {
     std::string wrong = checkpoint;
     wrong.replace(place, rows.size(), std::string("\"rows\": ") + other + ",");
     write("rows.csv.part.json", wrong);

@@ -33,9 +33,9 @@ RecordScan record_scan_from(ordered_json document) {
     throw std::runtime_error("not a part of a scan");
   }
   RecordScan scan;
-  document.at("part").at("number").get_to(scan.label.part.number);
-  document.at("part").at("count").get_to(scan.label.part.count);
-  document.at("dampers").get_to(scan.label.whole.entries);
+  sweep::read_integers(document.at("part").at("number"), scan.label.part.number);
+  sweep::read_integers(document.at("part").at("count"), scan.label.part.count);
+  sweep::read_integers(document.at("dampers"), scan.label.whole.entries);
   scan.label.task = document.at("task").dump();
   const ordered_json& columns = document.at("figures");
   scan.figures.resize(columns.at(scan_columns.front().first).size());

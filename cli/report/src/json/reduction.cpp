@@ -72,7 +72,9 @@ ordered_json row_json(const ReducedRow& row, const std::vector<RowColumn>& colum
 }
 
 ReducedRow row_from(const ordered_json& row, const std::vector<RowColumn>& columns) {
-  ReducedRow result{row.at("entry").get<std::int64_t>() - 1, {}};
+  ReducedRow result;
+  sweep::read_integers(row.at("entry"), result.entry);
+  --result.entry;
   result.values.reserve(columns.size());
   for (const RowColumn& column : columns) {
     result.values.push_back(value_from(row.at(column.name)));
@@ -125,15 +127,17 @@ std::size_t place_of(const std::vector<RowColumn>& columns, const ordered_json& 
 
 ReducedColumn column_from(const ordered_json& column, const std::vector<RowColumn>& columns) {
   ReducedColumn result{.column = place_of(columns, column.at("column"))};
-  column.at("count").get_to(result.count);
-  column.at("absent").get_to(result.absent);
-  column.at("infinite").get_to(result.infinite);
+  sweep::read_integers(column.at("count"), result.count);
+  sweep::read_integers(column.at("absent"), result.absent);
+  sweep::read_integers(column.at("infinite"), result.infinite);
   result.least = extreme_from(column.at("least"), columns);
   result.largest = extreme_from(column.at("largest"), columns);
   for (const ordered_json& bin : column.at("bins")) {
     // The end that is nearer to 0 is in the bin.
     const double low = bin.at(0).get<double>();
-    result.bins.add(low < 0 ? bin.at(1).get<double>() : low, bin.at(2).get<std::int64_t>());
+    std::int64_t count = 0;
+    sweep::read_integers(bin.at(2), count);
+    result.bins.add(low < 0 ? bin.at(1).get<double>() : low, count);
   }
   return result;
 }
@@ -149,9 +153,9 @@ ordered_json histogram_json(const Histogram& histogram, const std::vector<RowCol
 Histogram histogram_from(const ordered_json& histogram, const std::vector<RowColumn>& columns) {
   Histogram result{.column = place_of(columns, histogram.at("column")), .edges = {}, .counts = {}};
   histogram.at("edges").get_to(result.edges);
-  histogram.at("counts").get_to(result.counts);
-  histogram.at("below").get_to(result.below);
-  histogram.at("above").get_to(result.above);
+  sweep::read_integers(histogram.at("counts"), result.counts);
+  sweep::read_integers(histogram.at("below"), result.below);
+  sweep::read_integers(histogram.at("above"), result.above);
   return result;
 }
 
@@ -167,8 +171,9 @@ ordered_json best_json(const BestRows& best, const std::vector<RowColumn>& colum
 }
 
 BestRows best_from(const ordered_json& best, const std::vector<RowColumn>& columns) {
-  BestRows result(place_of(columns, best.at("column")), best.at("most").get<std::size_t>(),
-                  best.at("order") == "largest");
+  std::size_t most = 0;
+  sweep::read_integers(best.at("most"), most);
+  BestRows result(place_of(columns, best.at("column")), most, best.at("order") == "largest");
   for (const ordered_json& row : best.at("rows")) {
     result.add(row_from(row, columns));
   }
@@ -207,14 +212,14 @@ ReductionReport report_from(ordered_json document) {
   ReductionReport report;
   document.at("kind").get_to(report.kind);
   report.split = true;
-  document.at("part").at("number").get_to(report.label.part.number);
-  document.at("part").at("count").get_to(report.label.part.count);
-  document.at("entries").get_to(report.label.whole.entries);
-  document.at("list_digest").get_to(report.label.whole.digest);
+  sweep::read_integers(document.at("part").at("number"), report.label.part.number);
+  sweep::read_integers(document.at("part").at("count"), report.label.part.count);
+  sweep::read_integers(document.at("entries"), report.label.whole.entries);
+  sweep::read_integers(document.at("list_digest"), report.label.whole.digest);
   report.label.task = document.at("task").dump();
-  document.at("rows").get_to(report.state.rows);
+  sweep::read_integers(document.at("rows"), report.state.rows);
   if (document.at("outcomes").is_null()) {
-    document.at("feasible").get_to(report.state.feasible);
+    sweep::read_integers(document.at("feasible"), report.state.feasible);
   } else {
     outcomes_from_json(document.at("outcomes"), report.state);
   }

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/json_text.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/sink.hpp>
 
@@ -56,16 +57,16 @@ Checkpoint from_json(const ordered_json& document) {
   }
   Checkpoint checkpoint;
   checkpoint.task = document.at("task").dump();
-  document.at("rows").get_to(checkpoint.state.rows);
-  document.at("bytes").get_to(checkpoint.bytes);
+  read_integers(document.at("rows"), checkpoint.state.rows);
+  read_integers(document.at("bytes"), checkpoint.bytes);
   document.at("complete").get_to(checkpoint.complete);
-  document.at("digest").get_to(checkpoint.state.digest);
-  document.at("outcomes").get_to(checkpoint.state.outcomes);
-  document.at("feasible").get_to(checkpoint.state.feasible);
+  read_integers(document.at("digest"), checkpoint.state.digest);
+  read_integers(document.at("outcomes"), checkpoint.state.outcomes);
+  read_integers(document.at("feasible"), checkpoint.state.feasible);
   const ordered_json& digest = document.at("bytes_digest");
-  digest.at(0).get_to(checkpoint.state.bytes.words);
-  digest.at(1).get_to(checkpoint.state.bytes.rest);
-  digest.at(2).get_to(checkpoint.state.bytes.size);
+  read_integers(digest.at(0), checkpoint.state.bytes.words);
+  read_integers(digest.at(1), checkpoint.state.bytes.rest);
+  read_integers(digest.at(2), checkpoint.state.bytes.size);
   if (std::min({checkpoint.state.rows, checkpoint.bytes, checkpoint.state.bytes.size}) < 0) {
     throw std::runtime_error("not a checkpoint");
   }
