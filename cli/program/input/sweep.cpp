@@ -283,19 +283,6 @@ std::string identity(const Settings& settings, const SweepSpec& spec) {
   return result.dump();
 }
 
-/// I/N, auto or auto/N.
-sweep::SweepPart part_of(const std::string& asked) {
-  constexpr std::string_view automatic = "auto";
-  const bool counted = asked.starts_with("auto/");
-  if (asked != automatic && !counted) {
-    return sweep::parse_part(asked);
-  }
-  const auto count =
-      counted ? std::optional(sweep::parse_part("1" + asked.substr(automatic.size())).count)
-              : std::nullopt;
-  return sweep::launched_part([](const char* name) { return std::getenv(name); }, count);
-}
-
 }  // namespace
 
 void resolve_part(Settings& settings) {
@@ -303,7 +290,8 @@ void resolve_part(Settings& settings) {
   if (!asked) {
     return;
   }
-  const sweep::SweepPart part = part_of(*asked);
+  const sweep::SweepPart part =
+      sweep::asked_part(*asked, [](const char* name) { return std::getenv(name); });
   settings.set(*find_option("part"), text(part));
   if (const auto output = settings.text("output")) {
     settings.set(*find_option("output"), sweep::with_part(*output, part));
