@@ -6,6 +6,7 @@
 #include "input/request.hpp"
 #include "options/scene.hpp"
 
+#include <stillpoint/answers/exit_code.hpp>
 #include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
@@ -71,7 +72,7 @@ ordered_json said_of(const Report& report, const json& wanted) {
       }
     }
   }
-  return {{"exit", static_cast<int>(exit_code(report))},
+  return {{"exit", static_cast<int>(answers::exit_code(report))},
           {"json", report::json_text(report::json(report))},
           {"figures", drawn}};
 }

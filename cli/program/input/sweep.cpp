@@ -8,13 +8,12 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
-#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -265,24 +264,6 @@ sweep::RowFormat row_format(const Settings& settings) {
                                                                 : sweep::RowFormat::csv;
 }
 
-/// SweepSpec::identity: the options that decide the rows, as they were given.
-std::string identity(const Settings& settings, const SweepSpec& spec) {
-  nlohmann::ordered_json result;
-  result["version"] = report::program_version();
-  result["kind"] = name(spec.kind);
-  result["format"] = name(spec.format);
-  for (const Quantity column : spec.columns) {
-    result["columns"].push_back(name(column));
-  }
-  result["list"] = spec.list != nullptr;
-  result.update(inputs(settings, Command::sweep));
-  result["record_digest"] = sweep::digest(spec.excitation);
-  if (!spec.parts.empty()) {
-    result["catalogue_digest"] = sweep::digest(spec.parts);
-  }
-  return result.dump();
-}
-
 }  // namespace
 
 void resolve_part(Settings& settings) {
@@ -321,7 +302,8 @@ SweepSpec sweep_request(const Settings& settings) {
   add_axes(settings, spec);
   spec.columns = columns(settings, spec);
   spec.reduction = reduction(settings, spec);
-  spec.identity = identity(settings, spec);
+  spec.identity =
+      identity_of(spec, inputs(settings, Command::sweep).dump(), report::program_version());
   try {
     require_valid(spec);
   } catch (const InputError& error) {

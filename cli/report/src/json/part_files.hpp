@@ -5,6 +5,7 @@
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ template <class Part>
   } catch (const std::exception&) {
     throw records::FileError(
         {.kind = "part", .path = path},
-        fmt::format("is no whole part of {}: it was cut short or has changed", whole));
+        fmt::format("is not a whole part of {}: it was cut short or has changed", whole));
   }
 }
 

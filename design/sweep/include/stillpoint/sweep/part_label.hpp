@@ -65,7 +65,7 @@ class PartOrder {
   /// Throws records::FileError for a part of another whole than the first one.
   void add(PartLabel label);
   /// The places of the parts as they were added, from the first part to the last. Throws FileError
-  /// for a part that is there twice, and InputError for one that is missing.
+  /// for a part that appears twice, and InputError for one that is missing.
   [[nodiscard]] std::vector<std::size_t> places() const;
 
  private:
