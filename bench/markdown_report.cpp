@@ -31,7 +31,7 @@ void how(Text& text, const Comparison& comparison) {
       "[data/reference](../data/reference/README.md). A setting with a wrong count of passages, "
       "turns or sticks is wrong at any bound. Times are medians of {} batches of about {:.0f} ms "
       "on "
-      "one thread, the methods by turns; a call of more than {} s is timed once.\n\n"
+      "one thread, the methods in turn; a call of more than {} s is timed once.\n\n"
       "All follow the same rules of passage, turn and stick, except the regularised model, which "
       "smooths both frictions. The peers get their advantages: step lengths carry over from piece "
       "to piece, steps end at the samples of a record, and Newton's method finds the events where "

@@ -46,7 +46,7 @@ Exact metric_of(const ForcedState<Exact>& state, const Exact& p, Metric metric) 
     case Metric::position:
       return state.u / p;
     case Metric::stick_time: {
-      // A rest that the end cuts short counts, as in forced_motion.cpp.
+      // A rest that the end cuts short counts, as in response_of_run.hpp.
       const bool rests = state.v == 0 && !state.fresh && !state.outcome;
       const Exact waited = rests ? state.now.minus(state.rest_begin) : Exact(0);
       return (state.stick_time.value() + waited) / p;

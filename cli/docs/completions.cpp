@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
-#include "options/embedded.hpp"
+
+#include <stillpoint/texts/embedded.hpp>
 
 namespace stillpoint::cli {
 
@@ -92,7 +93,7 @@ std::string bash_completion() {
     return fmt::format("    {}) words='{} --help --version' ;;\n", name(help.command),
                        help.words.empty() ? all : fmt::format("{}", fmt::join(help.words, " ")));
   };
-  return embedded(
+  return texts::embedded(
       "shell/bash",
       {{"commands", commands()},
        {"command_cases", command_names(nullptr, " | ")},
@@ -110,15 +111,15 @@ std::string zsh_completion() {
   const auto summary = [](const CommandHelp& help) {
     return fmt::format("    '{}:{}'\n", name(help.command), in_zsh(help.summary));
   };
-  return embedded("shell/zsh", {{"commands", commands()},
-                                {"summaries", for_commands(summary)},
-                                {"cases", for_commands(zsh_case)}});
+  return texts::embedded("shell/zsh", {{"commands", commands()},
+                                       {"summaries", for_commands(summary)},
+                                       {"cases", for_commands(zsh_case)}});
 }
 
 std::string fish_completion() {
-  return embedded("shell/fish", {{"commands", commands()},
-                                 {"subcommands", for_commands(fish_subcommand)},
-                                 {"options", for_options(fish_option)}});
+  return texts::embedded("shell/fish", {{"commands", commands()},
+                                        {"subcommands", for_commands(fish_subcommand)},
+                                        {"options", for_options(fish_option)}});
 }
 
 }  // namespace stillpoint::cli

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/texts/embedded.hpp>
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
-#include "options/embedded.hpp"
 
 #include <fmt/format.h>
 
@@ -83,12 +83,12 @@ std::string units() {
 }  // namespace
 
 std::string man_page() {
-  return embedded("shell/man", {{"version", std::string(report::program_version())},
-                                {"synopsis", for_commands(synopsis)},
-                                {"about", roff(program_about())},
-                                {"commands", for_commands(command_section)},
-                                {"options", option_entries()},
-                                {"units", units()}});
+  return texts::embedded("shell/man", {{"version", std::string(report::program_version())},
+                                       {"synopsis", for_commands(synopsis)},
+                                       {"about", roff(program_about())},
+                                       {"commands", for_commands(command_section)},
+                                       {"options", option_entries()},
+                                       {"units", units()}});
 }
 
 }  // namespace stillpoint::cli

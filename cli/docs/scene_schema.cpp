@@ -4,6 +4,8 @@
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
 
+#include <stillpoint/report/report.hpp>
+
 #include <algorithm>
 #include <cassert>
 
@@ -132,8 +134,7 @@ std::string scene_schema() {
                             {"type", "object"},
                             {"properties", properties},
                             {"additionalProperties", false}};
-  constexpr int indent = 2;
-  return schema.dump(indent) + "\n";
+  return report::json_text(schema);
 }
 
 }  // namespace stillpoint::cli

@@ -1,76 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "answer.hpp"
 
-#include "input/motion.hpp"
 #include "input/request.hpp"
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <string>
+#include <utility>
 
 namespace stillpoint::cli {
-
-ExitCode exit_code(const design::DesignResult& result) {
-  if (!result.finding) {
-    return exit_infeasible;
-  }
-  return result.finding->cross_check.passed ? exit_done : exit_check_failed;
-}
-
-ExitCode exit_code(const design::RecordDesign& result) {
-  if (result.search.interrupted) {
-    return exit_interrupted;
-  }
-  if (!result.finding) {
-    return exit_infeasible;
-  }
-  return result.finding->check.passed ? exit_done : exit_check_failed;
-}
-
-report::DesignReport design_report(const Settings& settings) {
-  require_options_for(settings, DesignFor::hit);
-  DesignInput input = design_input(settings);
-  const std::optional<double> width = notch_width(settings, input.physical);
-  require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
-  report::DesignReport report;
-  report.physical = input.physical;
-  if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
-    design::Choice choice = design::choose(input.request, *parts);
-    report.result = std::move(choice.result);
-    report.catalogue = {*settings.text("catalogue"), std::move(choice.parts)};
-  } else {
-    report.result = design::design(input.request);
-  }
-  report.trade_offs = settings.integer("trade-off");
-  if (report.trade_offs) {
-    const auto& [problem, limits, search, pulse, ranges] = input.request;
-    if (pulse) {
-      throw UsageError("trade-off and pulse exclude each other: the front is that of a velocity");
-    }
-    report.trade_off = design::trade_off(problem, limits, *report.trade_offs);
-  }
-  if (width && report.result.finding) {
-    design::DesignRequest shown = report.result.request;
-    if (const auto& check = report.result.finding->pulse) {
-      shown.pulse = check->pulse;
-      shown.problem.p = check->p;
-    }
-    report.built_notch = built_notch(shown, report.result.finding->point, *width);
-  }
-  return report;
-}
-
-report::RegionReport region_report(const Settings& settings) {
-  const RegionInput input = region_input(settings);
-  report::RegionReport report{input.request, design::answer(input.request), input.physical, {}};
-  if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
-    const auto& [problem, limits, f, delta] = input.request;
-    report.catalogue = {*settings.text("catalogue"),
-                        design::ranked(problem, limits, design::Objective::robust, *parts)};
-  }
-  return report;
-}
 
 report::MotionReport motion_report(const Settings& settings, const GoOn& go_on) {
   Settings wanted = settings;
@@ -85,9 +23,12 @@ report::MotionReport motion_report(const Settings& settings, const GoOn& go_on) 
 
 namespace {
 
+using answers::Answer;
+using answers::answer_of;
+
 std::unique_ptr<Answer> design_answer(const Settings& settings, const GoOn& go_on) {
   if (!designs_under_records(settings)) {
-    return answer_of(design_report(settings));
+    return answer_of(answers::answer(design_input(settings)));
   }
   const report::RecordDesignInput input = record_design_input(settings);
   return answer_of(report::RecordDesignReport{
@@ -103,12 +44,13 @@ std::unique_ptr<Answer> spectrum_answer(const Settings& settings, const GoOn& go
 
 }  // namespace
 
-std::unique_ptr<Answer> answer(Command command, const Settings& settings, const GoOn& go_on) {
+std::unique_ptr<answers::Answer> answer(Command command, const Settings& settings,
+                                        const GoOn& go_on) {
   switch (command) {
     case Command::design:
       return design_answer(settings, go_on);
     case Command::region:
-      return answer_of(region_report(settings));
+      return answer_of(answers::answer(region_input(settings)));
     case Command::simulate:
       return answer_of(motion_report(settings, go_on));
     case Command::spectrum:

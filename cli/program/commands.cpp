@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include "input/motion.hpp"
 #include "input/request.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
@@ -80,15 +79,15 @@ ExitCode run_design(const Settings& settings, Output& output) {
   if (designs_under_records(settings)) {
     return run_record_design(settings, output);
   }
-  const report::DesignReport report = design_report(settings);
+  const report::DesignReport report = answers::answer(design_input(settings));
   finish(report, Command::design, settings, output);
-  return exit_code(report);
+  return answers::exit_code(report);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {
-  const report::RegionReport report = region_report(settings);
+  const report::RegionReport report = answers::answer(region_input(settings));
   finish(report, Command::region, settings, output);
-  return exit_code(report);
+  return answers::exit_code(report);
 }
 
 ExitCode run_simulate(const Settings& settings, Output& output) {

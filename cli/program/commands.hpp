@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "answer.hpp"
 #include "options/command_line.hpp"
 #include "options/settings.hpp"
 #include "output.hpp"
 
+#include <stillpoint/answers/exit_code.hpp>
+
 namespace stillpoint::cli {
+
+using answers::ExitCode;
+using enum answers::ExitCode;
 
 /// Runs a command that has settings and hands what it has to say to `output`, uncommitted. Wrong
 /// input leaves as an exception. A sweep sends its rows to their file or to standard output as they

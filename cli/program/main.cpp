@@ -3,7 +3,6 @@
 #include "input/request.hpp"
 #include "messages.hpp"
 #include "options/command_line.hpp"
-#include "options/embedded.hpp"
 #include "options/scene.hpp"
 #include "progress.hpp"
 #include "written_files.hpp"
@@ -11,6 +10,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/browser.hpp>
 #include <stillpoint/report/explorer.hpp>
+#include <stillpoint/texts/embedded.hpp>
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ void note_unused(const Settings& scene, const Settings& settings, Command comman
 }
 
 /// Opens the page with the program in it, or prints where it is.
-ExitCode explore(const std::optional<std::string>& wanted, Output& output) {
+void explore(const std::optional<std::string>& wanted, Output& output) {
   if (wanted && wanted != "open" && wanted != "path") {
     throw InputError("explore", *wanted, "must be open or path");
   }
@@ -44,37 +44,22 @@ ExitCode explore(const std::optional<std::string>& wanted, Output& output) {
   }
   if (wanted == "path") {
     output.print(*page + "\n");
-    output.commit();
   } else {
     report::open_page(report::browser(), *page);
   }
-  return exit_done;
 }
 
-ExitCode answer(const Invocation& invocation, Output& output) {
-  if (invocation.reply) {
-    output.print(*invocation.reply);
-    output.commit();
-    return exit_done;
+ExitCode merge(const Invocation& invocation, Output& output) {
+  if (invocation.flags.flag("quiet")) {
+    hush();
   }
-  if (invocation.merge) {
-    if (invocation.flags.flag("quiet")) {
-      hush();
-    }
-    const ExitCode code = invocation.command == Command::sweep
-                              ? run_merge(*invocation.merge, output)
-                              : run_design_merge(*invocation.merge, invocation.flags, output);
-    output.commit();
-    return code;
-  }
-  if (invocation.command == Command::init) {
-    output.print(starter_scene(invocation.scene));
-    output.commit();
-    return exit_done;
-  }
-  if (invocation.command == Command::explore) {
-    return explore(invocation.scene, output);
-  }
+  return invocation.command == Command::sweep
+             ? run_merge(*invocation.merge, output)
+             : run_design_merge(*invocation.merge, invocation.flags, output);
+}
+
+/// A command that has settings.
+ExitCode run_command(const Invocation& invocation, Output& output) {
   Settings settings = invocation.flags;
   Settings scene;
   for (const char* file : {"list", "catalogue"}) {
@@ -111,6 +96,23 @@ ExitCode answer(const Invocation& invocation, Output& output) {
   if (opens) {
     report::open_page(opener, *settings.text("html"));
   }
+  return code;
+}
+
+ExitCode answer(const Invocation& invocation, Output& output) {
+  ExitCode code = exit_done;
+  if (invocation.reply) {
+    output.print(*invocation.reply);
+  } else if (invocation.merge) {
+    code = merge(invocation, output);
+  } else if (invocation.command == Command::init) {
+    output.print(texts::starter_scene(invocation.scene));
+  } else if (invocation.command == Command::explore) {
+    explore(invocation.scene, output);
+  } else {
+    return run_command(invocation, output);
+  }
+  output.commit();
   return code;
 }
 

@@ -12,7 +12,7 @@ void hush();
 /// An error, on standard error, as one line.
 void say(const std::string& text);
 
-/// What is no error: "note: ..." or "warning: ...". Not after hush.
+/// What is not an error: "note: ..." or "warning: ...". Not after hush.
 void remark(const std::string& text);
 
 /// A damper that is locked protects nothing: remarked too, where `sentence` says so.

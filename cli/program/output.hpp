@@ -5,9 +5,8 @@
 
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
+#include <stillpoint/report/report.hpp>
 #include <stillpoint/sweep/output.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <span>
 #include <string>
@@ -25,10 +24,9 @@ using sweep::Output;
 template <class Report>
 void print_report(const Report& report, const Settings& settings, Output& output,
                   bool print = true) {
-  constexpr int indent = 2;
   const auto path = settings.text("output");
   const bool print_json = settings.flag("json");
-  const std::string written = print_json || path ? json(report).dump(indent) + "\n" : "";
+  const std::string written = print_json || path ? report::json_text(json(report)) : "";
   if (print) {
     output.print(print_json ? written : shown(document(report), settings));
   }

@@ -3,6 +3,7 @@
 
 #include "messages.hpp"
 
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/report/progress_words.hpp>
 
 #include <fmt/format.h>
@@ -24,11 +25,6 @@ namespace {
 
 std::atomic<bool> interrupt_seen{false};  // without a lock, as a handler needs it
 static_assert(std::atomic<bool>::is_always_lock_free);
-
-double seconds_now() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration<double>(now).count();
-}
 
 void note_interrupt(int /*signal*/) {
   interrupt_seen = true;

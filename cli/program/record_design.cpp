@@ -13,6 +13,7 @@
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/record_scan.hpp>
 #include <stillpoint/sweep/files_apart.hpp>
+#include <stillpoint/sweep/merge.hpp>
 #include <stillpoint/sweep/part.hpp>
 
 #include <fmt/format.h>
@@ -43,29 +44,7 @@ auto watched(const report::RecordDesignInput& input, const Work& work) {
 ExitCode show(const report::RecordDesignReport& report, const Settings& settings, Output& output) {
   warn_of_lock(report::lock_sentence(report));
   finish(report, Command::design, settings, output);
-  return exit_code(report.result);
-}
-
-/// The part that is to be computed, if its file is there already and --resume is given. Throws
-/// UsageError for another part of the same design.
-std::optional<report::RecordScan> find_part(const std::string& path, const sweep::PartLabel& label,
-                                            bool resume) {
-  std::optional<report::RecordScan> found;
-  try {
-    found = report::read_record_scan(path);
-  } catch (const records::FileError&) {
-    return std::nullopt;
-  }
-  if (found->label.part.count != label.part.count || !difference(found->label, label).empty()) {
-    return std::nullopt;
-  }
-  if (found->label.part != label.part) {
-    throw UsageError(
-        fmt::format("output {}: is part {} of this design: give each part a file of its own, as "
-                    "{{part}} in the name does",
-                    path, text(found->label.part)));
-  }
-  return resume ? std::move(found) : std::nullopt;
+  return answers::exit_code(report);
 }
 
 ExitCode run_part(const Settings& settings, Output& output) {
@@ -81,8 +60,8 @@ ExitCode run_part(const Settings& settings, Output& output) {
                            {dampers, 0}},
                           {}};
   const auto [first, count] = range_of(scan.label.part, dampers);
-  auto found = path ? find_part(*path, scan.label, settings.flag("resume")) : std::nullopt;
-  const bool computed = !found;
+  auto found = path ? report::find_record_scan(scan.label) : std::nullopt;
+  const bool computed = !found || !settings.flag("resume");
   if (computed) {
     scan.figures = watched(input, [&, first = first, count = count](const auto& ask) {
       return design::scan_part(input.request, first, count, ask);

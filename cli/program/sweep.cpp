@@ -7,6 +7,7 @@
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/open_rows.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/run.hpp>
 
@@ -70,8 +71,8 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
   }
 }
 
-report::ReductionReport reduction_report(const Settings& settings, const SweepSpec& spec) {
-  if (auto found = find_reduced_part(settings, spec)) {
+report::ReductionReport reduction_report(const SweepSpec& spec) {
+  if (auto found = find_reduced_part(spec)) {
     return *std::move(found);
   }
   sweep::Reducer reducer(spec);
@@ -83,31 +84,14 @@ report::ReductionReport reduction_report(const Settings& settings, const SweepSp
 
 }  // namespace
 
-std::optional<report::ReductionReport> find_reduced_part(const Settings& settings,
-                                                         const SweepSpec& spec) {
+std::optional<report::ReductionReport> find_reduced_part(const SweepSpec& spec) {
   if (!spec.part) {
     if (spec.resume) {
       throw UsageError("resume and reduce exclude each other: split the sweep with --part");
     }
     return std::nullopt;
   }
-  const std::string path = settings.text("output").value_or("");
-  std::optional<report::ReductionReport> found;
-  try {
-    found = report::read_reduction(path);
-  } catch (const records::FileError&) {
-    return std::nullopt;
-  }
-  const sweep::PartLabel label = label_of(spec);
-  if (found->label.part.count != label.part.count || !difference(found->label, label).empty()) {
-    return std::nullopt;
-  }
-  if (found->label.part != label.part) {
-    throw UsageError(
-        fmt::format("output {}: is part {} of this sweep: give each part a file of "
-                    "its own, as {{part}} in the name does",
-                    path, text(found->label.part)));
-  }
+  auto found = report::find_reduction(label_of(spec));
   return spec.resume ? std::move(found) : std::nullopt;
 }
 
@@ -117,7 +101,7 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     if (wants_page(settings)) {
       throw UsageError("reduce and a page exclude each other: a map shows the rows");
     }
-    print_report(reduction_report(settings, spec), settings, output);
+    print_report(reduction_report(spec), settings, output);
     return exit_done;
   }
   const bool rows_on_standard_output = sweep::goes_to_standard_output(spec);
@@ -140,8 +124,7 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
     write_page(settings, Command::sweep, report::page(spec, summary, *map), output);
   }
   if (!rows_on_standard_output) {
-    constexpr int indent = 2;
-    output.print(json ? report::json(spec, summary).dump(indent) + "\n"
+    output.print(json ? report::json_text(report::json(spec, summary))
                       : shown(report::document(spec, summary), settings));
   }
   return exit_done;
@@ -150,9 +133,8 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
 ExitCode run_merge(const MergeFiles& files, Output& output) {
   sweep::require_apart(files.output, files.parts);
   if (report::is_reduction(files.parts.front())) {
-    constexpr int indent = 2;
     output.write_file("output", files.output,
-                      report::json(report::merged(files.parts)).dump(indent) + "\n");
+                      report::json_text(report::json(report::merged(files.parts))));
     return exit_done;
   }
   Progress progress([](double bytes, double seconds) {

@@ -80,12 +80,12 @@ void run_design(Settings settings) {
   }
   lower(settings, "arrivals", most_arrivals);
   lower(settings, "trade-off", most_trade_offs);
-  show(design_report(settings), settings);
+  show(answers::answer(design_input(settings)), settings);
 }
 
 void run_region(Settings settings) {
   lower(settings, "arrivals", most_arrivals);
-  show(region_report(settings), settings);
+  show(answers::answer(region_input(settings)), settings);
 }
 
 void run_simulate(const Settings& settings) {

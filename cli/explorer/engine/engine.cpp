@@ -3,8 +3,11 @@
 
 #include "answer.hpp"
 #include "input/motion.hpp"
+#include "input/request.hpp"
 #include "options/scene.hpp"
 
+#include <stillpoint/answers/exit_code.hpp>
+#include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/names.hpp>
@@ -69,9 +72,8 @@ ordered_json said_of(const Report& report, const json& wanted) {
       }
     }
   }
-  constexpr int indent = 2;
-  return {{"exit", static_cast<int>(exit_code(report))},
-          {"json", report::json(report).dump(indent) + "\n"},
+  return {{"exit", static_cast<int>(answers::exit_code(report))},
+          {"json", report::json_text(report::json(report))},
           {"figures", drawn}};
 }
 
@@ -82,9 +84,9 @@ ordered_json said_by(Command command, const Settings& settings, const json& want
       if (settings.has("record") || settings.has("records-list")) {
         throw UsageError("a design under records is for the program: stillpoint design --record");
       }
-      return said_of(design_report(settings), wanted);
+      return said_of(answers::answer(design_input(settings)), wanted);
     case Command::region:
-      return said_of(region_report(settings), wanted);
+      return said_of(answers::answer(region_input(settings)), wanted);
     case Command::simulate:
       return said_of(motion_report(settings, always), wanted);
     default:

@@ -47,7 +47,7 @@ std::optional<design::Spread> spread(const Settings& settings, const char* name)
 }
 
 /// With a pulse, without a velocity.
-Task task(const Settings& settings, Command command, bool pulse) {
+Task read_task(const Settings& settings, Command command, bool pulse) {
   MotionInput motion = motion_input(settings, command, pulse);
   const double beta = stroke(settings, motion);
   if (motion.physical && !pulse) {
@@ -72,6 +72,19 @@ std::vector<design::Part> read_parts(const Settings& settings, sweep::CatalogueU
   const Option& in_metres = *find_option("delta-m");
   units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
   return sweep::read_catalogue(*settings.text("catalogue"), units);
+}
+
+/// The parts of --catalogue, in the units of the task; empty without.
+std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Task& task) {
+  if (!settings.has("catalogue")) {
+    return std::nullopt;
+  }
+  sweep::CatalogueUnits units;
+  units.p = task.problem.p;
+  if (task.physical) {
+    units.length_m = task.physical->scales.length_m;
+  }
+  return answers::PartsOfFile{*settings.text("catalogue"), read_parts(settings, units)};
 }
 
 }  // namespace
@@ -99,28 +112,38 @@ design::Objective objective(const Settings& settings) {
   return *objective;
 }
 
-DesignInput design_input(const Settings& settings) {
-  const Task given = task(settings, Command::design, settings.has("pulse"));
+answers::DesignTask design_input(const Settings& settings) {
+  require_options_for(settings, DesignFor::hit);
+  const Task given = read_task(settings, Command::design, settings.has("pulse"));
   const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   const std::optional<std::string> algorithm = settings.text("algorithm");
   if (algorithm && algorithm->empty()) {
     throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
   }
-  DesignInput input{{given.problem, given.limits, {}, pulse, pulse_ranges(settings, pulse)},
-                    given.physical};
-  input.request.search.objective = objective(settings);
-  input.request.search.algorithm = algorithm.value_or("");
-  return input;
+  answers::DesignTask task{{given.problem,
+                            given.limits,
+                            {objective(settings), algorithm.value_or("")},
+                            pulse,
+                            pulse_ranges(settings, pulse)},
+                           given.physical};
+  task.notch_width = notch_width(settings, given.physical);
+  require_valid(Oscillator{given.problem.p}, Surface{task.notch_width, {}});
+  task.catalogue = catalogue(settings, given);
+  task.trade_offs = settings.integer("trade-off");
+  if (task.trade_offs && pulse) {
+    throw UsageError("trade-off and pulse exclude each other: the front is that of a velocity");
+  }
+  return task;
 }
 
-RegionInput region_input(const Settings& settings) {
+answers::RegionTask region_input(const Settings& settings) {
   if (settings.has("pulse") && !settings.has("v0") && !settings.has("velocity")) {
     throw InputError::missing(
         "v0", "region needs a velocity, not a pulse: give --v0, or --velocity in m/s");
   }
-  const Task given = task(settings, Command::region, false);
-  RegionInput input{{given.problem, given.limits, settings.number("f")}, given.physical};
-  auto& [problem, limits, f, delta] = input.request;
+  const Task given = read_task(settings, Command::region, false);
+  answers::RegionTask asked{{given.problem, given.limits, settings.number("f")}, given.physical};
+  auto& [problem, limits, f, delta] = asked.request;
   delta = point_friction(settings, "delta", "delta-m", given.physical);
   if (f) {
     require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
@@ -128,20 +151,8 @@ RegionInput region_input(const Settings& settings) {
   if (delta && !f) {
     throw InputError::missing("f", "delta alone is not a point of the region, give --f as well");
   }
-  return input;
-}
-
-std::optional<std::vector<design::Part>> catalogue_input(
-    const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical) {
-  if (!settings.has("catalogue")) {
-    return std::nullopt;
-  }
-  sweep::CatalogueUnits units;
-  units.p = p;
-  if (physical) {
-    units.length_m = physical->scales.length_m;
-  }
-  return read_parts(settings, units);
+  asked.catalogue = catalogue(settings, given);
+  return asked;
 }
 
 std::vector<design::Part> catalogue_input(const Settings& settings,

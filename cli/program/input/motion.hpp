@@ -51,7 +51,8 @@ struct MotionInput {
 [[nodiscard]] std::optional<double> notch_width(
     const Settings& settings, const std::optional<design::PhysicalInput>& physical);
 
-/// Edges are in metres with physical input. Throws InputError for a text that is no list of zones.
+/// Edges are in metres with physical input. Throws InputError for a text that is not a list of
+/// zones.
 [[nodiscard]] std::vector<FrictionZone> friction_zones(
     const Settings& settings, const std::optional<design::PhysicalInput>& physical);
 

@@ -3,11 +3,11 @@
 
 #include "options/settings.hpp"
 
+#include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/catalogue.hpp>
-#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/search.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/report.hpp>
@@ -20,16 +20,6 @@
 
 namespace stillpoint::cli {
 
-/// A request, and what a report or a file needs beside it. `physical` where it was given in metres
-/// and seconds.
-template <class Request>
-struct Input {
-  Request request;
-  std::optional<design::PhysicalInput> physical;
-};
-using DesignInput = Input<design::DesignRequest>;
-using RegionInput = Input<design::RegionRequest>;
-
 struct SimulateInput {
   SimulationRequest request;
   std::optional<report::RecordOrigin> record;
@@ -41,13 +31,10 @@ struct SimulateInput {
 [[nodiscard]] std::optional<double> half_cycle_limit(const Settings& settings);
 
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
-[[nodiscard]] DesignInput design_input(const Settings& settings);
-[[nodiscard]] RegionInput region_input(const Settings& settings);
-/// The parts of --catalogue, in the units of the task; empty without. Throws records::FileError for
-/// a wrong file.
-[[nodiscard]] std::optional<std::vector<design::Part>> catalogue_input(
-    const Settings& settings, double p, const std::optional<design::PhysicalInput>& physical);
-/// The same for a sweep; the unit of length is a metre.
+[[nodiscard]] answers::DesignTask design_input(const Settings& settings);
+[[nodiscard]] answers::RegionTask region_input(const Settings& settings);
+/// The parts of --catalogue for a sweep, where the unit of length is a metre; none without. Throws
+/// records::FileError for a wrong file.
 [[nodiscard]] std::vector<design::Part> catalogue_input(
     const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
 [[nodiscard]] SimulateInput simulate_input(const Settings& settings);
@@ -76,9 +63,10 @@ void resolve_part(Settings& settings);
 /// Opens the list and reads its header; of a part, all of it. The part must be resolved.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
 /// Of a sweep without rows the report of the part that is to be computed, if its file is there
-/// already and --resume is given. Throws UsageError for another part of the same sweep.
+/// already and --resume is given. Throws UsageError for --resume without a part and LeftoverError
+/// for another part of the same sweep.
 [[nodiscard]] std::optional<report::ReductionReport> find_reduced_part(
-    const Settings& settings, const sweep::SweepSpec& spec);
+    const sweep::SweepSpec& spec);
 
 /// The box of --tolerance-f and --tolerance-delta around the tolerance of `limits`. Throws
 /// InputError.

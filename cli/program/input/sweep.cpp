@@ -8,13 +8,12 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
-#include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -265,37 +264,6 @@ sweep::RowFormat row_format(const Settings& settings) {
                                                                 : sweep::RowFormat::csv;
 }
 
-/// SweepSpec::identity: the options that decide the rows, as they were given.
-std::string identity(const Settings& settings, const SweepSpec& spec) {
-  nlohmann::ordered_json result;
-  result["version"] = report::program_version();
-  result["kind"] = name(spec.kind);
-  result["format"] = name(spec.format);
-  for (const Quantity column : spec.columns) {
-    result["columns"].push_back(name(column));
-  }
-  result["list"] = spec.list != nullptr;
-  result.update(inputs(settings, Command::sweep));
-  result["record_digest"] = sweep::digest(spec.excitation);
-  if (!spec.parts.empty()) {
-    result["catalogue_digest"] = sweep::digest(spec.parts);
-  }
-  return result.dump();
-}
-
-/// I/N, auto or auto/N.
-sweep::SweepPart part_of(const std::string& asked) {
-  constexpr std::string_view automatic = "auto";
-  const bool counted = asked.starts_with("auto/");
-  if (asked != automatic && !counted) {
-    return sweep::parse_part(asked);
-  }
-  const auto count =
-      counted ? std::optional(sweep::parse_part("1" + asked.substr(automatic.size())).count)
-              : std::nullopt;
-  return sweep::launched_part([](const char* name) { return std::getenv(name); }, count);
-}
-
 }  // namespace
 
 void resolve_part(Settings& settings) {
@@ -303,7 +271,8 @@ void resolve_part(Settings& settings) {
   if (!asked) {
     return;
   }
-  const sweep::SweepPart part = part_of(*asked);
+  const sweep::SweepPart part =
+      sweep::asked_part(*asked, [](const char* name) { return std::getenv(name); });
   settings.set(*find_option("part"), text(part));
   if (const auto output = settings.text("output")) {
     settings.set(*find_option("output"), sweep::with_part(*output, part));
@@ -333,7 +302,8 @@ SweepSpec sweep_request(const Settings& settings) {
   add_axes(settings, spec);
   spec.columns = columns(settings, spec);
   spec.reduction = reduction(settings, spec);
-  spec.identity = identity(settings, spec);
+  spec.identity =
+      identity_of(spec, inputs(settings, Command::sweep).dump(), report::program_version());
   try {
     require_valid(spec);
   } catch (const InputError& error) {

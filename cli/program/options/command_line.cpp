@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "options/command_line.hpp"
 
-#include "options/embedded.hpp"
-
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/terminal.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/report/wrapped.hpp>
+#include <stillpoint/texts/embedded.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,7 +24,7 @@ namespace {
 
 /// What stands below the options of a command, "stillpoint" that of the program.
 std::string_view footer(std::string_view name) {
-  const std::string_view text = embedded(fmt::format("help/{}.txt", name));
+  const std::string_view text = texts::embedded(fmt::format("help/{}.txt", name));
   return text.substr(0, text.size() - 1);  // a file ends in a line's end
 }
 
@@ -42,7 +41,7 @@ const std::array command_helps{
     command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
     command_row(Command::accuracy,
                 "time and error of each method on one motion, against 50 digits"),
-    command_row(Command::init, "print a commented scene to start from", starter_names()),
+    command_row(Command::init, "print a commented scene to start from", texts::starter_names()),
     command_row(Command::explore, "open the page with the program in it: sliders, figures, motion",
                 {"open", "path"}),
 };
@@ -223,7 +222,7 @@ std::string short_help() {
   for (const CommandHelp& help : command_helps) {
     commands += fmt::format("  {:<10}{}\n", name(help.command), help.summary);
   }
-  return report::wrapped(embedded("help/short.txt", {{"commands", commands}}),
+  return report::wrapped(texts::embedded("help/short.txt", {{"commands", commands}}),
                          report::terminal_width());
 }
 

@@ -19,7 +19,7 @@ struct ExcitationKind {
   double angle{0};        ///< lambda times its duration; 0: it has no end of its own
   /// By a harmonic that has what any wave takes; null: a record.
   Excitation (*wave)(const Harmonic& given);
-  /// What --pulse makes of it; null: it is no hit.
+  /// What --pulse makes of it; null: it is not a hit.
   design::Pulse (*pulse)(const Harmonic& given);
 };
 

@@ -219,8 +219,8 @@ std::vector<Option> rows() {
           "under records: the period is searched as well, here, in s", design,
           under_records(in_si(Dimension::time))),
       row("scan-points", integer, "N", searching,
-          "under records: about so many dampers are scanned before the searches; default 10000",
-          design, under_records()),
+          "under records: scan about this many dampers before the searches; default 10000", design,
+          under_records()),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           for_hits({.values = all_of(design::algorithm_names())})),
 

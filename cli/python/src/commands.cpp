@@ -60,7 +60,7 @@ class Motion final : public Answered {
 
   /// The memory is that of the result.
   [[nodiscard]] static py::object trajectory(const py::object& self) {
-    const auto& motion = static_cast<const cli::AnswerOf<report::MotionReport>&>(
+    const auto& motion = static_cast<const answers::AnswerOf<report::MotionReport>&>(
         self.cast<const Motion&>().answer());
     const std::vector<State>& states = motion.made().answer.trajectory;
     if (states.empty()) {
@@ -138,7 +138,7 @@ PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t 
 
 std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::dict& options) {
   const cli::Settings given = settings(row.command, scene, options);
-  std::unique_ptr<cli::Answer> found = interruptible([&](const std::stop_token& stop) {
+  std::unique_ptr<answers::Answer> found = interruptible([&](const std::stop_token& stop) {
     return cli::answer(row.command, given, [&] { return !stop.stop_requested(); });
   });
   warn_of_doubts(given, row.command);

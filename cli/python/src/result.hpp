@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "answer.hpp"
-
+#include <stillpoint/answers/answer.hpp>
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 
@@ -43,17 +42,17 @@ class Result {
 /// What the program answers.
 class Answered : public Result {
  public:
-  explicit Answered(std::unique_ptr<cli::Answer> answer) : answer_(std::move(answer)) {}
+  explicit Answered(std::unique_ptr<answers::Answer> answer) : answer_(std::move(answer)) {}
 
   [[nodiscard]] nlohmann::ordered_json json() const override { return answer_->json(); }
   [[nodiscard]] report::Document document() const override { return answer_->document(); }
   [[nodiscard]] figures::HtmlPage page() const override { return answer_->page(); }
 
  protected:
-  [[nodiscard]] const cli::Answer& answer() const { return *answer_; }
+  [[nodiscard]] const answers::Answer& answer() const { return *answer_; }
 
  private:
-  std::unique_ptr<cli::Answer> answer_;
+  std::unique_ptr<answers::Answer> answer_;
 };
 
 void add_result(pybind11::module_& module);

@@ -14,6 +14,7 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/open_rows.hpp>
 #include <stillpoint/sweep/run.hpp>
 
 #include <fmt/format.h>
@@ -136,7 +137,7 @@ std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
 /// A part goes to its file as well.
 std::unique_ptr<Sweep> reduced(const Settings& given, const SweepSpec& spec) {
   report::ReductionReport found = interruptible([&](const std::stop_token& stop) {
-    if (auto before = cli::find_reduced_part(given, spec)) {
+    if (auto before = cli::find_reduced_part(spec)) {
       return *std::move(before);
     }
     sweep::Reducer reducer(spec);

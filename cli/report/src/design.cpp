@@ -214,14 +214,15 @@ std::string felt(const design::Finding& finding, const Response& response,
 /// Of the ranges of a pulse; a range of k alone needs no samples.
 void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
                const Physical& physical) {
-  answer.row("ranges",
-             format("up to {}, {} and {} with any pulse and spring; shown is the largest peak, "
-                    "of lambda = {} and p = {:.6g}{}",
-                    length_shown(physical, check.worst->peak),
-                    acceleration_shown(check.worst->acceleration),
-                    time_shown(physical, check.worst->stop_time),
-                    frequency_text(physical, design::angular_frequency(check.pulse)), check.p,
-                    sampled ? "; lambda/p is sampled" : ""));
+  answer.row(
+      "ranges",
+      format(
+          "up to {}, {} and {} with any pulse and spring; the motion shown has the largest peak, "
+          "of lambda = {} and p = {:.6g}{}",
+          length_shown(physical, check.worst->peak), acceleration_shown(check.worst->acceleration),
+          time_shown(physical, check.worst->stop_time),
+          frequency_text(physical, design::angular_frequency(check.pulse)), check.p,
+          sampled ? "; lambda/p is sampled" : ""));
 }
 
 /// What it does, and how far it can be trusted.
@@ -286,20 +287,9 @@ Optimum optimum_of(const design::DesignResult& result) {
     return {finding.pulse->searched, finding.pulse->bracketed};
   }
   Optimum optimum{{}, design::optimum_along_f(problem, limits, search.objective)};
-  switch (search.objective) {
-    case design::Objective::robust:
-      optimum.found = finding.point.tolerance;
-      break;
-    case design::Objective::amplitude:
-      optimum.found = finding.response.peak_amplitude;
-      break;
-    case design::Objective::time:
-      optimum.found = finding.response.stop_time;
-      break;
-    case design::Objective::acceleration:
-      optimum.found = finding.response.peak_absolute_acceleration;
-      break;
-  }
+  optimum.found = search.objective == design::Objective::robust
+                      ? std::optional(finding.point.tolerance)
+                      : design::objective_of(search.objective, finding.response);
   return optimum;
 }
 

@@ -103,7 +103,7 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
   section.row("sensitivity", format("f and delta off by up to {:.3g} %: the four corners and {} "
-                                    "random points, a sample and no proof",
+                                    "random points: a sample, not a proof",
                                     100 * near.tolerance, near.samples - 4));
   section.row("", near.worst.settled ? format("the worst has {}, stroke {}, residual {}",
                                               acceleration_shown(near.worst.acceleration),

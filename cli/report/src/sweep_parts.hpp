@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the reports of sweeps with and without rows share, and parts of designs with them.
+// What the reports of sweeps with and without rows share.
 
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/sweep/state.hpp>
@@ -13,9 +13,6 @@ namespace stillpoint::report {
 [[nodiscard]] nlohmann::ordered_json outcomes_json(const sweep::SweepState& state);
 /// Throws nlohmann's exceptions where one is missing.
 void outcomes_from_json(const nlohmann::ordered_json& outcomes, sweep::SweepState& state);
-
-/// Of a part that is JSON: of everything else in it.
-[[nodiscard]] nlohmann::ordered_json digest_json(const nlohmann::ordered_json& report);
 
 /// How many entries ended in which way, as a sentence and each.
 void add_outcomes(Document& document, const sweep::SweepState& state, bool design);

@@ -1,33 +1,92 @@
 // SPDX-License-Identifier: MIT
-#include "forced_response_of_valid.hpp"
-#include "response_of_run.hpp"
+#include "first_beyond.hpp"
+#include "kernel/excitation_run.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
 
 namespace stillpoint {
 
-ForcedResponse forced_response(const Oscillator& oscillator, const Start& start,
-                               const Excitation& excitation, const ForcedOptions& options,
-                               const Surface& surface) {
-  require_valid(oscillator, start, excitation, options.t_end);
-  require_valid(oscillator, surface);
-  if (options.half_cycle_limit) {
-    require_within("half_cycle_limit", *options.half_cycle_limit, 1, 1e15);
+namespace {
+
+constexpr double largest_ratio = 1e12;
+
+/// The load relative to p: force and, for a wave, frequency.
+void require_scaled_wave(double k, double lambda, double p) {
+  const double load = std::abs(k) / p;
+  if (k != 0 && !(load >= smallest_speed && load <= largest_speed)) {
+    throw InputError("k", k,
+                     fmt::format("k / p must be 0 or have a magnitude from {} to {} (p = {})",
+                                 smallest_speed, largest_speed, p));
   }
-  return forced_response_of_valid(oscillator, start, excitation, options, surface);
+  const double ratio = lambda / p;
+  if (!(ratio >= 1 / largest_ratio && ratio <= largest_ratio)) {
+    throw InputError("lambda", lambda,
+                     fmt::format("lambda / p must be from {} to {} (p = {})", 1 / largest_ratio,
+                                 largest_ratio, p));
+  }
 }
 
-ForcedResponse forced_response_of_valid(const Oscillator& oscillator, const Start& start,
-                                        const Excitation& excitation, const ForcedOptions& options,
-                                        const Surface& surface) {
-  if (!surface.plain()) {
-    return zoned_response_of_valid(oscillator, start, excitation, options, surface);
+void check_scaled(const NoExcitation& /*excitation*/, double /*p*/, double /*t_end*/) {}
+
+template <class Wave>
+void check_scaled(const Wave& wave, double p, double t_end) {
+  require_scaled_wave(wave.k, wave.lambda, p);
+  if (!(wave.lambda * std::fmin(t_end, duration_of<double>(wave)) <= largest_phase)) {
+    throw InputError(
+        "t_end", t_end,
+        fmt::format("lambda t_end must be at most {} (lambda = {})", largest_phase, wave.lambda));
   }
-  NoWatcher nobody;
-  ForcedRun<double, NoWatcher> run(oscillator, start, nobody,
-                                   Patience{options.go_on, options.ask_every});
-  return response_of(run, oscillator, excitation, options);
+}
+
+void check_scaled(const Record& record, double p, double /*t_end*/) {
+  const auto i = p < 1 ? first_beyond(record.values, largest_speed * p) : std::nullopt;
+  if (i) {  // otherwise the values themselves are small enough
+    throw InputError(fmt::format("record value {}", *i + 1), record.values[*i],
+                     fmt::format("value / p must be at most {} (p = {})", largest_speed, p));
+  }
+  for (std::size_t j = 1; j < record.times.size(); ++j) {
+    if (!(p * (record.times[j] - record.times[j - 1]) >= smallest_speed)) {
+      throw InputError(
+          fmt::format("record time {}", j + 1), record.times[j],
+          fmt::format("must be at least {} after the one before, times p = {}", smallest_speed, p));
+    }
+  }
+  if (record.times.empty() && !(p * record.step >= smallest_speed)) {
+    throw InputError("record step", record.step,
+                     fmt::format("p times it must be at least {} (p = {})", smallest_speed, p));
+  }
+}
+
+}  // namespace
+
+void require_valid(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
+                   const std::optional<double>& t_end) {
+  require_valid(oscillator, start);
+  require_valid(excitation);
+  const std::optional<double> lasts = duration(excitation);
+  if (!t_end && !lasts) {
+    throw InputError("t_end", "nothing", "must be given: the excitation never ends");
+  }
+  if (t_end) {
+    require_within("t_end", *t_end, smallest_speed, largest_speed);
+  }
+  const double end = t_end ? *t_end : *lasts;
+  std::visit([&](const auto& kind) { check_scaled(kind, oscillator.p, end); }, excitation);
+  if (!(oscillator.p * end <= largest_phase)) {
+    throw InputError(
+        t_end ? "t_end" : "duration", end,
+        fmt::format("p times it must be at most {} (p = {})", largest_phase, oscillator.p));
+  }
 }
 
 }  // namespace stillpoint

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace stillpoint::records {
@@ -20,21 +21,21 @@ void go_to_channel(RecordReader& reader, bool (*begins)(std::string_view line)) 
       reader = ahead;
     }
   }
-  const std::size_t wanted = reader.options().channel;
+  const std::optional<std::size_t> wanted = reader.options().channel;
   if (channels.empty()) {
     reader.refuse("the file ends here without a line that says how many accelerations follow");
   }
-  if (wanted == 0 && channels.size() > 1) {
+  if (!wanted && channels.size() > 1) {
     channels[1].refuse(
         fmt::format("a second channel begins here, and there are {}: say which by "
                     "its number, {}#1 to #{}",
                     channels.size(), shortened(reader.path(), longest_word), channels.size()));
   }
-  if (wanted > channels.size()) {
+  if (wanted && *wanted > channels.size()) {
     channels.back().refuse(fmt::format("the last channel is number {}, so there is no number {}",
-                                       channels.size(), wanted));
+                                       channels.size(), *wanted));
   }
-  reader = channels[std::max<std::size_t>(wanted, 1) - 1];
+  reader = channels[wanted.value_or(1) - 1];
 }
 
 std::string single_spaced(std::string_view line) {

@@ -2,10 +2,10 @@
 #include "record_reader.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/names.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 namespace stillpoint::records {
@@ -23,12 +24,6 @@ namespace {
 /// A file is read in the first format that recognises it. The columns, last, take any file.
 constexpr std::array formats{&esm_format, &knet_format, &csmip_format,  &cosmos_format,
                              &smc_format, &at2_format,  &columns_format};
-
-constexpr Names units_names(std::to_array<Named<RecordUnits>>({
-    {RecordUnits::g, "g"},
-    {RecordUnits::m_per_s2, "m/s2"},
-    {RecordUnits::cm_per_s2, "cm/s2"},
-}));
 
 /// A scale beyond these is a slip; products would lose digits or leave the range of a double.
 constexpr double smallest_scale = 1e-100;
@@ -43,7 +38,7 @@ void check(const RecordOptions& options) {
 }
 
 /// FILE of FILE#2, whose number goes into `channel`.
-std::string without_channel(const std::string& path, std::size_t& channel) {
+std::string without_channel(const std::string& path, std::optional<std::size_t>& channel) {
   const std::size_t sign = path.rfind('#');
   std::error_code unreachable;
   if (sign == std::string::npos || std::filesystem::exists(path, unreachable)) {
@@ -75,9 +70,9 @@ RecordFile parse_record(std::string_view text, const std::string& path,
   RecordReader reader(text, path, options);
   const auto* const format = std::ranges::find_if(
       formats, [&reader](const RecordFormat* each) { return each->recognises(reader); });
-  if (options.channel > 1 && !(*format)->has_channels) {
+  if (options.channel.value_or(1) > 1 && !(*format)->has_channels) {
     throw FileError({"record", path},
-                    fmt::format("holds one record, so there is no channel {}", options.channel));
+                    fmt::format("holds one record, so there is no channel {}", *options.channel));
   }
   return (*format)->read(reader);
 }
@@ -87,18 +82,6 @@ RecordFile read_record(const std::string& path, const RecordOptions& options) {
   RecordOptions chosen = options;
   const std::string file = without_channel(path, chosen.channel);
   return parse_record(read_text_file("record", file, largest_record_bytes), file, chosen);
-}
-
-std::string_view name(RecordUnits units) noexcept {
-  return units_names.name(units);
-}
-
-std::optional<RecordUnits> parse_record_units(std::string_view name) noexcept {
-  return units_names.parse(name);
-}
-
-std::span<const std::string_view> record_unit_names() {
-  return units_names.all();
 }
 
 }  // namespace stillpoint::records

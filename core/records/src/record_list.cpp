@@ -5,6 +5,7 @@
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 #include <stillpoint/records/units.hpp>
 
 #include <fmt/format.h>

@@ -72,8 +72,8 @@ RecordFile read_smc(RecordReader& reader) {
   constexpr std::size_t value_width = 10;
   skip(reader, 1);
   if (upper_case(reader.line()).find("ACCELEROGRAM") == std::string::npos) {
-    reader.refuse(fmt::format("{} is no acceleration: {} are read", quoted(trimmed(reader.line())),
-                              smc_kinds));
+    reader.refuse(fmt::format("{} is not an acceleration: {} are read",
+                              quoted(trimmed(reader.line())), smc_kinds));
   }
   std::string description;
   for (std::size_t line = 2; line <= titles; ++line) {

@@ -18,7 +18,7 @@ namespace {
 using records::Dimension;
 
 /// A stroke is compared with V0/omega, the stroke without friction. A damper exists for strokes
-/// from 0.71 of it and is of no use above 1, so a factor of 20 either way is no design.
+/// from 0.71 of it and is of no use above 1, so a factor of 20 either way is not a design.
 constexpr double far_from_one = 20;
 /// What a likely unit must make of it.
 constexpr double near_one = 3;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/peers/measure.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 
@@ -11,13 +11,11 @@ namespace stillpoint::peers {
 namespace {
 
 double seconds_of(const std::function<void()>& call, long repeats) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begin = Clock::now();
+  const double begun = seconds_now();
   for (long i = 0; i < repeats; ++i) {
     call();
   }
-  const std::chrono::duration<double> taken = Clock::now() - begin;
-  return taken.count() / static_cast<double>(repeats);
+  return (seconds_now() - begun) / static_cast<double>(repeats);
 }
 
 /// Calls, and the number that makes a batch, from their first runs.

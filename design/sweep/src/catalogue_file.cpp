@@ -102,7 +102,7 @@ class CatalogueReader {
 
   std::optional<std::size_t> column(std::string_view name) const {
     if (std::ranges::count(fields_, name) > 1) {
-      refuse(fmt::format("the column {} is there twice", name));
+      refuse(fmt::format("the column {} appears twice", name));
     }
     const auto found = std::ranges::find(fields_, name);
     return found == fields_.end()
@@ -120,7 +120,7 @@ class CatalogueReader {
                          printable(name, longest_word), longest_part_name));
     }
     if (const auto [first, alone] = line_of_.emplace(name, lines_.number()); !alone) {
-      refuse(fmt::format("name = {}: is there twice, first in line {}", name, first->second));
+      refuse(fmt::format("name = {}: appears twice, first in line {}", name, first->second));
     }
     design::Part part{name, number("f", fields_[*f_], 1), 0};
     part.delta = delta_ ? number("delta", fields_[*delta_], 1)

@@ -133,4 +133,15 @@ SweepPart launched_part(const Environment& environment, std::optional<std::int64
   return Launchers(environment, count).part();
 }
 
+SweepPart asked_part(const std::string& asked, const Environment& environment) {
+  constexpr std::string_view automatic = "auto";
+  if (asked == automatic) {
+    return launched_part(environment);
+  }
+  if (asked.starts_with("auto/")) {
+    return launched_part(environment, parse_part("1" + asked.substr(automatic.size())).count);
+  }
+  return parse_part(asked);
+}
+
 }  // namespace stillpoint::sweep

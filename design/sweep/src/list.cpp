@@ -133,7 +133,7 @@ void List::read_header(std::string_view line) {
       refuse(not_a("column", field, units_));
     }
     if (has(*quantity)) {
-      refuse(fmt::format("the column {} is there twice", name(*quantity, units_)));
+      refuse(fmt::format("the column {} appears twice", name(*quantity, units_)));
     }
     columns_.push_back(*quantity);
   }
@@ -179,7 +179,7 @@ void List::read_object(std::string_view line, std::vector<double>& values) {
       columns_.push_back(*quantity);
       values[i] = value;
     } else if (is_first) {
-      refuse(fmt::format("the key {} is there twice", name(*quantity, units_)));
+      refuse(fmt::format("the key {} appears twice", name(*quantity, units_)));
     } else if (place == columns_.end()) {
       refuse(fmt::format("has the key {}, but the first object does not", name(*quantity, units_)));
     } else if (row.fields.size() == columns_.size()) {

@@ -51,7 +51,7 @@ class RowHandler {
   bool key(std::string& key) {
     if (std::ranges::find(row_.fields, key, &std::pair<std::string, double>::first) !=
         row_.fields.end()) {
-      return refuse(fmt::format("the key {} is there twice", shown(key)));
+      return refuse(fmt::format("the key {} appears twice", shown(key)));
     }
     row_.fields.emplace_back(key, 0.0);
     return true;

@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::sweep {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/sweep/run.hpp>
 
 #include "block.hpp"
 #include "rows.hpp"
 #include "seal.hpp"
-#include "seconds.hpp"
 #include "source.hpp"
 #include "step.hpp"
 

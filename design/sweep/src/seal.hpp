@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/part_label.hpp>
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 

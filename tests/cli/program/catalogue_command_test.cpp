@@ -58,7 +58,7 @@ const std::vector<Wrong> wrong_files{
     wrong("name,f\na,0.2\n", {"line 1", "no column delta or delta_m"}),
     wrong("name,f,delta,delta_m\na,0.1,0.2,0.2\n",
           {"line 1", "both delta and delta_m", "one of them"}),
-    wrong("name,f,delta,f\na,0.1,0.2,0.2\n", {"line 1", "column f is there twice"}),
+    wrong("name,f,delta,f\na,0.1,0.2,0.2\n", {"line 1", "column f appears twice"}),
     wrong("name,f,delta_m\na,0.1,0.2\n", {"line 1", "delta_m", "--velocity"}),
     wrong("a,0.1,0.2\nb,0.1,0.2\n", {"line 1", "no column name"}),
     wrong("name,f,delta\na,0.1,0.2\nb,strong,0.2\n", {"line 3", "f = \"strong\"", "number"}),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "commands.hpp"
 #include "report_fields.hpp"
 
+#include <stillpoint/answers/exit_code.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/report/report.hpp>
@@ -35,7 +35,7 @@ design::DesignResult checked_against(const design::DesignRequest& request, const
 }
 
 void check_failure(const design::DesignResult& result) {
-  BOOST_TEST(cli::exit_code(result) == 4);
+  BOOST_TEST(answers::exit_code(report::DesignReport{result}) == 4);
   const nlohmann::ordered_json json = report::json(report::DesignReport{result});
   BOOST_TEST(json["cross_check"]["passed"] == false);
   check_fields(json, {"design:object", "response:object", "search:object", "cross_check:object"});
@@ -53,7 +53,7 @@ void check_failure(const design::DesignResult& result) {
 BOOST_AUTO_TEST_CASE(right_prediction_passes) {
   const design::DesignRequest request = plain_request();
   const auto result = checked_against(request, [](design::Prediction&) {});
-  BOOST_TEST(cli::exit_code(result) == 0);
+  BOOST_TEST(answers::exit_code(report::DesignReport{result}) == 0);
   BOOST_TEST(report::json(report::DesignReport{result})["cross_check"]["passed"] == true);
 }
 
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(wrong_number_of_half_cycles_is_exit_code_4_with_a_report) {
 BOOST_AUTO_TEST_CASE(no_design_is_exit_code_3) {
   design::DesignRequest request = plain_request();
   request.problem.beta = 0.6;
-  BOOST_TEST(cli::exit_code(design::design(request)) == 3);
+  BOOST_TEST(answers::exit_code(report::DesignReport{design::design(request)}) == 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -138,13 +138,13 @@ BOOST_AUTO_TEST_CASE(that_are_missing_doubled_or_torn_are_refused) {
   const std::size_t step = whole.size() / 23;
   for (std::size_t size = 0; size < whole.size() - 1; size += step) {
     write(names[1], whole.substr(0, size));
-    check_refused(names, {names[1], "no whole part"});
+    check_refused(names, {names[1], "not a whole part"});
   }
   for (std::size_t place = 0; place < whole.size() - 1; place += step) {
     std::string changed = whole;
     changed[place] = static_cast<char>(changed[place] ^ 1);
     write(names[1], changed);
-    check_refused(names, {names[1], "no whole part"});
+    check_refused(names, {names[1], "not a whole part"});
   }
 }
 
@@ -162,8 +162,8 @@ BOOST_AUTO_TEST_CASE(of_other_tasks_are_refused) {
   check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
   static_cast<void>(run({"sweep", "--v0", "1", "--p", "1", "--f", "0.1,0.2", "--delta", "0",
                          "--reduce", "--part", "2/2", "--output", "foreign"}));
-  check_refused({names[1], "foreign"}, {"foreign", "no whole part of a design"});
-  check_refusal(run({"sweep", "merge", "merged", names[0], names[1]}), {names[0], "no whole part"});
+  check_refused({names[1], "foreign"}, {"foreign", "not a whole part of a design"});
+  check_refusal(run({"sweep", "merge", "merged", names[0], names[1]}), {names[0], "not a whole part"});
 }
 
 /// Each part has seen them, and so does the search.

@@ -235,9 +235,9 @@ BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
   };
   check("1-of-2.json", {"2/2", "is missing"});
   check("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
-  check("1-of-2.json torn.json", {"torn.json", "no whole part"});
-  check("1-of-2.json changed.json", {"changed.json", "no whole part"});
-  check("1-of-2.json whole.json", {"whole.json", "no whole part"});
+  check("1-of-2.json torn.json", {"torn.json", "not a whole part"});
+  check("1-of-2.json changed.json", {"changed.json", "not a whole part"});
+  check("1-of-2.json whole.json", {"whole.json", "not a whole part"});
   check("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
 }
 

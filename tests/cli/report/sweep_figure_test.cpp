@@ -2,6 +2,7 @@
 #include "testing/contains.hpp"
 
 #include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/open_rows.hpp>
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
 

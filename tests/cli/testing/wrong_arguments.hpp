@@ -3,6 +3,9 @@
 
 #include "run_program.hpp"
 
+#include <algorithm>
+#include <string>
+
 /// Commands that would be right without what is added to them.
 namespace stillpoint::cli_test::right {
 
@@ -16,6 +19,13 @@ inline Arguments region(const Arguments& more = {}) {
 
 inline Arguments simulate(const Arguments& more = {}) {
   return joined("simulate --v0 1 --p 1 --f 0.02 --delta 0.02", more);
+}
+
+/// `arguments` with the value of `option` replaced.
+inline Arguments with(Arguments arguments, const char* option, const char* value) {
+  const auto found = std::ranges::find(arguments, option);
+  *(found + 1) = value;
+  return arguments;
 }
 
 /// Of a scene of `design`, within its braces.

@@ -149,7 +149,9 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
      }},
     {"smc",
      {
-         {"2 CORRECTED ACCELEROGRAM", "3 VELOCITY", {"line 1: \"3 VELOCITY\" is no acceleration"}},
+         {"2 CORRECTED ACCELEROGRAM",
+          "3 VELOCITY",
+          {"line 1: \"3 VELOCITY\" is not an acceleration"}},
          {"  5.0000000E+01",
           "  1.7000000E+38",
           {"line 18: real number 2, the samples in a second, is 1.7000000E+38"}},
@@ -168,7 +170,7 @@ void check_wrong(const std::string& sample, const Wrong& wrong) {
   const std::string text =
       wrong.old.empty() ? text_of(sample) : replaced(text_of(sample), wrong.old, wrong.now);
   RecordOptions options = wrong.options;
-  options.channel = wrong.options.channel == 0 ? 1 : wrong.options.channel;
+  options.channel = wrong.options.channel.value_or(1);
   const std::string message =
       refusal_of<FileError>([&] { return records::parse_record(text, "a", options); });
   check_says(message, wrong.says);

@@ -180,8 +180,8 @@ BOOST_AUTO_TEST_CASE(the_stop_tips_at_the_exact_bound_in_formula_and_simulation)
     Problem problem = random_problem(random, 1.5, 3);
     problem.criterion = Criterion::exact;
     const double f = random.uniform(0.01, 0.99) * admissible_region(problem).f3;
-    double inside = above(delta1(problem, f));
-    double outside = delta1(problem, f);
+    double inside = above(delta1(problem, f).value());
+    double outside = delta1(problem, f).value();
     for (int ulps = 0; ulps < 40; ++ulps, inside = above(inside), outside = below(outside)) {
       BOOST_TEST(admissible(problem, {}, f, inside));
       BOOST_TEST(!admissible(problem, {}, f, outside));

@@ -103,7 +103,8 @@ BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
     const Region region = admissible_region(problem);
     const double distance = random.log_uniform(1e-12, 1e-3);
     double f = region.f2 + (region.f3 - region.f2) * random.uniform(0.2, 0.8);
-    double delta = delta1(problem, f) + (region.delta2 - delta1(problem, f)) * 0.5;
+    const double lowest = delta1(problem, f).value();
+    double delta = lowest + (region.delta2 - lowest) * 0.5;
     switch (random.pick(4)) {
       case 0:
         f = region.f2 / (1 - distance);
@@ -116,7 +117,7 @@ BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
         delta = region.delta2 / (1 + distance);
         break;
       default:
-        delta = delta1(problem, f) * (1 + distance);
+        delta = lowest * (1 + distance);
         break;
     }
     const std::optional<double> r = largest_tolerance(problem, {}, f, delta);

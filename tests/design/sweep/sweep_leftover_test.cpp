@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/sweep/open_rows.hpp>
 
 #include <boost/test/unit_test.hpp>
 

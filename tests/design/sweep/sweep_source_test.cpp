@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(is_csv_or_json_lines) {
 BOOST_AUTO_TEST_CASE(that_is_wrong_is_refused_with_its_line) {
   check_wrong("", 0, "is empty");
   check_wrong("f,colour\n", 1, "\"colour\" is not a column of a list");
-  check_wrong("f,f\n", 1, "the column f is there twice");
+  check_wrong("f,f\n", 1, "the column f appears twice");
   check_wrong("f\n0.1\nx\n", 3, "f = \"x\"");
   check_wrong("{\"f\": 1}\n{\"delta\": 1}\n", 2,
               "has the key delta, but the first object does not");

@@ -33,7 +33,7 @@ FigureArea area_of(HitEnd end) {
     case HitEnd::off_centre:
       return {"off centre", {}, Ink::amber, AreaLook::hatched};
     case HitEnd::alternating:
-      return {"centred and off centre by turns", {}, Ink::amber};
+      return {"alternately centred and off centre", {}, Ink::amber};
     case HitEnd::too_far:
       return {"too far", {}, Ink::orange, AreaLook::hatched};
     case HitEnd::never_stops:

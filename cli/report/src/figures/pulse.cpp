@@ -93,7 +93,7 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
       "above the curve stops it there. ",
       region.f3);
-  figure.caption = intervals.empty() ? "No f returns and keeps the limits."
+  figure.caption = intervals.empty() ? "No f returns and meets the limits."
                    : limits.delta_max
                        ? "A damper in the clear area is admissible."
                        : "A damper in the clear area is admissible: nothing bounds Δ from "
@@ -107,7 +107,7 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
                             Ink::grey, AreaLook::hatched});
     if (interval.low > from) {
       figure.areas.push_back({from == 0 ? "too weak: exceeds " + units.length_words(problem.beta)
-                                        : "does not keep the limits",
+                                        : "does not meet the limits",
                               rectangle(from, interval.low, 0, top), Ink::grey, AreaLook::hatched});
     }
     from = interval.high;

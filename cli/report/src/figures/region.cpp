@@ -34,7 +34,7 @@ std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const Regi
   const double last = span.last_within_limits(drawn);
   for (int i = 0; span.first <= last && i <= steps; ++i) {
     const double f = span.first + (last - span.first) * i / steps;
-    const double bound = std::max(0.0, design::delta1(span.at(f), f));
+    const double bound = std::max(0.0, design::delta1(span.at(f), f).value_or(0));
     const double top = span.highest_delta(drawn, f);
     if (bound <= top) {
       lower.push_back({f, bound * unit});

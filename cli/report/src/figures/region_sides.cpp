@@ -57,7 +57,7 @@ void add_sides(Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
   const Level least = [&](double /*f*/) { return y_least; };
   const Level most = [&](double /*f*/) { return y_most; };
   const Level stop = [&](double f) {
-    return std::clamp(design::delta1(span.at(f), f) * unit, y_least, y_most);
+    return std::clamp(design::delta1(span.at(f), f).value_or(0) * unit, y_least, y_most);
   };
   const Level start = [&](double f) {
     const double v0 = span.at(std::min(f, span.last)).v0;

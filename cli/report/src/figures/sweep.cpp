@@ -111,7 +111,7 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
   figure.y = figure_axis(spec.units ? "point friction Δ, m" : units.delta_label, map.delta());
   figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, key_of(counts)};
   figure.description =
-      format("The plane of f and Δ. Centred is a rest {}, off centre one in the dead zone.",
+      format("The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.",
              given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0");
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     figure.map.palette.emplace_back(palette.at(i));

@@ -10,6 +10,11 @@ namespace stillpoint::report {
 
 using nlohmann::ordered_json;
 
+std::string json_text(const ordered_json& json) {
+  constexpr int indent = 2;
+  return json.dump(indent) + "\n";
+}
+
 namespace {
 
 ordered_json mends_json(const std::vector<design::Mend>& mends) {

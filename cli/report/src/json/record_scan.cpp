@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/record_scan.hpp>
 
+#include "json/part_files.hpp"
 #include "json/parts.hpp"
-#include "sweep_parts.hpp"
 
-#include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <array>
@@ -78,18 +76,11 @@ ordered_json json(const RecordScan& scan) {
 }
 
 RecordScan read_record_scan(const std::string& path) {
-  constexpr std::size_t largest_file = std::size_t{1} << 30U;
-  const std::string text = records::read_text_file("part", path, largest_file);
-  try {
-    sweep::require_json_object(text, {.kind = "part", .path = path});
-    RecordScan scan = record_scan_from(ordered_json::parse(text));
-    scan.label.path = path;
-    return scan;
-  } catch (const std::exception&) {
-    throw records::FileError(
-        {.kind = "part", .path = path},
-        "is no whole part of a design under records: it was cut short or has changed");
-  }
+  return read_part(path, "a design under records", record_scan_from);
+}
+
+std::optional<RecordScan> find_record_scan(const sweep::PartLabel& wanted) {
+  return sweep::find_part(wanted, "design", read_record_scan);
 }
 
 RecordScan merged_record_scan(const std::vector<std::string>& parts) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "json/part_files.hpp"
 #include "json/parts.hpp"
 #include "sweep_parts.hpp"
 
-#include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/text.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 
@@ -308,18 +307,11 @@ bool is_reduction(const std::string& path) {
 }
 
 ReductionReport read_reduction(const std::string& path) {
-  constexpr std::size_t largest_file = std::size_t{1} << 30U;
-  const std::string text = records::read_text_file("part", path, largest_file);
-  try {
-    sweep::require_json_object(text, {.kind = "part", .path = path});
-    ReductionReport report = report_from(ordered_json::parse(text));
-    report.label.path = path;
-    return report;
-  } catch (const std::exception&) {
-    throw records::FileError(
-        {.kind = "part", .path = path},
-        "is no whole part of a reduced sweep: it was cut short or has changed");
-  }
+  return read_part(path, "a reduced sweep", report_from);
+}
+
+std::optional<ReductionReport> find_reduction(const sweep::PartLabel& wanted) {
+  return sweep::find_part(wanted, "sweep", read_reduction);
 }
 
 ReductionReport merged(const std::vector<std::string>& parts) {

@@ -15,6 +15,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>

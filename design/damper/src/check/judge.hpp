@@ -3,10 +3,10 @@
 
 #include "check/runge_kutta.hpp"
 
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/design/cross_check.hpp>
 #include <stillpoint/design/problem.hpp>
 
-#include <chrono>
 #include <string_view>
 
 namespace stillpoint::design {
@@ -31,9 +31,9 @@ void take(CheckMethod& method, const IntegratedMotion& motion);
 /// Runs it and returns how long that took, in seconds.
 template <class Run>
 double timed(const Run& run) {
-  const auto started = std::chrono::steady_clock::now();
+  const double started = seconds_now();
   run();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return seconds_now() - started;
 }
 
 }  // namespace stillpoint::design

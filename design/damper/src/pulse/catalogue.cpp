@@ -5,6 +5,7 @@
 #include "pulse/region.hpp"
 #include "pulse/verdict.hpp"
 #include "ranking.hpp"
+#include "search/objectives.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,10 +108,7 @@ double cost_under_pulse(const Trial& trial, const PulseRequest& request, const R
   if (objective == Objective::robust) {
     return -rated.tolerance.value_or(0);
   }
-  const FirstReturn motion = trial.region().at(rated.part.f / trial.region().f_unit());
-  return objective == Objective::amplitude ? motion.peak
-         : objective == Objective::time    ? motion.time
-                                           : motion.acceleration;
+  return objective_of(objective, trial.region().at(rated.part.f / trial.region().f_unit()));
 }
 
 /// A limit bounds one figure of a box, and the least such figure of the parts that keep all the

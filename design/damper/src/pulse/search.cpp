@@ -6,14 +6,15 @@
 #include "pulse/search.hpp"
 
 #include "search/nlopt_fence.hpp"
+#include "search/objectives.hpp"
 #include "search/run.hpp"
 
 #include <stillpoint/core/elementary.hpp>
+#include <stillpoint/core/seconds.hpp>
 
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -39,17 +40,8 @@ struct PulseTask {
   }
 
   [[nodiscard]] double cost(double f) const {
-    switch (objective) {
-      case Objective::robust:
-        return -region.widest_box(island, f);
-      case Objective::amplitude:
-        return at(f).peak;
-      case Objective::time:
-        return at(f).time;
-      case Objective::acceleration:
-        break;
-    }
-    return at(f).acceleration;
+    return objective == Objective::robust ? -region.widest_box(island, f)
+                                          : objective_of(objective, at(f));
   }
   /// What it costs and whether it fits are asked for the same f by turns.
   [[nodiscard]] const FirstReturn& at(double f) const {
@@ -311,7 +303,7 @@ PulseBest searched(const PulseTask& task, double scale, const SearchOptions& opt
 }  // namespace
 
 std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOptions& options) {
-  const auto started = std::chrono::steady_clock::now();
+  const double started = seconds_now();
   std::optional<PulseOptimum> best;
   SearchRecord record;
   double least = HUGE_VAL;
@@ -337,8 +329,7 @@ std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOption
     }
   }
   if (best) {
-    record.wall_time_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    record.wall_time_s = seconds_now() - started;
     best->found.record = record;
     best->searched = searched_least;
     best->bracketed = bracketed_least;

@@ -116,7 +116,7 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
           *limits.acceleration_max, box);
     default:
       return fmt::format(
-          "stop and delta_max exclude each other: no f that keeps the other requirements arrives "
+          "stop and delta_max exclude each other: no f that meets the other requirements arrives "
           "slowly enough for delta <= {:.6g}{}",
           *limits.delta_max, box);
   }

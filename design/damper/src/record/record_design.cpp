@@ -6,13 +6,13 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/design/record_design.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -160,7 +160,7 @@ double relative(double error, double size) {
 
 SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
                  const std::vector<ForcedResponse>& responses) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begun = seconds_now();
   SuiteCheck check;
   check.passed = true;
   for (std::size_t i = 0; i < responses.size(); ++i) {
@@ -177,8 +177,7 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
     check.relative_error = std::max(check.relative_error, error);
     check.passed = check.passed && other.settled && error <= check.tolerance;
   }
-  check.wall_time_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  check.wall_time_s = seconds_now() - begun;
   return check;
 }
 
@@ -236,7 +235,7 @@ namespace {
 RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>* scanned,
                     const RecordWatch& ask) {
   require_valid(request);
-  const auto begin = std::chrono::steady_clock::now();
+  const double begun = seconds_now();
   RecordDesign result{completed(request), {}, {}, {}, {}};
   const RecordDesignRequest& task = result.request;
   const Suite suite(task);
@@ -272,8 +271,7 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
         shortfalls(suite, box, scan, task, found.point.figures, result.search.evaluations, watch);
   }
   result.search.interrupted = watch.stopped();
-  result.search.wall_time_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.search.wall_time_s = seconds_now() - begun;
   if (feasible) {
     RecordFinding finding{found.point, suite.responses(found.point.damper), {}, {}};
     finding.sensitivity = sensitivity(suite, task, found.point.damper);

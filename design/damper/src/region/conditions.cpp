@@ -33,7 +33,9 @@ constexpr std::array<Condition, 5> conditions{{
     {"start", "delta", "<=", [](const Asked& asked) { return asked.region.delta2; }},
     {"amplitude", "f", ">=", [](const Asked& asked) { return asked.region.f2; }},
     {"return", "f", "<=", [](const Asked& asked) { return asked.region.f3; }},
-    {"stop", "delta", ">", [](const Asked& asked) { return delta1(asked.problem, asked.f); }},
+    // Beyond f3, where the motion does not return, nothing bounds Delta.
+    {"stop", "delta", ">",
+     [](const Asked& asked) { return delta1(asked.problem, asked.f).value_or(0); }},
 }};
 
 Constraint compared(std::string_view name, std::string_view variable, std::string_view relation,

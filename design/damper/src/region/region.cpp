@@ -200,7 +200,7 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
   const Edges edge = edges(problem, limits);
   const double f = highest_centre(edge.f_cap, limits.tolerance);
   const auto [least, most] =
-      told_apart(delta1(problem, f * (1 - limits.tolerance)), edge.delta_cap);
+      told_apart(delta1(problem, f * (1 - limits.tolerance)).value_or(0), edge.delta_cap);
   const bool by_limit = region.conflict == Conflict::stop_against_delta_max;
   return fmt::format(
       "stop and {} exclude each other: even at the largest f, {:.6g}, stopping needs delta > {}, "
@@ -229,15 +229,15 @@ std::optional<double> delta1_exact(const Problem& problem, double f) {
   return unchecked_delta1(exact, f);
 }
 
-double delta1(const Problem& problem, double f) {
+std::optional<double> delta1(const Problem& problem, double f) {
   return problem.criterion == Criterion::published ? delta1_published(problem, f)
-                                                   : delta1_exact(problem, f).value_or(0);
+                                                   : delta1_exact(problem, f);
 }
 
 RegionAnswer answer(const RegionRequest& request) {
   const auto& [problem, limits, f, delta] = request;
   if (delta && !f) {
-    throw InputError::missing("f", "delta alone is no point of the region, give f as well");
+    throw InputError::missing("f", "delta alone is not a point of the region, give f as well");
   }
   const Region region = admissible_region(problem, limits);
   RegionAnswer answer{{region, reason(region, problem, limits), mends(problem, limits),

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stillpoint::design {
 
@@ -42,20 +41,6 @@ double least_cost(const Way& way, Objective objective, const unit::Ends& f) {
   return -highest(soonest, f, HUGE_VAL, [](double, double) { return false; }).value;
 }
 
-double unit_of(Objective objective, const Problem& problem) {
-  switch (objective) {
-    case Objective::robust:
-      return -1;
-    case Objective::amplitude:
-      return problem.v0 / problem.p;
-    case Objective::time:
-      return std::numbers::pi / problem.p;
-    case Objective::acceleration:
-      return problem.v0 * problem.p;
-  }
-  return 1;
-}
-
 }  // namespace
 
 std::optional<double> optimum_along_f(const Problem& problem, const Limits& limits,
@@ -80,8 +65,9 @@ std::optional<double> optimum_along_f(const Problem& problem, const Limits& limi
     }
     return true;
   });
-  return least == (robust ? 0 : HUGE_VAL) ? std::nullopt
-                                          : std::optional(least * unit_of(objective, problem));
+  return least == (robust ? 0 : HUGE_VAL)
+             ? std::nullopt
+             : std::optional(least * objective_unit(objective, problem));
 }
 
 }  // namespace stillpoint::design

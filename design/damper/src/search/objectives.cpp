@@ -3,6 +3,8 @@
 
 #include "unit_problem.hpp"
 
+#include <stillpoint/design/search.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -22,6 +24,9 @@ struct Row {
   Objective objective;
   std::string_view name;
   ClosedForm form;
+  double (*unit)(const Problem& problem);
+  std::optional<double> (*of)(const Response& motion);
+  double FirstReturn::*under_pulse;
 };
 
 /// f3 divided by p and V0 may be an ulp above a3.
@@ -37,10 +42,19 @@ constexpr ClosedForm time_form{
 constexpr ClosedForm acceleration_form{&unit::radius, [](double a) { return a / unit::radius(a); }};
 
 constexpr std::array rows{
-    Row{Objective::robust, "robust", no_form},
-    Row{Objective::amplitude, "amplitude", peak_form},
-    Row{Objective::time, "time", time_form},
-    Row{Objective::acceleration, "acceleration", acceleration_form},
+    Row{Objective::robust, "robust", no_form, [](const Problem&) { return -1.0; },
+        [](const Response&) { return std::optional<double>(); }, nullptr},
+    Row{Objective::amplitude, "amplitude", peak_form,
+        [](const Problem& problem) { return problem.v0 / problem.p; },
+        [](const Response& motion) { return std::optional(motion.peak_amplitude); },
+        &FirstReturn::peak},
+    Row{Objective::time, "time", time_form,
+        [](const Problem& problem) { return std::numbers::pi / problem.p; },
+        [](const Response& motion) { return motion.stop_time; }, &FirstReturn::time},
+    Row{Objective::acceleration, "acceleration", acceleration_form,
+        [](const Problem& problem) { return problem.v0 * problem.p; },
+        [](const Response& motion) { return std::optional(motion.peak_absolute_acceleration); },
+        &FirstReturn::acceleration},
 };
 
 constexpr std::array names = [] {
@@ -76,6 +90,19 @@ double objective_value(Objective objective, double given) {
 
 double objective_slope(Objective objective, double given) {
   return row_of(objective).form.slope(given);
+}
+
+double objective_unit(Objective objective, const Problem& problem) {
+  return row_of(objective).unit(problem);
+}
+
+double objective_of(Objective objective, const FirstReturn& motion) {
+  assert(objective != Objective::robust && "no motion has a tolerance");
+  return motion.*row_of(objective).under_pulse;
+}
+
+std::optional<double> objective_of(Objective objective, const Response& motion) {
+  return row_of(objective).of(motion);
 }
 
 }  // namespace stillpoint::design

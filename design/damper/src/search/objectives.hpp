@@ -3,7 +3,10 @@
 
 // The objectives in the units of unit_problem.hpp, one row each in objectives.cpp.
 
-#include <stillpoint/design/search.hpp>
+#include "pulse/profile.hpp"
+
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/search_options.hpp>
 
 namespace stillpoint::design {
 
@@ -12,5 +15,9 @@ namespace stillpoint::design {
 /// its variable is the tolerance of the box. `time` is that of a stop at the first arrival.
 [[nodiscard]] double objective_value(Objective objective, double given);
 [[nodiscard]] double objective_slope(Objective objective, double given);
+/// What a value of one is in tau and g; of `robust` -1, since a search minimises.
+[[nodiscard]] double objective_unit(Objective objective, const Problem& problem);
+/// The objective of a motion under a pulse, not of `robust`.
+[[nodiscard]] double objective_of(Objective objective, const FirstReturn& motion);
 
 }  // namespace stillpoint::design

@@ -11,11 +11,11 @@
 #include "way/space.hpp"
 
 #include <stillpoint/core/elementary.hpp>
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/design/search.hpp>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -244,7 +244,7 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
 
 std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                                    const SearchOptions& options) {
-  const auto started = std::chrono::steady_clock::now();
+  const double started = seconds_now();
   require_valid(problem, limits);
   require_valid(options);
   std::optional<WayResult> best;
@@ -281,10 +281,9 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
   if (!best) {
     return std::nullopt;
   }
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
   return SearchResult{best->point,
                       {std::string(find_algorithm(options.algorithm).name), best->outcome.status,
-                       evaluations, elapsed.count()}};
+                       evaluations, seconds_now() - started}};
 }
 
 }  // namespace stillpoint::design

@@ -16,7 +16,7 @@
 #include "search/nlopt_fence.hpp"
 #include "way/way.hpp"
 
-#include <stillpoint/design/search.hpp>
+#include <stillpoint/design/search_options.hpp>
 
 #include <vector>
 

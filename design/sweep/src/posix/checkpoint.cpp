@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/records/text_file.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/sink.hpp>

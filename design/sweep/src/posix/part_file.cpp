@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "part_file.hpp"
 
-#include "../seconds.hpp"
-
+#include <stillpoint/core/seconds.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 
 #include <unistd.h>

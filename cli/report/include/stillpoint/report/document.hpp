@@ -55,7 +55,7 @@ struct Document {
   Section& detail(std::string heading);
 };
 
-/// How much of a document the text has: the answer and what is no detail, or everything.
+/// How much of a document the text has: the answer without details, or everything.
 enum class Verbosity { normal, full };
 
 struct TextOptions {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <stillpoint/report/document.hpp>
-#include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/part_label.hpp>
 #include <stillpoint/sweep/reduction.hpp>
 #include <stillpoint/sweep/run.hpp>
 
@@ -35,6 +35,10 @@ struct ReductionReport {
 
 /// Reads the JSON report of a part. Throws records::FileError if it is not whole.
 [[nodiscard]] ReductionReport read_reduction(const std::string& path);
+
+/// The report of the part `wanted`, if its file is there already. Throws LeftoverError for another
+/// part of the same sweep.
+[[nodiscard]] std::optional<ReductionReport> find_reduction(const sweep::PartLabel& wanted);
 
 /// The report of the whole sweep, from those of all its parts. Throws as sweep::merge does.
 [[nodiscard]] ReductionReport merged(const std::vector<std::string>& parts);

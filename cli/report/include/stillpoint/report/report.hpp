@@ -93,6 +93,8 @@ struct AccuracyReport {
 [[nodiscard]] nlohmann::ordered_json json(const RegionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const MotionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const AccuracyReport& report);
+/// As the program writes it: indented, with a line's end.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 /// The field `region` of a report.
 [[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 

@@ -42,7 +42,8 @@ struct ForcedBatchOptions {
 struct RecordBatchOptions {
   double hold{std::numeric_limits<double>::infinity()};  ///< of every oscillator
   Surface surface{};  ///< under every mass; any but the paper's runs without lanes
-  /// As in ForcedOptions, but a motion with more half-cycles is no error: its outcome is `running`.
+  /// As in ForcedOptions, but a motion with more half-cycles is not an error: its outcome is
+  /// `running`.
   double half_cycle_limit{1e8};
   int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
 };

@@ -41,7 +41,7 @@ struct Hits {
 /// Every V0 from 0 to `v0_most`, in order and without gaps, for a start at x = 0. With little
 /// friction there are many segments: once this many are listed, the others up to the limit of the
 /// peak become one, `alternating`. A single V0 that ends otherwise than both of its neighbours
-/// (with one friction alone) is no segment.
+/// (with one friction alone) is not a segment.
 inline constexpr int most_hit_segments = 100;
 
 /// Edges in closed form, docs/theory.md (39) to (42). Throws InputError for a wrong oscillator,

@@ -88,9 +88,8 @@ struct DeltaRange {
 [[nodiscard]] double delta1_published(const Problem& problem, double f);
 /// Delta1(f) of the model, (27); empty for f > f3, where the motion does not return.
 [[nodiscard]] std::optional<double> delta1_exact(const Problem& problem, double f);
-/// By the problem's criterion. Where delta1_exact is empty it is 0, which bounds nothing; there f
-/// <= f3 is violated already.
-[[nodiscard]] double delta1(const Problem& problem, double f);
+/// By the problem's criterion.
+[[nodiscard]] std::optional<double> delta1(const Problem& problem, double f);
 
 /// One of the five conditions, all of them edges of the region in f or Delta.
 ///

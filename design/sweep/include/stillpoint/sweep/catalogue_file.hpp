@@ -29,7 +29,7 @@ struct CatalogueUnits {
 
 /// The parts of a CSV file with a header. Its columns are name, f, and delta or delta_m, in any
 /// order; others are passed over. `path` "-" is standard input. Throws records::FileError, with the
-/// line, for what is wrong with the file: a missing column, a value that is no number from 0 to
+/// line, for what is wrong with the file: a missing column, a value that is not a number from 0 to
 /// 1e299 or makes no valid oscillator, a name that is empty, not printable or there twice, no part
 /// at all or more than most_parts.
 [[nodiscard]] std::vector<design::Part> read_catalogue(const std::string& path,

@@ -19,4 +19,8 @@ using Environment = std::function<const char*(const char* name)>;
 [[nodiscard]] SweepPart launched_part(const Environment& environment,
                                       std::optional<std::int64_t> count = {});
 
+/// The part that "I/N", "auto" or "auto/N" asks for; "auto" is that of launched_part(). Throws
+/// InputError for anything else.
+[[nodiscard]] SweepPart asked_part(const std::string& asked, const Environment& environment);
+
 }  // namespace stillpoint::sweep

@@ -4,14 +4,11 @@
 #include <stillpoint/sweep/state.hpp>
 
 #include <cstdint>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace stillpoint::sweep {
-
-struct SweepSpec;
 
 /// The rows of a sweep that ended early.
 struct LeftRows {
@@ -66,13 +63,5 @@ class LeftoverError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-/// The file of the sweep, or standard output. Throws FileError if it cannot be written,
-/// LeftoverError if another sweep left a part of it that this one does not or cannot resume, and
-/// InputError if the format needs a file or the spec is not valid.
-[[nodiscard]] std::unique_ptr<RowSink> open_rows(const SweepSpec& spec);
-
-/// Whether the rows go to standard output.
-[[nodiscard]] bool goes_to_standard_output(const SweepSpec& spec);
 
 }  // namespace stillpoint::sweep

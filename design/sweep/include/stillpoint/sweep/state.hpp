@@ -15,7 +15,7 @@
 namespace stillpoint::sweep {
 
 /// Tells one sequence of numbers from another: FNV-1a over words, with a mixing step because the
-/// low bits of doubles are often 0. It is no protection against intent.
+/// low bits of doubles are often 0. It does not protect against intent.
 class Digest {
  public:
   Digest() = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/sweep/sink.hpp>
+#include <stillpoint/sweep/open_rows.hpp>
 
 #include "part_file.hpp"
 
@@ -8,7 +8,6 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/sweep/output_file.hpp>
-#include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -62,28 +61,6 @@ class WholePart : public RowSink {
  private:
   SweepState found_;
 };
-
-/// The seal of a part of this sweep that is there already; throws LeftoverError if it is another
-/// part than the one that is to be computed.
-std::optional<Seal> find_part(const SweepSpec& spec) {
-  std::optional<Seal> found;
-  try {
-    found = read_seal(*spec.output);
-  } catch (const records::FileError&) {
-    return std::nullopt;
-  }
-  const SweepPart part = found->label.part;
-  if (part.count != spec.part->count || !difference(found->label, label_of(spec)).empty()) {
-    return std::nullopt;
-  }
-  if (part != *spec.part) {
-    throw LeftoverError(
-        fmt::format("output {}: is part {} of this sweep: give each part a file of its own, as "
-                    "{{part}} in the name does",
-                    *spec.output, text(part)));
-  }
-  return found;
-}
 
 /// The identity of what FILE.part is to become.
 std::string task_of(const SweepSpec& spec) {
@@ -148,8 +125,7 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
     return open_stream(*spec.output);
   }
   if (spec.part) {
-    const auto found = find_part(spec);
-    if (found && spec.resume) {
+    if (const auto found = find_part(label_of(spec), "sweep", read_seal); found && spec.resume) {
       return std::make_unique<WholePart>(found->state);
     }
   }
@@ -164,18 +140,6 @@ std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string
     return open_stream(output);
   }
   return std::make_unique<PartFile>(resume_part(output, task));
-}
-
-std::string description(const LeftRows& left) {
-  if (left.count == 0) {
-    return "nothing is written";
-  }
-  if (left.file.empty()) {
-    return "the rows before it are written";
-  }
-  return fmt::format("{} kept in {}",
-                     left.count == 1 ? "1 row is" : fmt::format("{} rows are", left.count),
-                     left.file);
 }
 
 }  // namespace stillpoint::sweep

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/sweep/merge.hpp>
+#include <stillpoint/sweep/part_label.hpp>
 
 #include "posix/part_file.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/sweep/sink.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
@@ -45,6 +46,19 @@ std::string difference(const PartLabel& one, const PartLabel& other) {
                        other.whole.entries);
   }
   return one.whole.digest == other.whole.digest ? "" : "the list has changed";
+}
+
+bool is_that_part(const PartLabel& found, const PartLabel& wanted, std::string_view whole) {
+  if (found.part.count != wanted.part.count || !difference(found, wanted).empty()) {
+    return false;
+  }
+  if (found.part != wanted.part) {
+    throw LeftoverError(
+        fmt::format("output {}: is part {} of this {}: give each part a file of its own, as "
+                    "{{part}} in the name does",
+                    wanted.path, text(found.part), whole));
+  }
+  return true;
 }
 
 void PartOrder::add(PartLabel label) {

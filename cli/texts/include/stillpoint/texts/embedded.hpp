@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stillpoint::cli {
+namespace stillpoint::texts {
 
 /// A file of data/help, data/shell or data/starters, which are part of the program:
 /// "help/design.txt".
@@ -23,4 +23,4 @@ namespace stillpoint::cli {
 /// A commented scene for `stillpoint design`. Throws InputError for another kind.
 [[nodiscard]] std::string starter_scene(const std::optional<std::string>& kind);
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::texts

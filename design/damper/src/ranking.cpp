@@ -7,6 +7,7 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/search.hpp>
 
 #include <fmt/format.h>
 
@@ -27,9 +28,7 @@ double cost_of(const Problem& problem, Objective objective, const RatedPart& rat
   }
   const Response motion =
       free_response({problem.p, rated.part.f, rated.part.delta}, {0, problem.v0});
-  return objective == Objective::amplitude ? motion.peak_amplitude
-         : objective == Objective::time    ? motion.stop_time.value_or(HUGE_VAL)
-                                           : motion.peak_absolute_acceleration;
+  return objective_of(objective, motion).value_or(HUGE_VAL);
 }
 
 /// By what factor the worst constraint is missed, less 1.

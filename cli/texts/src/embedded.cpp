@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "options/embedded.hpp"
-
-#include "options/options.hpp"
-
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/text.hpp>
+#include <stillpoint/texts/embedded.hpp>
 
 #include <algorithm>
 #include <cassert>
 
-namespace stillpoint::cli {
+namespace stillpoint::texts {
 
 std::string_view embedded(std::string_view file) {
   static const std::map<std::string_view, std::string_view> files{
@@ -41,9 +39,10 @@ std::string starter_scene(const std::optional<std::string>& kind) {
   const std::vector<std::string_view> names = starter_names();
   const std::string wanted = kind.value_or(std::string(names.front()));
   if (std::ranges::find(names, wanted) == names.end()) {
-    throw InputError("init", wanted, "must be " + listed(names) + suggestion(wanted, names));
+    throw InputError("init", wanted,
+                     "must be " + records::listed(names) + records::suggestion(wanted, names));
   }
   return std::string(embedded("starters/" + wanted + ".json"));
 }
 
-}  // namespace stillpoint::cli
+}  // namespace stillpoint::texts

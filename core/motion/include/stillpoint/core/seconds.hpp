@@ -3,12 +3,12 @@
 
 #include <chrono>
 
-namespace stillpoint::sweep {
+namespace stillpoint {
 
-/// Of a clock that only goes forward.
+/// Of a clock that only goes forward; what something took is the difference of two calls.
 [[nodiscard]] inline double seconds_now() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double>(now).count();
 }
 
-}  // namespace stillpoint::sweep
+}  // namespace stillpoint

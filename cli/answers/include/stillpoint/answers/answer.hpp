@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/answers/exit_code.hpp>
+#include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/report/document.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <utility>
+
+namespace stillpoint::answers {
+
+/// What a command found, for whoever is not the program. Its report is made when someone looks.
+class Answer {
+ public:
+  Answer() = default;
+  Answer(const Answer&) = delete;
+  Answer& operator=(const Answer&) = delete;
+  Answer(Answer&&) = delete;
+  Answer& operator=(Answer&&) = delete;
+  virtual ~Answer() = default;
+
+  [[nodiscard]] virtual ExitCode exit() const = 0;
+  [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
+  [[nodiscard]] virtual report::Document document() const = 0;
+  [[nodiscard]] virtual figures::HtmlPage page() const = 0;
+};
+
+/// Of a report that has json(), document() and page().
+template <class Report>
+class AnswerOf : public Answer {
+ public:
+  explicit AnswerOf(Report report) : report_(std::move(report)) {}
+
+  [[nodiscard]] ExitCode exit() const override { return exit_code(report_); }
+  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(report_); }
+  [[nodiscard]] report::Document document() const override { return report::document(report_); }
+  [[nodiscard]] figures::HtmlPage page() const override { return report::page(report_); }
+
+  [[nodiscard]] const Report& made() const { return report_; }
+
+ private:
+  Report report_;
+};
+
+template <class Report>
+[[nodiscard]] std::unique_ptr<Answer> answer_of(Report report) {
+  return std::make_unique<AnswerOf<Report>>(std::move(report));
+}
+
+}  // namespace stillpoint::answers

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/answers/hit.hpp>
+
+#include <stillpoint/design/built_notch.hpp>
+
+#include <utility>
+
+namespace stillpoint::answers {
+
+namespace {
+
+/// What the notch of the finding does at this width. Under a pulse it is that of the velocity and
+/// the period that were checked.
+std::optional<design::BuiltNotch> built(const DesignTask& task,
+                                        const design::DesignResult& result) {
+  if (!task.notch_width || !result.finding) {
+    return std::nullopt;
+  }
+  design::DesignRequest shown = result.request;
+  if (const auto& check = result.finding->pulse) {
+    shown.pulse = check->pulse;
+    shown.problem.p = check->p;
+  }
+  return built_notch(shown, result.finding->point, *task.notch_width);
+}
+
+}  // namespace
+
+report::DesignReport answer(DesignTask task) {
+  const design::DesignRequest& request = task.request;
+  report::DesignReport report;
+  report.physical = task.physical;
+  if (task.catalogue) {
+    design::Choice choice = design::choose(request, task.catalogue->parts);
+    report.result = std::move(choice.result);
+    report.catalogue = {std::move(task.catalogue->file), std::move(choice.parts)};
+  } else {
+    report.result = design::design(request);
+  }
+  report.trade_offs = task.trade_offs;
+  if (task.trade_offs) {
+    report.trade_off = design::trade_off(request.problem, request.limits, *task.trade_offs);
+  }
+  report.built_notch = built(task, report.result);
+  return report;
+}
+
+report::RegionReport answer(RegionTask task) {
+  const auto& [problem, limits, f, delta] = task.request;
+  report::RegionReport report{task.request, design::answer(task.request), task.physical, {}};
+  if (task.catalogue) {
+    report.catalogue = {
+        std::move(task.catalogue->file),
+        design::ranked(problem, limits, design::Objective::robust, task.catalogue->parts)};
+  }
+  return report;
+}
+
+}  // namespace stillpoint::answers

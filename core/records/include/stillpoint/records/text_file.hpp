@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::records {
+
+/// The bytes of a file. Throws FileError if it cannot be read or has more than `largest` bytes;
+/// `kind` says what the file is to the program, file_error.hpp.
+[[nodiscard]] std::string read_text_file(std::string_view kind, const std::string& path,
+                                         std::size_t largest);
+
+/// The same from a file that is open; `source` stands for its path.
+[[nodiscard]] std::string read_text_stream(std::string_view kind, std::string_view source,
+                                           std::size_t largest, std::FILE* file);
+
+}  // namespace stillpoint::records

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a search looks for, with which algorithm, and how it went.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace stillpoint::design {
+
+/// What makes one admissible damper better than another. The last three optima lie on the edge of
+/// the region, so ask for a tolerance with them.
+enum class Objective {
+  robust,        ///< largest R with every f (1 +- R), Delta (1 +- R) admissible
+  amplitude,     ///< least peak displacement: the largest f
+  time,          ///< least stop time: the smallest f
+  acceleration,  ///< least acceleration of the free motion, transmitted and relative: smallest f
+};
+
+/// "robust", "amplitude", "time" or "acceleration".
+[[nodiscard]] std::string_view name(Objective objective) noexcept;
+/// The objective of that name; empty where there is none.
+[[nodiscard]] std::optional<Objective> parse_objective(std::string_view name) noexcept;
+/// All of them, `robust` first.
+[[nodiscard]] std::span<const std::string_view> objective_names();
+
+struct SearchOptions {
+  Objective objective{Objective::robust};
+  /// An NLopt algorithm out of algorithm_names(); empty: LD_SLSQP.
+  std::string algorithm{};
+  int max_evaluations{20'000};  ///< >= 1
+  double max_seconds{10};       ///< > 0
+};
+
+/// How the search went. `status` is NLopt's own word: XTOL_REACHED or SUCCESS if it converged;
+/// ROUNDOFF_LIMITED or FAILURE if the start was so good, or the region so small, that no step made
+/// sense to it; MAXEVAL_REACHED or MAXTIME_REACHED if the budget was spent, which global algorithms
+/// always do. The point is admissible in every case, because it is rechecked.
+struct SearchRecord {
+  std::string algorithm;
+  std::string status;
+  int evaluations{0};
+  double wall_time_s{0};
+};
+
+/// The NLopt algorithms to choose from.
+[[nodiscard]] std::span<const std::string_view> algorithm_names();
+
+/// The version of NLopt that runs, for example "2.7.1".
+[[nodiscard]] std::string nlopt_version();
+
+/// Throws InputError, naming the field, unless the algorithm is in the list, max_evaluations >= 1
+/// and max_seconds > 0.
+void require_valid(const SearchOptions& options);
+
+}  // namespace stillpoint::design

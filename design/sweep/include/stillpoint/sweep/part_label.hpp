@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/sweep/list.hpp>
+#include <stillpoint/sweep/part.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace stillpoint::sweep {
+
+struct SweepSpec;
+
+/// Which part of which sweep a file is.
+struct PartLabel {
+  std::string path;
+  SweepPart part;
+  std::string task;  ///< SweepSpec::identity
+  ListExtent whole;  ///< entries of the whole sweep, and the digest of a list
+
+  /// Whether there is such a part, and it has so many rows.
+  [[nodiscard]] bool is_whole(std::int64_t rows) const;
+};
+
+/// Of the sweep, with its identity; the path is that of the output.
+[[nodiscard]] PartLabel label_of(const SweepSpec& spec);
+
+/// Empty if both are of the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
+[[nodiscard]] std::string difference(const PartLabel& one, const PartLabel& other);
+
+/// Whether a file that is there, `found`, holds the part `wanted` of a `whole`: "sweep" or whatever
+/// else is split. Throws LeftoverError for another part of the same one.
+[[nodiscard]] bool is_that_part(const PartLabel& found, const PartLabel& wanted,
+                                std::string_view whole);
+
+/// What `read` makes of the file of the part `wanted`, with a `label`; empty where the file is not
+/// there or holds anything else. Throws as is_that_part does.
+template <class Read>
+[[nodiscard]] auto find_part(const PartLabel& wanted, std::string_view whole, const Read& read) {
+  std::optional<std::invoke_result_t<const Read&, const std::string&>> found;
+  try {
+    found = std::invoke(read, wanted.path);
+  } catch (const records::FileError&) {
+    return found;
+  }
+  if (!is_that_part(found->label, wanted, whole)) {
+    found.reset();
+  }
+  return found;
+}
+
+/// Puts parts in order.
+class PartOrder {
+ public:
+  /// Of a "sweep" or whatever else is split, for messages.
+  explicit PartOrder(std::string_view whole = "sweep") : whole_(whole) {}
+
+  /// Throws records::FileError for a part of another whole than the first one.
+  void add(PartLabel label);
+  /// The places of the parts as they were added, from the first part to the last. Throws FileError
+  /// for a part that appears twice, and InputError for one that is missing.
+  [[nodiscard]] std::vector<std::size_t> places() const;
+
+ private:
+  std::string_view whole_;
+  std::vector<PartLabel> labels_;
+};
+
+}  // namespace stillpoint::sweep

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "refusal.hpp"
+#include "run_program.hpp"
+#include "wrong_arguments.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(wrong_command_line_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using namespace stillpoint::cli_test::right;
+namespace data = boost::unit_test::data;
+
+const std::vector<Wrong> command_lines{
+    {{"dezign"},
+     {"command dezign", "design, region, simulate, spectrum, sweep, accuracy, init or explore",
+      "mean design?"}},
+    {design("--quiet --verbose"), {"quiet and verbose"}},
+    {simulate("--trajectory - --json"), {"json and the trajectory", "standard output"}},
+    {design("region"), {"region"}},
+    {design("--betta 2"), {"--betta", "unknown option", "mean --beta?"}},
+    {design("--frobnicate"), {"--frobnicate", "unknown"}},
+    {design("--vv0=2"), {"--vv0=2", "mean --v0?"}},
+    {design("-x"), {"-x", "unknown option"}},
+    {{"--frobnicate"}, {"--frobnicate: an option comes after its command: design, region"}},
+    {design("--tol 0.1"), {"--tol", "unknown option"}},
+    {design("--x0 1"), {"--x0", "not an option of design"}},
+    {simulate("--beta 1"), {"--beta", "simulate"}},
+    {region("--objective time"), {"--objective", "region"}},
+    {design("--v0 2"), {"--v0", "2 times", "only once"}},
+    {design("--objective time --objective time"), {"--objective", "2 times"}},
+    {design("--output a --output b"), {"--output", "2 times"}},
+    {design("--json --json"), {"--json", "2 times"}},
+    {design("--json=maybe"), {"--json", "maybe"}},
+    {"design old.json old.json", {"old.json", "only one scene"}},
+    {design({"--objective", "a\nb"}), {"objective", "robust"}},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, command_line, data::make(command_lines), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_FIXTURE_TEST_CASE(commands_that_take_no_options_say_what_they_take, Sandbox) {
+  check_refusal(run("help swep"), {"command swep", "mean sweep?"});
+  check_refusal(
+      run("region --friction-zones 0.1:0.1"),
+      {"--friction-zones: is not an option of region, only of simulate, sweep, accuracy"});
+  check_refusal(run("helpp"), {"command helpp", "mean help?"});
+  check_refusal(run("help hlep"), {"command hlep", "mean help?"});
+  check_refusal(run("help sweep design"), {"help sweep", "one command"});
+  check_refusal(run("init bulding"),
+                {"init = bulding", "building, machine or equipment", "mean building?"});
+  check_refusal(run("init building machine"), {"machine", "unexpected"});
+  check_refusal(run("init --json"), {"--json", "not an option of init"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "refusal.hpp"
+#include "run_program.hpp"
+#include "wrong_arguments.hpp"
+
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(wrong_sweep_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+using namespace stillpoint::cli_test::right;
+namespace data = boost::unit_test::data;
+
+Arguments sweep(const Arguments& more) {
+  return joined("sweep --v0 1 --p 1", more);
+}
+
+Arguments sweep_designs(const char* hits) {
+  return {"sweep", "--v0", hits, "--p", "1", "--beta", "2"};
+}
+
+Wrong axis(const char* text, const Texts& says) {
+  return {sweep({"--delta", "0", "--f", text}), says};
+}
+
+Wrong forced(const Arguments& more, const Texts& says) {
+  return {joined(sweep("--f 0.1 --delta 0,1"), more), says};
+}
+
+const std::vector<Wrong> sweeps{
+    axis("0:1", {"f = 0:1", "first:last:count"}),
+    axis("0:1:2:3", {"f = 0:1:2:3", "first:last:count:log"}),
+    axis("a:1:2", {"f = \"a\"", "finite number"}),
+    axis("0.1,,0.2", {"f = \"\"", "finite number"}),
+    axis("0:1:2.5", {"f = \"2.5\"", "whole number"}),
+    axis("0:1:0", {"f = 0:1:0", "count from 1"}),
+    axis("0:1:3:log", {"f = 0:1:3:log", "above 0"}),
+    axis("-1e308:1e308:3", {"f = -1e308", "length"}),
+    axis("0.1:-0.1:3", {"stillpoint: f = -0.1: must be a number from 0"}),
+    axis("-1", {"stillpoint: f = -1: must be a number from 0"}),
+    {"sweep --v0 0.9:1.1 --p 1 --f 0.1 --delta 0.1",
+     {"v0 = 0.9:1.1", "first:last:count", "for designs"}},
+    {sweep_designs("2:1"), {"v0 = 2:1", "0 <= LOW <= HIGH"}},
+    {sweep_designs("1,3:2"), {"v0 = 3:2", "0 <= LOW <= HIGH"}},
+    {sweep_designs("nan:1"), {"v0 = \"nan\"", "finite number"}},
+    {sweep_designs("1,1e-200:1"), {"v0_low = 1e-200", "from 1e-150"}},
+    {sweep("--beta 1 --arrivals 1:4:3"), {"arrivals = 2.5", "whole number from 1 to 1000"}},
+    {sweep("--beta 1 --arrivals 1e9"), {"arrivals = 1000000000", "whole number from 1 to 1000"}},
+    {sweep("--beta 1 --residual 0,-1"), {"residual = -1", "from 0"}},
+    {sweep("--f 1 --delta 1 --residual 1"), {"residual is for designs"}},
+    {"sweep --p 1 --beta 1 --list -",
+     {"line 2", "v0_low = 2: must be at most v0 = 1"},
+     "v0,v0_low\n1,2\n"},
+    {"sweep --velocity 1 --max-displacement 1 --list -",
+     {"line 2", "period_low = 3: must be at most period = 2"},
+     "period,period_low\n2,3\n"},
+    {"sweep --v0 0.9:1 --p 1 --beta 1 --list -",
+     {"v0 = 0.9:1", "is a column of the list as well"},
+     "v0_low\n1\n"},
+    {sweep("--beta 1 --pulse half-sine --k 1 --lambda 1"), {"v0 and pulse exclude each other"}},
+    {sweep("--beta 1 --k 1"), {"k is for a pulse", "--pulse"}},
+    {"sweep --p 1 --beta 1 --pulse half-sine --k 1", {"lambda is missing"}},
+    {"sweep --p 1 --beta 1 --pulse half-sine --k 1 --lambda 1 --residual 0.1",
+     {"pulse = half-sine", "residual"}},
+    {"sweep --p 1 --f 1 --delta 1 --pulse half-sine --k 1", {"pulse is for designs"}},
+    forced("--excitation half-sine --k 1,2 --lambda 1", {"k = 1,2", "one number for motions"}),
+    forced("--excitation half-sine --k 1 --lambda 1:2", {"lambda = 1:2", "one number for motions"}),
+    {sweep("--beta 1 --list -"),
+     {"lambda-high = an input: must be left out without a pulse"},
+     "lambda_high\n1\n"},
+    {"sweep --p 1 --beta 1 --pulse half-sine --k 1 --lambda 1 --list -",
+     {"v0-low = an input: must be left out with a pulse"},
+     "v0_low\n1\n"},
+    {sweep("--beta 1 --list -"), {"k = an input: must be left out without a pulse"}, "k\n1\n"},
+    {"sweep --v0 1 --p 1 --delta 1 --list -",
+     {"v0_low", "not an input of a free sweep"},
+     "v0_low,f\n1,1\n"},
+    {sweep("--beta 0.9 --tolerance-f 1.1:1.2"), {"tolerance-f = 1.1:1.2", "LOW <= 1"}},
+    {sweep("--beta 0.9 --trade-off 5"), {"--trade-off: is not an option of sweep"}},
+    {sweep("--f 0:1:1000000000 --delta 0:1:10000000"), {"grid", "more than 1000000000000000"}},
+    {sweep("--delta 0"), {"f is missing", "first:last:count"}},
+    {"sweep --p 1 --f 1 --delta 1", {"v0 is missing"}},
+    {sweep("--f 1 --beta 1"), {"beta and f exclude each other"}},
+    {sweep("--beta 1 --excitation harmonic"), {"beta and excitation exclude"}},
+    {sweep("--beta 0.9,-1"), {"beta = -1", "from 1e-300"}},
+    {sweep("--beta 0.9 --tolerance 2"), {"tolerance = 2"}},
+    forced("--tolerance 0.1", {"tolerance is for designs"}),
+    forced("--objective time", {"objective is for designs"}),
+    forced("--t-end 9", {"t-end is for an excitation"}),
+    forced("--k 9", {"k is for an excitation"}),
+    forced("--excitation harmonic --k 1 --lambda 1", {"t-end is missing", "never ends"}),
+    forced("--excitation full-sine --k 1 --lambda 0", {"lambda = 0"}),
+    forced("--record none.txt", {"none.txt", "No such file"}),
+    forced("--format xls", {"format = xls", "csv or npy"}),
+    forced("--columns f,fast", {"columns", "\"fast\"", "peak_amplitude"}),
+    forced("--columns sticks", {"columns = \"sticks\"", "must be among"}),
+    forced({"--columns", ""}, {"columns", "\"\""}),
+    forced("--columns f,f", {"columns = f", "twice"}),
+    forced("--columns f --times", {"columns and times exclude"}),
+    forced("--threads 0", {"threads = 0", "from 1 to 1024"}),
+    forced("--list-format csv", {"give --list FILE"}),
+    forced("--list none.csv", {"none.csv", "No such file"}),
+    {"sweep --list - --list-format xml", {"list-format = xml", "csv or jsonl"}, "f,delta\n"},
+    {"sweep --v0 1 --p 1,2 --list -", {"p = 1,2", "one number beside a list"}, "f,delta\n1,1\n"},
+    {sweep("--f 1 --list -"), {"beta and f exclude each other"}, "beta\n1\n"},
+    {"sweep - --list -", {"scene and the list", "standard input"}, "f,delta\n1,1\n"},
+    {sweep("--period 1"), {"p and period", "exclude each other"}},
+    {with(simulate(), "--f", "0:1:2"), {"f = \"0:1:2\"", "finite number"}},
+    {"sweep -",
+     {"f = [\"1\"]", "an array of numbers"},
+     R"({"v0": 1, "p": 1, "delta": 0, "f": ["1"]})"},
+    {"sweep -", {"f = []", "an array of numbers"}, R"({"v0": 1, "p": 1, "delta": 0, "f": []})"},
+};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, sweep_input, data::make(sweeps), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_FIXTURE_TEST_SUITE(sweep_output, Sandbox)
+
+BOOST_AUTO_TEST_CASE(that_cannot_be) {
+  const auto entries = [](const Arguments& more) {
+    return joined(sweep("--f 0.1 --delta 0,1"), more);
+  };
+  for (const auto& [more, says] : std::vector<std::pair<Arguments, Texts>>{
+           {{"--json"}, {"json and the rows", "give --output FILE"}},
+           {{"--resume"}, {"resume = true", "an output file"}},
+           {{"--output", ""}, {"output = \"\"", "name of a file"}},
+           {{"--output", "-"}, {"output = -"}},
+           {{"--output", "."}, {"output .", "directory"}},
+           {{"--output", "no/where.csv"}, {"output no/where.csv", "No such file"}},
+           {{"--output", "/dev/full"}, {"output /dev/full", "No space left"}}}) {
+    check_refusal(run(entries(more)), says);
+    BOOST_TEST(contents().empty());
+  }
+  check_refusal(run(entries({}), to_a_full_device), {"standard output", "No space left"});
+  const Surroundings list{.input = "f,delta\n1,1\n"};
+  check_refusal(run(sweep("--list - --format npy"), list),
+                {"format = npy", "an output file for a list"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE_END()

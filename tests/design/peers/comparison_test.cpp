@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "design/peers/reference_scenes.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/peers/comparison.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+namespace stillpoint::peers {
+
+BOOST_AUTO_TEST_SUITE(comparison_test)
+
+namespace {
+
+void every_peer_is(Run run, const Comparison& comparison) {
+  for (std::size_t i = 1; i < comparison.rows.size(); ++i) {
+    BOOST_TEST(comparison.rows[i].run == run, comparison.rows[i].name);
+  }
+  BOOST_TEST(comparison.rows.front().run == Run::done);
+  BOOST_TEST(comparison.rows.front().counts_right);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(where_nothing_moves_no_peer_is_run) {
+  const auto nothing_moves = [](const Scene& s) { every_peer_is(Run::nothing_moves, compare(s)); };
+  nothing_moves(with(NoExcitation{}, {1, 0.1, 0.2}, {0, 0.1}, 1));    // caught at the start
+  nothing_moves(with(NoExcitation{}, {1, 0.5, 0}, {0.25, 0}, 1));     // in the dead zone
+  nothing_moves(with(Rectangle{0.05, 1}, {1, 0.1, 0}, {0, 0}, 1));    // k < f
+  nothing_moves(with(Harmonic{0.05, 1}, {1, 0.1, 0}, {0, 0}, 1000));  // held for ever
+  every_peer_is(Run::done, compare(with(NoExcitation{}, {1, 0.5, 0}, {1, 0}, 10)));
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_end_to_follow_it_to_is_refused) {
+  const auto scene_of = [](const Oscillator& oscillator) {
+    return comparison_scene({.oscillator = oscillator, .start = {0, 1}, .half_cycle_limit = {}});
+  };
+  BOOST_CHECK_THROW(static_cast<void>(scene_of({1, 0, 0})), InputError);
+  // 1e9 half-cycles by the map, 1e150 by the closed form, which no integer counts.
+  BOOST_CHECK_THROW(static_cast<void>(scene_of({1, 1e-9, 1e-9})), TooManyHalfCycles);
+  BOOST_CHECK_THROW(static_cast<void>(scene_of({1e150, 1, 0})), TooManyHalfCycles);
+}
+
+// f just below k: the mass moves by 1e-23, and the width of the regularised model is then so small
+// that its run would take for ever.
+BOOST_AUTO_TEST_CASE(what_hardly_moves_is_given_up) {
+  const Comparison found = compare(with(FullSine{1, 0.5}, {1, 0.999999999999, 0.125}, {0, 0}, 30));
+  BOOST_TEST(found.rows.front().result.turns == 1);
+  BOOST_TEST(found.rows.front().peak_error < 1e-8);
+  BOOST_TEST(found.rows.back().run == Run::too_long);
+  BOOST_TEST(found.rows.back().name == "regularised");
+}
+
+// dopri5's errors of S1 follow its tolerance in any units, since both are relative to the peak.
+BOOST_AUTO_TEST_CASE(errors_are_relative) {
+  for (const double unit : {1.0, 1e-5, 1e-100, 1e100}) {
+    const Comparison found =
+        compare(with(NoExcitation{}, {1, 0.02 * unit, 0.02 * unit * unit}, {0, unit}, 140));
+    const MethodRow& loose = found.rows[1];
+    BOOST_TEST(loose.name == "dopri5");
+    BOOST_TEST(loose.setting == 1e-6);
+    BOOST_TEST(loose.counts_right, "unit " << unit);
+    BOOST_TEST(loose.peak_error > 1e-8);
+    BOOST_TEST(loose.peak_error < 1e-6);
+    BOOST_TEST(loose.end_error < 2e-6);
+    BOOST_TEST(found.rows.front().peak_error < 4e-16);
+    BOOST_TEST(found.rows.front().end_error < 1e-15);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(real_notches_are_compared_with_50_digits) {
+  const auto request = [](const Oscillator& oscillator, const Surface& surface,
+                          const Excitation& excitation = {}) {
+    return SimulationRequest{.oscillator = oscillator,
+                             .start = {0, 1},
+                             .excitation = excitation,
+                             .surface = surface,
+                             .half_cycle_limit = {}};
+  };
+  for (const SimulationRequest& one :
+       {request({1, 0.26, 0.37}, {0.05, {}}), request({1, 0.02, 0.02}, {0.1, {{0.3, 0.04}}}),
+        request({1, 0.05, 0.05}, {0.1, {}}, HalfSine{0.5, 1}),
+        request({1, 0.1, 0}, {{}, {{0.2, 0.3}, {0.5, 0.15}}}),
+        request({1, 0.05, 0.05, 0.2}, {}, HalfSine{0.5, 1})}) {
+    const Comparison found = compare(comparison_scene(one));
+    BOOST_TEST(found.rows.front().counts_right);
+    BOOST_TEST(found.rows.front().peak_error <= 1e-15);
+    BOOST_TEST(found.rows.front().end_error <= 1e-14);
+    bool regularised = false;
+    for (const MethodRow& row : found.rows) {
+      regularised = regularised || row.name == "regularised";
+      if ((row.name == "dopri5" && row.setting == 1e-12) ||
+          (row.name == "RK4" && row.setting < 0.002)) {
+        BOOST_TEST(row.counts_right);
+        BOOST_TEST(row.end_error <= 1e-8);
+      }
+    }
+    BOOST_TEST(regularised == std::isinf(one.oscillator.hold));  // the model has no hold
+  }
+}
+
+// k < f: the mass comes to rest for good although the load never ends.
+BOOST_AUTO_TEST_CASE(a_rest_that_a_harmonic_load_cannot_end_is_final) {
+  const Comparison found = compare(with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60));
+  BOOST_TEST(found.exact.rounded.outcome != Outcome::running);
+  for (const MethodRow& row : found.rows) {
+    const bool fine = row.name != "dopri5" || row.setting < 1e-6;
+    BOOST_TEST((row.counts_right || !fine), row.name << ' ' << row.setting);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::peers

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The rules of the motion beyond the reference scenes, against the kernel.
+#include "design/peers/reference_scenes.hpp"
+#include "testing/forced_scene.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/peers/methods.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stillpoint::peers {
+
+BOOST_AUTO_TEST_SUITE(peer_rules_test)
+
+// Pulses, an excitation that ends, a start at x0, an uneven record: the rules beyond the scenes,
+// against the exact kernel.
+BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
+  Record uneven;
+  uneven.values = {0.3, -0.2, 0.25, 0.1, -0.3};
+  uneven.times = {0.5, 2, 3.25, 6, 8};
+  const std::vector<Scene> all{
+      with(HalfSine{0.5, 2}, {1, 0.05, 0.01}, {0, 0}, 20),
+      with(FullSine{0.5, 1.5}, {1.3, 0.04, 0}, {0, 0.3}, 20),
+      with(Rectangle{0.4, 1}, {0.8, 0.06, 0.02}, {0.5, -0.2}, 20),
+      with(Harmonic{0.3, 0.9, 0.7, 12}, {1, 0.05, 0.005}, {-0.4, 0}, 40),
+      with(uneven, {1, 0.04, 0.001}, {0, 0.5}, 12),
+      with(Harmonic{0.05, 1.3}, {1, 0.1, 0.01}, {0, 1}, 60),  // held for ever in the end: k < f
+      with(NoExcitation{}, {2, 0.1, 0.01}, {0.3, -1}, 30),
+      with(NoExcitation{}, {1, 0.1, 0.6}, {0, 1}, 5),  // caught at the start
+  };
+  constexpr double tolerance = 1e-9;
+  for (const Scene& s : all) {
+    const ForcedResponse exact =
+        forced_response(s.oscillator, s.start, s.excitation, {.t_end = s.t_end});
+    BOOST_TEST_CONTEXT("excitation " << s.excitation.index()) {
+      for (const Result& result : {dopri5(s, 1e-13), runge_kutta4(s, 1e-3)}) {
+        BOOST_TEST(result.outcome == exact.outcome);
+        BOOST_TEST(std::abs(result.peak - exact.peak_amplitude) < tolerance);
+        BOOST_TEST(std::abs(result.x - *exact.final_position) < tolerance);
+        BOOST_TEST(std::abs(result.v - *exact.final_velocity) < tolerance);
+        BOOST_TEST(std::abs(result.end_time - *exact.end_time) < tolerance);
+        BOOST_TEST(static_cast<double>(result.passages) == *exact.zero_passages);
+        BOOST_TEST(static_cast<double>(result.turns) == *exact.turning_points);
+        BOOST_TEST(static_cast<double>(result.sticks) == exact.sticks);
+      }
+    }
+  }
+}
+
+// Notches that hold only so much or have a width, and friction in zones: docs/notches.md section 2.
+// The peers share only the rules with the kernel.
+BOOST_AUTO_TEST_CASE(random_real_notches_follow_the_same_rules) {
+  test::Dice dice(40403);
+  constexpr int count = 400;
+  constexpr double decided_margin = 1e-6;
+  constexpr double tolerance = 1e-8;  // 1e-13 per step, and what the motion enlarges
+  int undecided = 0;
+  for (int i = 0; i < count; ++i) {
+    const test::ForcedScene<> drawn = test::random_notched_scene(dice);
+    const Scene s{drawn.oscillator(), drawn.motion.start(), drawn.excitation,
+                  std::min(drawn.t_end, 25 / drawn.motion.p), drawn.surface};
+    const ForcedResponse exact =
+        forced_response(s.oscillator, s.start, s.excitation, {.t_end = s.t_end}, s.surface);
+    if (!exact.decision_margin || exact.decision_margin < decided_margin) {
+      ++undecided;
+      continue;
+    }
+    const double length = std::max(exact.peak_amplitude, 1e-300);
+    const Size size{length, s.oscillator.p * length, 1 / s.oscillator.p};
+    const Result result = dopri5(s, 1e-13, size);
+    BOOST_TEST_CONTEXT(drawn) {
+      BOOST_TEST(result.finished);
+      BOOST_TEST(static_cast<double>(result.passages) == *exact.zero_passages);
+      BOOST_TEST(static_cast<double>(result.turns) == *exact.turning_points);
+      BOOST_TEST(static_cast<double>(result.sticks) == exact.sticks);
+      BOOST_TEST(result.outcome == exact.outcome);
+      BOOST_TEST(std::abs(result.peak - exact.peak_amplitude) <= tolerance * size.length);
+      BOOST_TEST(std::abs(result.x - *exact.final_position) <= tolerance * size.length);
+      BOOST_TEST(std::abs(result.v - *exact.final_velocity) <= tolerance * size.speed);
+      BOOST_TEST(std::abs(result.end_time - *exact.end_time) <= tolerance * s.t_end);
+    }
+  }
+  BOOST_TEST(undecided <= count / 10);
+}
+
+// Nothing holds the mass, and the load begins at 0: x'' + x = -k sin(lambda t).
+BOOST_AUTO_TEST_CASE(a_load_that_begins_at_what_friction_holds_moves_the_mass_at_once) {
+  const Scene s = with(Harmonic{0.1, 0.5}, {1, 0, 0}, {0, 0}, 10);
+  const double x = -0.1 * (std::sin(5.0) - 0.5 * std::sin(10.0)) / (1 - 0.25);
+  BOOST_TEST(std::abs(dopri5(s, 1e-12).x - x) < 1e-10);
+  BOOST_TEST(std::abs(runge_kutta4(s, 1e-3).x - x) < 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(the_regularised_model_knows_widths_and_zones) {
+  const Scene s{{1, 0.02, 0.02}, {0, 1}, NoExcitation{}, 140, {0.1, {{0.3, 0.04}}}};
+  const Result truth = kernel(s);
+  const auto error = [&](double width) {
+    return std::abs(regularised(s, width).end_time - truth.end_time);
+  };
+  BOOST_TEST(error(1e-3) < error(1e-2) / 2);
+  BOOST_TEST(regularised(s, 1e-3).outcome == Outcome::stopped_in_notch);
+  BOOST_TEST(regularised(s, 1e-3).passages == truth.passages);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::peers
