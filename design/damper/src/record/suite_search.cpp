@@ -44,7 +44,7 @@ constexpr double first_reach = 0.04;
 constexpr double last_reach = first_reach / 64;
 constexpr double shrinkage = 0.25;
 constexpr int most_zooms = 12;
-/// So many that a population does not crowd on one of two ridges too soon. One in ten still does
+/// So many that a population does not crowd on one of two ridges too soon. One in eight still does
 /// (the last suite of docs/records-design.md), so that there are two.
 constexpr std::size_t kept_points = 600;
 constexpr std::size_t generation = 1000;
