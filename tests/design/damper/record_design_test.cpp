@@ -141,11 +141,14 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_watched_to_its_end_finds_the_same) {
   RecordDesignRequest request = with_capacity();
   request.threads = 2;
   std::int64_t evaluations = 0;
+  std::int64_t expected = 0;
   bool counted = true;
   SuitePoint best;
   const RecordDesign watched = design::design(request, [&](const RecordProgress& progress) {
-    counted = counted && progress.evaluations > evaluations;
+    counted = counted && progress.evaluations > evaluations &&
+              (evaluations == 0 || progress.expected == expected);
     evaluations = progress.evaluations;
+    expected = progress.expected;
     best = progress.best.value();
     return true;
   });
@@ -153,6 +156,7 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_watched_to_its_end_finds_the_same) {
   BOOST_TEST(counted);
   BOOST_TEST(!watched.search.interrupted);
   BOOST_TEST(evaluations > watched.search.scan_points);
+  BOOST_TEST((evaluations > expected / 2 && evaluations < expected * 2));
   BOOST_TEST(best.figures.acceleration == watched.nearest.figures.acceleration);
 }
 
@@ -183,6 +187,22 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_has_the_best_so_far) {
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_on_its_way_to_no_friction_has_none) {
+  RecordDesignRequest request = two_records();
+  request.hold = 0.03;
+  request.threads = 1;
+  const auto vanishes = [](double f) { return f > 0 && f < 1e-9; };
+  bool met = false;
+  const RecordDesign stopped = design::design(request, [&](const RecordProgress& progress) {
+    met = vanishes(progress.best.value().damper.f);
+    return !met;
+  });
+  BOOST_TEST(met);
+  BOOST_TEST(stopped.search.interrupted);
+  BOOST_TEST(stopped.finding.has_value());
+  BOOST_TEST(stopped.nearest.damper.f == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_says_of_no_limit_that_it_would_do) {

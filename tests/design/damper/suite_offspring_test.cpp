@@ -32,7 +32,7 @@ bool in_the_box(const std::vector<Point>& points) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_best_points_follow_a_thin_curved_ridge_to_its_end) {
-  SuiteOffspring offspring;
+  SuiteOffspring offspring(0);
   std::vector<Point> kept{{0.05, 0.0025, 0.95}};
   for (int i = 0; i < 100; ++i) {
     const std::vector<Point> points =
@@ -45,12 +45,13 @@ BOOST_AUTO_TEST_CASE(the_best_points_follow_a_thin_curved_ridge_to_its_end) {
   BOOST_TEST(on_a_ridge(kept.front()) < 1e-3);
 }
 
-BOOST_AUTO_TEST_CASE(they_are_the_same_each_time) {
-  SuiteOffspring one;
-  SuiteOffspring other;
+BOOST_AUTO_TEST_CASE(a_population_is_the_same_each_time) {
+  SuiteOffspring one(1);
+  SuiteOffspring other(1);
   const std::vector<Point> first = one.about({0.5, 1}, 20);
   BOOST_TEST((first == other.about({0.5, 1}, 20)));
   BOOST_TEST((one.of(first, 20) == other.of(first, 20)));
+  BOOST_TEST((SuiteOffspring(2).of(first, 20) != SuiteOffspring(1).of(first, 20)));
   // The first step by hand: a reach of 2^-3 to 2^-12, within the box.
   for (const Point& point : first) {
     BOOST_TEST((std::abs(point[0] - 0.5) <= 0.125 && point[1] >= 0.875 && point[1] <= 1));

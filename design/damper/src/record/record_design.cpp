@@ -186,11 +186,11 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
                                        const SuiteScan& scan, const RecordDesignRequest& request,
                                        const SuiteFigures& nearest, std::int64_t& evaluations,
                                        SuiteWatch& watch) {
+  watch.expect(usual_evaluations(box) * std::ranges::count_if(limit_of, [&](const auto& each) {
+                 return (request.limits.*each.second).has_value();
+               }));
   std::vector<SuiteShortfall> list;
-  for (const auto& [which, member] :
-       {std::pair(SuiteObjective::amplitude, &SuiteLimits::peak),
-        std::pair(SuiteObjective::acceleration, &SuiteLimits::acceleration),
-        std::pair(SuiteObjective::residual, &SuiteLimits::residual)}) {
+  for (const auto& [which, member] : limit_of) {
     SuiteLimits limits = request.limits;
     const std::optional<double> limit = std::exchange(limits.*member, std::nullopt);
     if (!limit) {
@@ -242,6 +242,7 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   const SuiteBox box(task);
   SuiteWatch watch(task, ask);
   const auto [side, all] = grid_size(box, task.scan_points);
+  watch.expect((scanned != nullptr ? 0 : all) + usual_evaluations(box));
   SuiteScan scan{side, scanned != nullptr
                            ? *scanned
                            : grid_figures(suite, box, side, 0, all, task.threads, watch)};
@@ -306,6 +307,7 @@ std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request, std::int
   require_within("first", static_cast<double>(first), 0, static_cast<double>(size.all));
   require_within("count", static_cast<double>(count), 0, static_cast<double>(size.all - first));
   SuiteWatch watch(task, ask);
+  watch.expect(count);
   return grid_figures(Suite(task), box, size.side, first, count, task.threads, watch);
 }
 

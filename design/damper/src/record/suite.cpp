@@ -5,9 +5,7 @@
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 #include <variant>
 
 namespace stillpoint::design {
@@ -16,12 +14,6 @@ namespace {
 
 /// Of a damper that never rests: worse than any that does. Finite, because NLopt sees it.
 constexpr double never_rests = 1e9;
-
-const std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>, 3> limit_of{{
-    {SuiteObjective::amplitude, &SuiteLimits::peak},
-    {SuiteObjective::acceleration, &SuiteLimits::acceleration},
-    {SuiteObjective::residual, &SuiteLimits::residual},
-}};
 
 }  // namespace
 

@@ -3,9 +3,12 @@
 
 #include <stillpoint/design/record_design.hpp>
 
+#include <array>
 #include <compare>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -68,6 +71,14 @@ class Suite {
   double hold_;
   Surface surface_;
 };
+
+/// The limit of each figure.
+inline constexpr std::array<std::pair<SuiteObjective, std::optional<double> SuiteLimits::*>, 3>
+    limit_of{{
+        {SuiteObjective::amplitude, &SuiteLimits::peak},
+        {SuiteObjective::acceleration, &SuiteLimits::acceleration},
+        {SuiteObjective::residual, &SuiteLimits::residual},
+    }};
 
 /// How good a damper is: the less, the better. Any that is admissible is better than any other.
 struct SuiteRank {

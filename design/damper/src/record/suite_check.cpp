@@ -15,8 +15,10 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Of the phase p t. The error of a step is (p h)^5/120 of the motion, so 5e-12 for each radian.
-constexpr double phase_step = 1.0 / 200;
+/// Of the phase p t. The error of a step is (p h)^5/120 of the motion, so 5e-16 for each radian:
+/// narrow decisions make up to a millionfold of it. A slip as short as a step is off by
+/// (p h)^2/20 of itself, so 1e-8.
+constexpr double phase_step = 1.0 / 2000;
 /// Twice the half-cycles that a suite allows, with the pieces between the edges of a notch.
 constexpr std::int64_t most_pieces_after_the_record = 80'000;
 /// Of a step: it leaves 1e-15 of it.
@@ -29,14 +31,14 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 using State = std::array<double, 2>;  // x, x'
 
-/// W between two samples, or 0 outside of them.
+/// W between two samples, or 0 outside of them. Times count from the begin of the stretch: counted
+/// from that of the record, their rounding would be the largest error.
 struct Stretch {
-  double begin{0};
-  double end{never};
+  double length{never};
   double from{0};
   double slope{0};
 
-  [[nodiscard]] double load(double t) const { return from + slope * (t - begin); }
+  [[nodiscard]] double load(double t) const { return from + slope * t; }
 };
 
 class Integration {
@@ -55,18 +57,15 @@ class Integration {
   }
 
   IntegratedSuiteMotion run(const Record& record) {
-    const auto time = [&](std::size_t i) {
-      return record.times.empty() ? static_cast<double>(i) * record.step : record.times[i];
-    };
-    follow({0, time(0), 0, 0});
-    for (std::size_t i = 0; i + 1 < record.values.size(); ++i) {
-      const double begin = time(i);
-      const double end = time(i + 1);
-      follow({begin, end, record.values[i],
-              (record.values[i + 1] - record.values[i]) / (end - begin)});
+    if (!record.times.empty()) {
+      follow({record.times.front(), 0, 0});
     }
-    const double over = record.values.empty() ? 0 : time(record.values.size() - 1);
-    rest_after_the_load({over, never, 0, 0});
+    for (std::size_t i = 0; i + 1 < record.values.size(); ++i) {
+      const double length =
+          record.times.empty() ? record.step : record.times[i + 1] - record.times[i];
+      follow({length, record.values[i], (record.values[i + 1] - record.values[i]) / length});
+    }
+    rest_after_the_load({});
     return result_;
   }
 
@@ -87,17 +86,17 @@ class Integration {
 
   /// Up to the end of the stretch, or of the motion after it.
   void follow(const Stretch& stretch) {
-    t_ = stretch.begin;
-    while (t_ < stretch.end && !locked_) {
+    t_ = 0;
+    while (t_ < stretch.length && !locked_) {
       resting_ ? rest(stretch) : slide(stretch);
     }
     if (locked_) {
-      feel_load(stretch, t_, stretch.end);
+      feel_load(stretch, t_, stretch.length);
     }
   }
 
   void rest_after_the_load(const Stretch& stretch) {
-    t_ = stretch.begin;
+    t_ = 0;
     for (std::int64_t piece = 0; piece < most_pieces_after_the_record; ++piece) {
       if (resting_ && (locked_ || std::abs(stiffness_ * state_[0]) <= capacity(-state_[0]))) {
         result_.settled = true;
@@ -126,12 +125,12 @@ class Integration {
     if (std::abs(now) - capacity(-now) > load_rounding * size) {
       return set_off(-now);
     }
-    const double then = stretch.load(stretch.end) + stiffness_ * state_[0];
+    const double then = stretch.load(stretch.length) + stiffness_ * state_[0];
     const double most = capacity(-then);
-    double until = stretch.end;
+    double until = stretch.length;
     if (std::abs(then) > most) {
       until = t_ + (std::copysign(most, then) - now) / stretch.slope;
-      until = std::clamp(until, t_, stretch.end);
+      until = std::clamp(until, t_, stretch.length);
     }
     feel_load(stretch, t_, until);
     t_ = until;
@@ -189,8 +188,8 @@ class Integration {
     const double s = direction_;
     const double phi = friction(s);
     const double limit = edge(s);
-    while (t_ < stretch.end) {
-      const double room = stretch.end - t_;
+    while (t_ < stretch.length) {
+      const double room = stretch.length - t_;
       const bool last_step = room <= step_;
       const double whole = last_step ? room : step_;
       double h = whole;
@@ -219,7 +218,7 @@ class Integration {
         h = last(h, [&](double part) { return s * stepped(stretch, phi, part)[0] < limit; });
         next = stepped(stretch, phi, h);
       }
-      t_ = last_step && h == whole ? stretch.end : t_ + h;
+      t_ = last_step && h == whole ? stretch.length : t_ + h;
       state_ = next;
       feel_slide(phi);
       if (arrived) {
@@ -252,7 +251,7 @@ class Integration {
   double wall_{0};
   double notch_{0};  // 2 Delta of a notch without a width
   State state_{};
-  double t_{0};
+  double t_{0};  // since the stretch began
   double direction_{1};
   bool resting_{true};
   bool locked_{false};

@@ -16,7 +16,7 @@ struct IntegratedSuiteMotion {
 };
 
 /// The rules of docs/forced.md section 1 and docs/notches.md section 2 around pieces by the
-/// classical Runge-Kutta method, whose steps are at most 1/200 of 1/p and end at the samples;
+/// classical Runge-Kutta method, whose steps are at most 1/2000 of 1/p and end at the samples;
 /// events are bisected on a step. Shares no code with the kernel.
 [[nodiscard]] IntegratedSuiteMotion integrate_record_motion(const Oscillator& oscillator,
                                                             const Surface& surface,

@@ -12,10 +12,12 @@ namespace {
 /// Steps of all lengths are as likely, from an eighth of the box down to a thousandth of that.
 constexpr int longest = -3;
 constexpr int lengths = 10;
-/// Of the points that stay near one; the others are differences, shortened to lengthened.
+/// Of the points that stay near one; the others are differences.
 constexpr double near_share = 0.3;
-constexpr double shortest_factor = 0.3;
-constexpr double longest_factor = 1.2;
+/// A difference is taken 1/16 to 4 times, each doubling as likely: a population that only shortens
+/// them crowds before it has come to the end of its ridge.
+constexpr int least_factor = -4;
+constexpr int factors = 6;
 
 }  // namespace
 
@@ -41,7 +43,7 @@ std::vector<SuiteOffspring::Point> SuiteOffspring::of(const std::vector<Point>& 
     }
     const Point& to = any(kept);
     const Point& from = any(kept);
-    const double factor = shortest_factor + (longest_factor - shortest_factor) * unit();
+    const double factor = std::ldexp(1 + unit(), least_factor + static_cast<int>(unit() * factors));
     for (std::size_t k = 0; k < point.size(); ++k) {
       point[k] = std::clamp(point[k] + factor * (to[k] - from[k]), 0.0, 1.0);
     }

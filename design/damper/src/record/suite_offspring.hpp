@@ -9,10 +9,13 @@ namespace stillpoint::design {
 
 /// New points of the unit box from the best of those that were tried. A thin curved ridge between
 /// limits, where neither a grid nor a descent gets on, is followed by their differences: these
-/// point along it, and are as long as it still is.
+/// point along it.
 class SuiteOffspring {
  public:
   using Point = std::vector<double>;
+
+  /// Each population is another one.
+  explicit SuiteOffspring(std::uint64_t population) : random_(20'081 + population) {}
 
   /// About the best of them.
   [[nodiscard]] std::vector<Point> about(const Point& best, std::size_t count);
@@ -24,7 +27,7 @@ class SuiteOffspring {
   const Point& any(const std::vector<Point>& kept);
   Point near(Point point);
 
-  std::mt19937_64 random_{20'081};
+  std::mt19937_64 random_;
 };
 
 }  // namespace stillpoint::design

@@ -84,7 +84,6 @@ std::vector<SuiteFigures> grid_figures(const Suite& suite, const SuiteBox& box, 
   const SuiteScan grid{side, {}};
   std::vector<SuiteFigures> all;
   all.reserve(static_cast<std::size_t>(count));
-  watch.expect(count);
   std::vector<SuiteDamper> block;
   for (std::int64_t begin = 0; begin < count && !watch.stopped(); begin += scan_block) {
     block.clear();

@@ -4,6 +4,8 @@
 #include "record/suite.hpp"
 #include "record/suite_watch.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,9 @@ struct SuiteOptimum {
   std::string status;
   std::int64_t evaluations{0};  ///< NLopt's
 };
+
+/// About how many dampers that takes.
+[[nodiscard]] std::int64_t usual_evaluations(const SuiteBox& box);
 
 [[nodiscard]] SuiteOptimum optimum(const Suite& suite, const SuiteBox& box, const SuiteScan& scan,
                                    SuiteObjective objective, const SuiteLimits& limits, int threads,

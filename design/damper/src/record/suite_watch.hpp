@@ -18,6 +18,7 @@ class SuiteWatch {
   SuiteWatch(const RecordDesignRequest& request, const RecordWatch& ask)
       : objective_(request.objective), limits_(request.limits), ask_(ask) {}
 
+  /// About so many dampers will be evaluated beside those expected so far.
   void expect(std::int64_t more) { progress_.expected += more; }
 
   /// Each damper with its figures, then one look at whether to go on. By several threads at once.
