@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -28,11 +29,25 @@ ExitCode exit_code(const design::RecordDesign& result) {
   return result.finding->check.passed ? exit_done : exit_check_failed;
 }
 
+namespace {
+
+/// What is not the paper's notch.
+std::optional<design::NotchShape> notch_shape(const Settings& settings, const DesignInput& input) {
+  design::NotchShape shape{notch_width(settings, input.physical)};
+  shape.hold = settings.number("hold").value_or(shape.hold);
+  const Oscillator oscillator{input.request.problem.p, 0, 0, shape.hold};
+  require_valid(oscillator);
+  require_valid(oscillator, Surface{shape.width, {}});
+  const bool asked_for = shape.width || std::isfinite(shape.hold);
+  return asked_for ? std::optional(shape) : std::nullopt;
+}
+
+}  // namespace
+
 report::DesignReport design_report(const Settings& settings) {
   require_options_for(settings, DesignFor::hit);
   DesignInput input = design_input(settings);
-  const std::optional<double> width = notch_width(settings, input.physical);
-  require_valid(Oscillator{input.request.problem.p}, Surface{width, {}});
+  const std::optional<design::NotchShape> notch = notch_shape(settings, input);
   report::DesignReport report;
   report.physical = input.physical;
   if (const auto parts = catalogue_input(settings, input.request.problem.p, input.physical)) {
@@ -50,13 +65,13 @@ report::DesignReport design_report(const Settings& settings) {
     }
     report.trade_off = design::trade_off(problem, limits, *report.trade_offs);
   }
-  if (width && report.result.finding) {
+  if (notch && report.result.finding) {
     design::DesignRequest shown = report.result.request;
     if (const auto& check = report.result.finding->pulse) {
       shown.pulse = check->pulse;
       shown.problem.p = check->p;
     }
-    report.built_notch = built_notch(shown, report.result.finding->point, *width);
+    report.built_notch = built_notch(shown, report.result.finding->point, *notch);
   }
   return report;
 }
