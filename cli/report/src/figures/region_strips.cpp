@@ -78,8 +78,11 @@ std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t ar
 
 std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits& units) {
   const auto& damper = drawn.damper;
-  const std::int64_t own =
-      damper ? design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(0) : 0;
+  std::int64_t own = -1;  // that of the damper; 0: any rest
+  if (damper) {
+    own = design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(0);
+    own = own > drawn.problem.arrivals ? 0 : own;
+  }
   std::vector<FigureArea> areas;
   const auto add = [&](std::int64_t n) {
     if (auto outline = strip_outline(drawn, n, units.length); !outline.empty()) {
