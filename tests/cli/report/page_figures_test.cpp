@@ -249,6 +249,20 @@ BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
   }
 }
 
+/// Every hit up to 1: the most tolerant rests within the residual, whatever the arrival.
+BOOST_AUTO_TEST_CASE(the_area_of_the_design_stands_out) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 1.1, .arrivals = 3, .v0_low = 0, .residual = 0.05};
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
+  const auto ink = [&](const char* name) {
+    const auto area = std::ranges::find(drawn.areas, name, &figures::FigureArea::name);
+    BOOST_TEST_REQUIRE((area != drawn.areas.end()), name);
+    return area->ink;
+  };
+  BOOST_TEST((ink("any rest within the residual") == figures::Ink::sky));
+  BOOST_TEST((ink("arrival 1") == figures::Ink::green));
+}
+
 BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
   const auto caption = [](const design::Problem& problem) {
     const design::RegionRequest request{.problem = problem};

@@ -81,7 +81,9 @@ std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits&
   std::int64_t own = -1;  // that of the damper; 0: any rest
   if (damper) {
     own = design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(0);
-    own = own > drawn.problem.arrivals ? 0 : own;
+    if (own > 0 && strip_outline(drawn, own, units.length).empty()) {
+      own = 0;  // it has no strip of its own but rests within the residual
+    }
   }
   std::vector<FigureArea> areas;
   const auto add = [&](std::int64_t n) {
