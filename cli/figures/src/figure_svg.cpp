@@ -7,6 +7,7 @@
 #include "figure_looks.hpp"
 #include "figure_paths.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <map>
