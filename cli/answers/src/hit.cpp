@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/answers/hit.hpp>
 
-#include <stillpoint/design/built_notch.hpp>
-
 #include <utility>
 
 namespace stillpoint::answers {
 
 namespace {
 
-/// What the notch of the finding does at this width. Under a pulse it is that of the velocity and
+/// What the finding does with the notch to be built. Under a pulse it is that of the velocity and
 /// the period that were checked.
 std::optional<design::BuiltNotch> built(const DesignTask& task,
                                         const design::DesignResult& result) {
-  if (!task.notch_width || !result.finding) {
+  if (!task.notch || !result.finding) {
     return std::nullopt;
   }
   design::DesignRequest shown = result.request;
@@ -21,7 +19,7 @@ std::optional<design::BuiltNotch> built(const DesignTask& task,
     shown.pulse = check->pulse;
     shown.problem.p = check->p;
   }
-  return built_notch(shown, result.finding->point, *task.notch_width);
+  return built_notch(shown, result.finding->point, *task.notch);
 }
 
 }  // namespace

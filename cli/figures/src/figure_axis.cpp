@@ -76,9 +76,10 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
   for (int digits = 6; digits < 17; ++digits) {
     auto labels = written(digits);
     bool exact = true;
-    for (std::size_t i = 1; i < ticks.size(); ++i) {
-      exact = exact && std::abs(std::stod(labels[i]) - ticks[i]) <=
-                           visible * std::abs(ticks[i] - ticks[i - 1]);
+    for (std::size_t i = 0; i < ticks.size() && ticks.size() > 1; ++i) {
+      const double next = i > 0 ? ticks[i - 1] : ticks[1];
+      exact =
+          exact && std::abs(std::stod(labels[i]) - ticks[i]) <= visible * std::abs(ticks[i] - next);
     }
     if (exact) {
       return labels;

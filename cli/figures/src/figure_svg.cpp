@@ -7,6 +7,7 @@
 #include "figure_looks.hpp"
 #include "figure_paths.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -146,8 +147,13 @@ class Drawing {
     const auto& [x, y] = *figure_.inset;
     const Plane plot = plane();
     const Plane part{x, y, right - left, bottom - top};
-    const auto [x0, y1] = plot.pixel({x.least, y.least});
-    const auto [x1, y0] = plot.pixel({x.most, y.most});
+    const auto within = [](double at, double most) { return std::clamp(at, 0.0, most); };
+    const auto low = plot.pixel({x.least, y.least});
+    const auto high = plot.pixel({x.most, y.most});
+    const double x0 = within(low.x, plot.width);
+    const double x1 = within(high.x, plot.width);
+    const double y0 = within(high.y, plot.height);
+    const double y1 = within(low.y, plot.height);
     const double nearest = (left + right) / 2 < (x0 + x1) / 2 ? right : left;
     add("<g class=\"inset\" transform=\"translate({} {})\">\n<path class=\"lens\" "
         "d=\"M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}ZM{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n",
@@ -242,16 +248,78 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string prose(std::string_view text) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto begins_unit = [](char c) { return c == '%' || ((c | 32) >= 'a' && (c | 32) <= 'z'); };
-  std::string result = escaped(text);
-  for (std::size_t i = result.size(); i-- > 2;) {
-    if (is_digit(result[i - 2]) && result[i - 1] == ' ' && begins_unit(result[i])) {
-      result.replace(i - 1, 1, "\u00a0");
+namespace {
+
+constexpr std::string_view no_break = "\u00a0";
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_letter(char c) {
+  return (c | 32) >= 'a' && (c | 32) <= 'z';
+}
+
+/// "9.81 m/s2" in one piece.
+void bind_units(std::string& text) {
+  for (std::size_t i = text.size(); i-- > 2;) {
+    if (is_digit(text[i - 2]) && text[i - 1] == ' ' && (text[i] == '%' || is_letter(text[i]))) {
+      text.replace(i - 1, 1, no_break);
     }
   }
+}
+
+/// "f = 0.02" in one piece; of "0.03 = 5.9 mm" what follows the first number.
+void bind_equations(std::string& text) {
+  const auto begins_number = [&](std::size_t i) {
+    return i < text.size() && (is_digit(text[i]) || text[i] == '-');
+  };
+  for (std::size_t i = text.rfind(" = "); i != std::string::npos && i > 0;
+       i = text.rfind(" = ", i - 1)) {
+    if (begins_number(i + 3)) {
+      text.replace(i + 2, 1, no_break);
+      const std::size_t word = text.rfind(' ', i - 1) + 1;  // npos + 1 is 0
+      if (!begins_number(word)) {
+        text.replace(i, 1, no_break);
+      }
+    }
+  }
+}
+
+/// Browsers break "6.2e-09" and "1998-2" after the hyphen.
+bool breaks_in_number(std::string_view word) {
+  for (std::size_t i = 1; i + 1 < word.size(); ++i) {
+    const bool exponent = i > 1 && word[i - 1] == 'e' && is_digit(word[i - 2]);
+    if (word[i] == '-' && is_digit(word[i + 1]) && (exponent || is_digit(word[i - 1]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string with_whole_numbers(std::string_view text) {
+  constexpr std::size_t longest = 40;  // of what a narrow screen has room for
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    const bool whole = word.size() <= longest && breaks_in_number(word);
+    result += whole ? fmt::format(R"(<span class="number">{}</span>)", word) : std::string(word);
+    if (end < text.size()) {
+      result += ' ';
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
   return result;
+}
+
+}  // namespace
+
+std::string prose(std::string_view text) {
+  std::string result = escaped(text);
+  bind_units(result);
+  bind_equations(result);
+  return with_whole_numbers(result);
 }
 
 }  // namespace stillpoint::figures

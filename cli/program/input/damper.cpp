@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace stillpoint::cli {
 
 namespace {
@@ -87,6 +89,17 @@ std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Ta
   return answers::PartsOfFile{*settings.text("catalogue"), read_parts(settings, units)};
 }
 
+/// What is not the paper's notch.
+std::optional<design::NotchShape> notch_shape(const Settings& settings, const Task& task) {
+  design::NotchShape shape{notch_width(settings, task.physical)};
+  shape.hold = settings.number("hold").value_or(shape.hold);
+  const Oscillator oscillator{task.problem.p, 0, 0, shape.hold};
+  require_valid(oscillator);
+  require_valid(oscillator, Surface{shape.width, {}});
+  const bool asked_for = shape.width || std::isfinite(shape.hold);
+  return asked_for ? std::optional(shape) : std::nullopt;
+}
+
 }  // namespace
 
 void shape_box(const Settings& settings, design::Limits& limits) {
@@ -126,8 +139,7 @@ answers::DesignTask design_input(const Settings& settings) {
                             pulse,
                             pulse_ranges(settings, pulse)},
                            given.physical};
-  task.notch_width = notch_width(settings, given.physical);
-  require_valid(Oscillator{given.problem.p}, Surface{task.notch_width, {}});
+  task.notch = notch_shape(settings, given);
   task.catalogue = catalogue(settings, given);
   task.trade_offs = settings.integer("trade-off");
   if (task.trade_offs && pulse) {

@@ -77,14 +77,10 @@ void require_options_for(const Settings& settings, DesignFor design) {
   for (const Option& option : options()) {
     const DesignFor only = option.design_for();
     if (only != DesignFor::both && only != design && settings.has(option.name)) {
-      throw UsageError(
-          design == DesignFor::records
-              ? fmt::format("{} is not for a design under records", option.name)
-              : fmt::format("{} is for a design under records: give --record as well{}",
-                            option.name,
-                            option.serves(Command::simulate)
-                                ? fmt::format(", or --{} to simulate", option.name)
-                                : ""));
+      throw UsageError(design == DesignFor::records
+                           ? fmt::format("{} is not for a design under records", option.name)
+                           : fmt::format("{} is for a design under records: give --record as well",
+                                         option.name));
     }
   }
 }

@@ -158,8 +158,7 @@ std::vector<Option> rows() {
       row("hold", number, "H", damper,
           "what the notch holds at x = 0 besides f, in g; default: any load",
           of_suites | of_excitations,
-          under_records(
-              {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities})),
+          {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
           "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
           design | of_excitations, plain_axis(Rivals::notch)),

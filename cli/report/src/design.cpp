@@ -94,14 +94,22 @@ void add_pulse_check(Document& document, const design::PulseCheck& check, double
   }
 }
 
-/// What a notch of finite width changes.
+/// What a notch that is not the paper's changes.
 void add_built_notch(Document& document, const design::BuiltNotch& built,
                      const design::Finding& finding, const Physical& physical) {
-  const auto& [width, friction, response] = built;
+  const auto& [shape, friction, response, changes_nothing] = built;
   const Response& paper = finding.pulse ? finding.pulse->response : finding.response;
   Section& section = document.section("With the notch as built");
-  section.row("width", length_text(physical, width));
-  section.row("friction inside", format("f + delta/width = {:.6g}", friction));
+  if (shape.width) {
+    section.row("width", length_text(physical, *shape.width));
+    section.row("friction inside", format("f + delta/width = {:.6g}", *friction));
+  } else {
+    section.row("holds", format("f + hold = {:.4g} g at x = 0", finding.point.f + shape.hold));
+    if (changes_nothing) {
+      section.line("No load exceeds that while the mass is at rest there: nothing changes.");
+      return;
+    }
+  }
   if (response.half_cycles == 0) {
     section.line("This notch holds the mass all through the pulse.", Tone::bad);
     return;
@@ -118,9 +126,10 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
                                  *response.stop_time < *paper.stop_time ? "earlier" : "later"));
   }
   section.row("acceleration",
-              format("up to {:.4g} g is transmitted, the notch included ({:.4g} g "
-                     "with the paper's, outside of it)",
-                     response.peak_absolute_acceleration, paper.peak_absolute_acceleration));
+              format("up to {:.4g} g is transmitted, {} ({:.4g} g with the paper's, outside of it)",
+                     response.peak_absolute_acceleration,
+                     shape.width ? "the notch included" : "outside the notch",
+                     paper.peak_absolute_acceleration));
 }
 
 std::string judgement(const design::CheckMethod& method) {

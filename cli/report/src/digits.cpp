@@ -23,9 +23,11 @@ std::string with_unit(double value, std::string_view unit) {
     std::string_view sign;
   };
   static constexpr std::array prefixes{Prefix{1e9, "G"}, Prefix{1e6, "M"},  Prefix{1e3, "k"},
-                                       Prefix{1, ""},    Prefix{1e-3, "m"}, Prefix{1e-6, "u"}};
-  const double magnitude = std::abs(value);
-  const bool in_range = magnitude >= 1e-6 && magnitude < 1e12;
+                                       Prefix{1, ""},    Prefix{1e-3, "m"}, Prefix{1e-6, "u"},
+                                       Prefix{1e-9, "n"}};
+  // As it will be read: 0.99999999 mm is 1 mm, not 1000 um.
+  const double magnitude = std::stod(fmt::format("{:.5g}", std::abs(value)));
+  const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
       const bool unusual = unit == "m" && prefix.factor > 1;  // no kilometres
@@ -35,6 +37,12 @@ std::string with_unit(double value, std::string_view unit) {
     }
   }
   return fmt::format("{:.5g} {}", value, unit);
+}
+
+std::string range_digits(double low, double high) {
+  const std::string from = digits(low);
+  const std::string to = digits(high);
+  return from == to && low < high ? interval_digits(low, high) : fmt::format("{} to {}", from, to);
 }
 
 std::string limit_digits(double value, bool upwards) {

@@ -38,7 +38,7 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
   const bool impulses = std::ranges::any_of(
       answer.half_cycles, [](const HalfCycle& now) { return now.impulse.value_or(0) > 0; });
   if (impulses) {
-    table.head.push_back(in("impulse/m", units.velocity_unit));
+    table.head.push_back(in("impulse/mass", units.velocity_unit));
   }
   const std::size_t listed = std::min(most_listed, answer.half_cycles.size());
   for (std::size_t i = 0; i < listed; ++i) {
@@ -87,6 +87,17 @@ std::string lock_sentence(const MotionReport& report) {
       when, *forced->largest_load_while_locked);
 }
 
+std::optional<double> caught_impulse(const MotionReport& report) {
+  const Oscillator& oscillator = report.request.oscillator;
+  const Start& start = report.request.start;
+  // A load can free the mass from a notch that holds only so much.
+  const bool freed = report.answer.forced && std::isfinite(oscillator.hold) && start.x0 == 0 &&
+                     !report.request.surface.notch_width &&
+                     start.v0 * start.v0 < 2 * oscillator.delta;
+  const bool caught = report.answer.response.outcome == Outcome::caught_at_start || freed;
+  return caught && start.v0 != 0 ? std::optional(std::abs(start.v0)) : std::nullopt;
+}
+
 namespace {
 
 std::string verdict(const MotionReport& report) {
@@ -132,9 +143,9 @@ void add_answer(Section& answer, const MotionReport& report) {
   answer.row("acceleration",
              format("{} transmitted{}", acceleration_shown(response.peak_absolute_acceleration),
                     felt_where(report)));
-  if (response.outcome == Outcome::caught_at_start) {
-    answer.row("impulse", format("{}: the notch passes the hit on in full",
-                                 impulse_shown(physical, std::abs(report.request.start.v0))));
+  if (const auto caught = caught_impulse(report)) {
+    answer.row("impulse",
+               format("{}: the notch passes the hit on in full", impulse_shown(physical, *caught)));
   }
   constexpr double worth_saying = 0.01;  // no damper is built nearer to its drawing
   if (response.decision_margin && *response.decision_margin < worth_saying) {

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace stillpoint::report {
 
@@ -36,11 +38,16 @@ std::string judgement(const design::RegionAnswer& answer) {
     return format("admissible: f and delta may both be off by +-{:.4g} %",
                   100 * answer.tolerance.value_or(0));
   }
-  std::string text;
+  std::vector<std::string_view> violated;
   for (const design::Constraint& now : answer.constraints) {
     if (!now.satisfied) {
-      text += (text.empty() ? "not admissible; it violates " : ", ") + std::string(now.name);
+      violated.push_back(now.name);
     }
+  }
+  std::string text = "not admissible; it violates ";
+  for (std::size_t i = 0; i < violated.size(); ++i) {
+    text += i == 0 ? "" : i + 1 < violated.size() ? ", " : " and ";
+    text += violated[i];
   }
   return text;
 }
@@ -56,7 +63,7 @@ void add_strips(Document& document, const design::Problem& problem,
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
     table.rows.push_back(
         {{strip.arrival > 0 ? format("{}", strip.arrival) : "any rest within the residual",
-          strip.f_lower ? format("{:.6g} to {:.6g}", *strip.f_lower, *strip.f_upper)
+          strip.f_lower ? range_digits(*strip.f_lower, *strip.f_upper)
                         : "none with the tolerance asked for",
           format("+-{:.4g} %", 100 * strip.tolerance)}});
   }
@@ -80,7 +87,7 @@ Document document(const RegionReport& report) {
   add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
     document.verdict =
-        format("Feasible f: {:.6g} to {:.6g}.", *answer.region.f_lower, *answer.region.f_upper);
+        format("Feasible f: {}.", range_digits(*answer.region.f_lower, *answer.region.f_upper));
     document.tone = Tone::good;
   } else {
     add_emptiness(document, answer, limits, report.physical);
@@ -92,9 +99,10 @@ Document document(const RegionReport& report) {
   if (f) {
     Section& section = document.section(format("At f = {:.6g}", *f));
     if (!delta || stops_by_delta1(answer.constraints)) {
-      section.row("Delta1 published", digits(answer.delta1_published));
-      section.row("Delta1 exact", answer.delta1_exact ? digits(*answer.delta1_exact)
-                                                      : "none: f > f3, the motion does not return");
+      section.row("Delta1 published", length_text(report.physical, *answer.delta1_published));
+      section.row("Delta1 exact", answer.delta1_exact
+                                      ? length_text(report.physical, *answer.delta1_exact)
+                                      : "none: f > f3, the motion does not return");
     }
     add_damper_physics(section, report.physical, *f, delta.value_or(0));
     if (delta) {

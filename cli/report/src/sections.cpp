@@ -16,11 +16,12 @@ void add_physical_input(Section& section, const design::PhysicalInput& physical)
   const design::Scales& scales = physical.scales;
   std::string isolator = format("period {}", with_unit(physical.period_s, "s"));
   if (physical.by_frequency) {
-    isolator += format(" ({})", with_unit(scales.omega_rad_per_s / (2 * std::numbers::pi), "Hz"));
+    isolator += format(" ({:.5g} Hz)", scales.omega_rad_per_s / (2 * std::numbers::pi));
   }
   if (scales.mass_kg) {
-    isolator += format(", mass {:.6g} kg, stiffness {}", *scales.mass_kg,
-                       with_unit(*scales.stiffness_n_per_m(), "N/m"));
+    const bool heavy = *scales.mass_kg >= 1e3;
+    isolator += format(", mass {:.6g} {}, stiffness {}", *scales.mass_kg * (heavy ? 1e-3 : 1),
+                       heavy ? "t" : "kg", with_unit(*scales.stiffness_n_per_m(), "N/m"));
   }
   section.row("isolator", isolator);
   if (physical.velocity_m_per_s != 0) {  // a pulse moves the mass from rest
@@ -162,7 +163,7 @@ Section& add_problem(Document& document, const design::Problem& problem,
 }
 
 Section& add_region(Document& document, const design::Region& region, const Physical& physical) {
-  Section& section = document.detail("Admissible region");
+  Section& section = document.detail("Bounds");
   section.row("amplitude",
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
   section.row("return", format("f <= f3 = {:.6g}", region.f3));
@@ -174,7 +175,7 @@ Section& add_region(Document& document, const design::Region& region, const Phys
   section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));
   section.row("smallest beta", length_text(physical, region.beta_min));
   if (region.feasible) {
-    section.row("feasible f", format("{:.6g} to {:.6g}", *region.f_lower, *region.f_upper));
+    section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));
   }
   return section;
 }
@@ -301,7 +302,7 @@ namespace {
 std::string acceleration_text(const Physical& physical, double acceleration) {
   return physical ? format("{:.6g} g = {:.5g} m/s2", acceleration,
                            acceleration * physical->scales.gravity_m_per_s2)
-                  : digits(acceleration);
+                  : format("{:.6g} g", acceleration);
 }
 
 /// The rows of its accelerations come after that of its peak.
@@ -316,7 +317,10 @@ void add_metrics(Section& section, const Response& response, const Physical& phy
     section.row("stop position", length_text(physical, *response.stop_position));
   }
   if (response.arrival_speed) {
-    section.row("arrival speed", format("{:.6g}, the last at x = 0", *response.arrival_speed));
+    const std::string metric =
+        physical ? " = " + FigureUnits(physical).velocity_words(*response.arrival_speed) : "";
+    section.row("arrival speed",
+                format("{:.6g}{}, the last at x = 0", *response.arrival_speed, metric));
   }
   if (response.half_cycles) {
     section.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),

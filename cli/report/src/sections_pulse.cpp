@@ -3,12 +3,14 @@
 #include "format.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/digits.hpp>
+
 namespace stillpoint::report {
 
 void add_pulse_region(Document& document, const design::DesignResult& result,
                       const Physical& physical) {
   const design::Region& region = result.region;
-  Section& section = document.detail("Admissible region");
+  Section& section = document.detail("Bounds");
   section.row("found by", "the forced motion itself, from rest, for each f");
   if (region.feasible) {
     section.row("amplitude",
@@ -18,10 +20,10 @@ void add_pulse_region(Document& document, const design::DesignResult& result,
   section.row("start", "f below the peak load; nothing bounds delta, the mass starts from rest");
   section.row("smallest beta", length_text(physical, region.beta_min));
   for (const auto& [low, high] : result.intervals) {
-    section.row("admissible f", format("{:.6g} to {:.6g}", low, high));
+    section.row("admissible f", range_digits(low, high));
   }
   if (region.feasible) {
-    section.row("feasible f", format("{:.6g} to {:.6g}", *region.f_lower, *region.f_upper));
+    section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));
   }
 }
 

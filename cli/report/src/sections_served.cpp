@@ -51,10 +51,9 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
 }
 
 std::string impulse_shown(const Physical& physical, double impulse) {
-  return physical && physical->scales.mass_kg
-             ? with_unit(impulse * physical->scales.velocity_m_per_s * *physical->scales.mass_kg,
-                         "N s")
-             : format("{} per mass", FigureUnits(physical).velocity_words(impulse));
+  const auto newton_seconds = physical ? physical->scales.impulse_n_s(impulse) : std::nullopt;
+  return newton_seconds ? with_unit(*newton_seconds, "N s")
+                        : format("{} per mass", FigureUnits(physical).velocity_words(impulse));
 }
 
 void add_practice(Section& section, const std::optional<design::Practice>& lines,

@@ -130,10 +130,7 @@ std::string progress_words(double rows, std::int64_t begun_with,
 figures::HtmlPage page(const SweepSpec& spec, const SweepSummary& summary, const SweepMap& map) {
   figures::HtmlPage page;
   page.title = "Sweep";
-  page.verdict = fmt::format(
-      "{} motions. Blue stops centred ({}), orange off centre (in the dead zone); the number "
-      "counts half-cycles.",
-      summary.state.rows, given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0");
+  page.verdict = sweep::summary(summary.state, false);
   if (spec.output) {
     const Document made = document(spec, summary);
     page.answer = html(made.answer);

@@ -78,6 +78,10 @@ std::optional<double> Scales::energy_per_passage_j(double delta) const {
   return mass_kg ? std::optional(*mass_kg * gravity_m_per_s2 * delta_m(delta)) : std::nullopt;
 }
 
+std::optional<double> Scales::impulse_n_s(double speed) const {
+  return mass_kg ? std::optional(*mass_kg * velocity_m_per_s * speed) : std::nullopt;
+}
+
 std::optional<double> Scales::stiffness_n_per_m() const {
   return mass_kg ? std::optional(*mass_kg * omega_rad_per_s * omega_rad_per_s) : std::nullopt;
 }

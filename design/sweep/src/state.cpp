@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <initializer_list>
+#include <string_view>
 #include <utility>
 
 namespace stillpoint::sweep {
@@ -94,10 +96,20 @@ std::string summary(const SweepState& state, bool of_designs) {
     return fmt::format("{} of {} problems have an admissible design.", state.feasible, state.rows);
   }
   const std::int64_t in_notch = count(state, Outcome::stopped_in_notch);
-  return fmt::format("{} of {} motions stop at x = 0{}, {} off centre.",
-                     count(state, Outcome::stopped_at_zero) + in_notch, state.rows,
-                     in_notch > 0 ? " or in the notch" : "",
-                     count(state, Outcome::stopped_in_dead_zone));
+  std::string text = fmt::format("{} of {} motions stop at x = 0{}, {} off centre",
+                                 count(state, Outcome::stopped_at_zero) + in_notch, state.rows,
+                                 in_notch > 0 ? " or in the notch" : "",
+                                 count(state, Outcome::stopped_in_dead_zone));
+  const std::initializer_list<std::pair<Outcome, std::string_view>> others{
+      {Outcome::caught_at_start, "never start"},
+      {Outcome::never_stops, "never stop"},
+      {Outcome::running, "are still moving at the end"}};
+  for (const auto& [outcome, what] : others) {
+    if (const std::int64_t how_many = count(state, outcome); how_many > 0) {
+      text += fmt::format(", {} {}", how_many, what);
+    }
+  }
+  return text + ".";
 }
 
 }  // namespace stillpoint::sweep

@@ -123,6 +123,8 @@ BOOST_AUTO_TEST_CASE(ticks_are_told_apart_and_stay_within_the_figure) {
     BOOST_TEST(narrow[i] != narrow[i - 1]);
   }
   BOOST_TEST(narrow[1] == "0.30000002");
+  // The second of these is short by chance.
+  BOOST_TEST(tick_labels({0.35355339, 0.3535534}).front() == "0.35355339");
   BOOST_TEST(tick_labels({0, 1e150}).back() == "1e+150");
   BOOST_TEST(tick_labels({0, 1e5}).back() == "100000");
   Figure figure = one_of_everything();
@@ -171,6 +173,23 @@ BOOST_AUTO_TEST_CASE(draws_an_inset_outside_of_the_plot_that_zooms) {
   const std::string text = svg(figure, Frame::in_page);
   BOOST_TEST(text.find("class=\"inset\"") > text.find("class=\"frame\""));
   BOOST_TEST(!contains(svg(one_of_everything(), Frame::in_page), "class=\"inset\""));
+  // What the inset shows may reach beyond the frame; what is drawn around it does not.
+  figure.inset = {{"", -1e3, 5.1}, {"", -1e3, 1e3}};
+  const std::string beyond = svg(figure, Frame::in_page);
+  const std::string lens = beyond.substr(beyond.find("class=\"lens\" d="));
+  BOOST_TEST_REQUIRE(lens.size() < beyond.size());
+  BOOST_TEST(!contains(lens.substr(0, lens.find("/>")), "-"));
+}
+
+BOOST_AUTO_TEST_CASE(prose_breaks_no_number_and_no_short_equation) {
+  BOOST_TEST(prose("a peak of 9.8 m/s2") == "a peak of 9.8\u00a0m/s2");
+  BOOST_TEST(prose("rest at x = 0") == "rest at x\u00a0=\u00a00");
+  BOOST_TEST(prose("delta = 0.03 = 5.9 mm") == "delta\u00a0=\u00a00.03 =\u00a05.9\u00a0mm");
+  BOOST_TEST(prose("off by 6.2e-09, or -3") ==
+             "off by <span class=\"number\">6.2e-09,</span> or -3");
+  BOOST_TEST(prose("(EN 1998-2)") == "(EN <span class=\"number\">1998-2)</span>");
+  BOOST_TEST(prose("half-cycles of part P25-N5 < x = y") ==
+             "half-cycles of part P25-N5 &lt; x = y");
 }
 
 BOOST_AUTO_TEST_CASE(smooth_curves_pass_through_their_points_with_arrows) {

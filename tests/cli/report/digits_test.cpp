@@ -25,18 +25,27 @@ BOOST_AUTO_TEST_CASE(an_interval_has_the_digits_that_its_width_needs) {
   BOOST_TEST(interval_digits(0.5, 0.5) == "0.500 to 0.500");
 }
 
+BOOST_AUTO_TEST_CASE(ends_that_differ_are_printed_differently) {
+  BOOST_TEST(range_digits(0.0158739, 0.3) == "0.0158739 to 0.3");
+  BOOST_TEST(range_digits(0.35355338937, 0.35355339059) == "0.35355338937 to 0.35355339059");
+  BOOST_TEST(range_digits(0.3, 0.3) == "0.3 to 0.3");
+}
+
 BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {
   BOOST_TEST(with_unit(0.0121, "m") == "12.1 mm");
   BOOST_TEST(with_unit(-0.0121, "m") == "-12.1 mm");
   BOOST_TEST(with_unit(3460, "N") == "3.46 kN");
   BOOST_TEST(with_unit(1, "s") == "1 s");
   BOOST_TEST(with_unit(2e-6, "J") == "2 uJ");
+  BOOST_TEST(with_unit(2e-7, "m") == "200 nm");
+  BOOST_TEST(with_unit(0.99999999e-3, "m") == "1 mm");  // not 1000 um
+  BOOST_TEST(with_unit(999.9999, "N") == "1 kN");
 }
 
-BOOST_AUTO_TEST_CASE(there_are_no_kilometres_and_no_prefix_beyond_giga) {
+BOOST_AUTO_TEST_CASE(there_are_no_kilometres_and_no_prefix_beyond_giga_and_nano) {
   BOOST_TEST(with_unit(3460, "m") == "3460 m");
   BOOST_TEST(with_unit(2e12, "N") == "2e+12 N");
-  BOOST_TEST(with_unit(2e-7, "m") == "2e-07 m");
+  BOOST_TEST(with_unit(2e-10, "m") == "2e-10 m");
   BOOST_TEST(with_unit(0, "m") == "0 m");
 }
 

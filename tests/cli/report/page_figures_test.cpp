@@ -152,7 +152,10 @@ BOOST_AUTO_TEST_CASE(many_half_cycles_become_an_envelope_of_the_whole_motion) {
   const Figure& drawn = figure(page, "motion");
   BOOST_TEST(has(drawn.curves, "envelope"));
   BOOST_TEST(!has(drawn.curves, "x"));
-  BOOST_TEST(drawn.title == "Motion");  // not only its beginning
+  BOOST_TEST(drawn.title == "Motion");              // not only its beginning
+  const HtmlPage longer = motion({1, 1e-4, 1e-4});  // 2254 half-cycles
+  BOOST_TEST(contains(figure(longer, "motion").caption, "is still moving where the figure ends"));
+  BOOST_TEST(contains(figure(longer, "energy").caption, "where the figure ends"));
   BOOST_TEST(has_note(drawn, "rest 0"));
   BOOST_TEST(has_note(drawn, "peak 0.999"));
   BOOST_TEST(!has(figure(motion({1, 0.02, 0.02}), "motion").curves, "envelope"));
@@ -244,6 +247,34 @@ BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
     BOOST_TEST_REQUIRE((found != drawn.areas.end()), side);
     BOOST_TEST((found->look == figures::AreaLook::hatched));
   }
+}
+
+/// Every hit up to 1: the most tolerant rests within the residual, whatever the arrival.
+BOOST_AUTO_TEST_CASE(the_area_of_the_design_stands_out) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 1.1, .arrivals = 3, .v0_low = 0, .residual = 0.05};
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
+  const auto ink = [&](const char* name) {
+    const auto area = std::ranges::find(drawn.areas, name, &figures::FigureArea::name);
+    BOOST_TEST_REQUIRE((area != drawn.areas.end()), name);
+    return area->ink;
+  };
+  BOOST_TEST((ink("any rest within the residual") == figures::Ink::sky));
+  BOOST_TEST((ink("arrival 1") == figures::Ink::green));
+}
+
+BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
+  const auto caption = [](const design::Problem& problem) {
+    const design::RegionRequest request{.problem = problem};
+    return figure(page(RegionReport{request, design::answer(request)}), "region").caption;
+  };
+  BOOST_TEST(
+      caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
+      "A damper in a strip stops at x = 0 at that arrival, the first in the uppermost strip; "
+      "between the strips it leaves the mass off centre, below them it lets it pass more "
+      "often.");
+  BOOST_TEST(contains(caption({.v0 = 1.1, .p = 1, .beta = 2, .v0_low = 0.9}),
+                      "for every hit and spring of the ranges; outside"));
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -78,9 +78,10 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const double now = left.back().y / units.energy;
   figure.description = fmt::format(
       "Of the energy {}, constant friction took {} and the notch {}; kinetic and spring energy "
-      "is {} at the end.",
+      "is {} {}.",
       units.energy_words(all.front().y / units.energy), units.energy_words(constant),
-      units.energy_words(point), units.energy_words(now));
+      units.energy_words(point), units.energy_words(now),
+      motion.whole ? "at the end" : "where the figure ends");
   figure.caption = figure.description;
   figure.areas = {
       {"kinetic and spring", between(nothing, left), Ink::blue},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -150,13 +151,23 @@ void add_edge(Figure& figure, std::string name, FigurePoint from, FigurePoint to
                            .labelled = true});
 }
 
+/// The strips of later arrivals lie below those of earlier ones.
 std::string strips_caption(const Problem& problem) {
-  const bool ranges = problem.v0_low || problem.p_high;
-  return format(
-      "A damper in a strip {} at that arrival{}; between and below the strips {} off centre.",
-      problem.residual ? "rests within the residual" : "stops at x = 0",
-      ranges ? ", for every hit and spring of the ranges" : "",
-      problem.residual ? "a rest is too far" : "the mass comes to rest");
+  const std::string_view end = problem.residual ? "rests within the residual" : "stops at x = 0";
+  const std::string_view order =
+      problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "";
+  if (problem.v0_low || problem.p_high) {
+    return format(
+        "A damper in a strip {} at that arrival, for every hit and spring of the ranges{}; "
+        "outside, "
+        "some of them end otherwise.",
+        end, order);
+  }
+  return format("A damper in a strip {} at that arrival{}; {}.", end, order,
+                problem.residual
+                    ? "outside of the strips it rests too far off centre, or later"
+                    : "between the strips it leaves the mass off centre, below them it "
+                      "lets it pass more often");
 }
 
 }  // namespace

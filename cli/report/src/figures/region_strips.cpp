@@ -78,8 +78,13 @@ std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t ar
 
 std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits& units) {
   const auto& damper = drawn.damper;
-  const std::int64_t own =
-      damper ? design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(0) : 0;
+  std::int64_t own = -1;  // that of the damper; 0: any rest
+  if (damper) {
+    own = design::arrival_of(drawn.problem, damper->f, damper->delta).value_or(0);
+    if (own > 0 && strip_outline(drawn, own, units.length).empty()) {
+      own = 0;  // it has no strip of its own but rests within the residual
+    }
+  }
   std::vector<FigureArea> areas;
   const auto add = [&](std::int64_t n) {
     if (auto outline = strip_outline(drawn, n, units.length); !outline.empty()) {

@@ -141,15 +141,17 @@ ordered_json built_notch_json(const DesignReport& report) {
   if (!report.built_notch) {
     return nullptr;
   }
-  const auto& [width, friction, response] = *report.built_notch;
+  const auto& [shape, friction, response, changes_nothing] = *report.built_notch;
   const auto metres = [&](const std::optional<double>& length) {
     return number(report.physical && length
                       ? std::optional(*length * report.physical->scales.length_m)
                       : std::nullopt);
   };
-  return {{"width", number(width)},
-          {"width_m", metres(width)},
+  return {{"width", number(shape.width)},
+          {"width_m", metres(shape.width)},
           {"friction", number(friction)},
+          {"hold", std::isinf(shape.hold) ? ordered_json() : number(shape.hold)},
+          {"changes_nothing", changes_nothing},
           {"outcome", name(response.outcome)},
           {"zero_passages", count(response.zero_passages)},
           {"stop_time", number(response.stop_time)},

@@ -102,6 +102,7 @@ ordered_json json(const MotionReport& report) {
       {"program", program_json()},
       {"input", motion_input_json(report.request, report.record)},
       {"response", answer.forced ? forced_json(*answer.forced) : response_json(answer.response)},
+      {"caught_impulse", number(caught_impulse(report))},
       {"half_cycles", half_cycles_json(answer.half_cycles)},
       {"half_cycles_listed", answer.half_cycles.size()},
       {"physical", physical_json(report)}};

@@ -103,10 +103,7 @@ void add_practice(ordered_json& json, const design::Scales& scales,
   const design::Practice now = lines.value_or(design::Practice());
   const auto weight = scales.friction_force_n(1);
   const auto energy = scales.energy_per_passage_j(now.notch_capacity);
-  std::optional<double> momentum;
-  if (scales.mass_kg) {
-    momentum = *scales.mass_kg * scales.velocity_m_per_s;
-  }
+  const std::optional<double> momentum = scales.impulse_n_s(1);
   json["secant_stiffness_n_per_m"] =
       number(weight ? times(now.secant_stiffness, *weight / scales.length_m) : std::nullopt);
   json["impulse_at_stop_n_s"] = number(times(now.impulse_at_stop, momentum));
@@ -212,6 +209,8 @@ ordered_json physical_json(const MotionReport& report) {
   ordered_json json = scale_values(*report.physical, report.physical->velocity_m_per_s);
   add_damper(json, scales, f, delta);
   add_response(json, scales, &report.answer.response);
+  const std::optional<double> caught = caught_impulse(report);
+  json["caught_impulse_n_s"] = number(caught ? scales.impulse_n_s(*caught) : std::nullopt);
   add_excitation(json, scales, report.request.excitation);
   if (report.answer.forced) {
     const ForcedResponse& forced = *report.answer.forced;

@@ -3,6 +3,7 @@
 
 // The tasks of design and region after a hit, and their answers.
 
+#include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -27,8 +28,8 @@ struct DesignTask {
   design::DesignRequest request;
   std::optional<design::PhysicalInput> physical{};
   std::optional<PartsOfFile> catalogue{};
-  std::optional<double> notch_width{};       ///< of the notch that is to be built
-  std::optional<std::int64_t> trade_offs{};  ///< points of the front; not with a pulse
+  std::optional<design::NotchShape> notch{};  ///< that is to be built
+  std::optional<std::int64_t> trade_offs{};   ///< points of the front; not with a pulse
 };
 
 struct RegionTask {

@@ -87,6 +87,10 @@ struct AccuracyReport {
 /// physical input; of a hit that the notch holds that the motion never starts; else empty.
 [[nodiscard]] std::string lock_sentence(const MotionReport& report);
 
+/// The impulse per mass, |v0|, of a hit that the notch catches at the start; empty where it does
+/// not.
+[[nodiscard]] std::optional<double> caught_impulse(const MotionReport& report);
+
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
 /// not exist is null; a number that is not finite is an assertion.
 [[nodiscard]] nlohmann::ordered_json json(const DesignReport& report);

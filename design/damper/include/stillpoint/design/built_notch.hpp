@@ -4,18 +4,28 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/design.hpp>
 
+#include <limits>
+#include <optional>
+
 namespace stillpoint::design {
 
-/// A design with the notch that will be built, of finite width: docs/notches.md.
+/// The notch that will be built, where it is not the paper's: docs/notches.md.
+struct NotchShape {
+  std::optional<double> width{};
+  double hold{std::numeric_limits<double>::infinity()};  ///< of one without a width
+};
+
+/// A design with that notch.
 struct BuiltNotch {
-  double width{0};
-  double friction{0};  ///< within |x| < width / 2: f + delta / width
+  NotchShape shape;
+  std::optional<double> friction{};  ///< within |x| < width / 2: f + delta / width
   ForcedResponse response;
+  bool changes_nothing{false};  ///< against the same motion with the paper's notch
 };
 
 /// The motion that the design was made for, and with a pulse that under the pulse itself. Throws
-/// InputError for a wrong width, TooManyHalfCycles.
+/// InputError for a wrong shape, TooManyHalfCycles.
 [[nodiscard]] BuiltNotch built_notch(const DesignRequest& request, const DesignPoint& point,
-                                     double width);
+                                     const NotchShape& shape);
 
 }  // namespace stillpoint::design

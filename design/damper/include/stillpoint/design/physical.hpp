@@ -30,6 +30,8 @@ struct Scales {
   [[nodiscard]] std::optional<double> friction_force_n(double f) const;
   /// m g delta_m, the energy lost at each passage through x = 0.
   [[nodiscard]] std::optional<double> energy_per_passage_j(double delta) const;
+  /// m times the speed that the mass loses.
+  [[nodiscard]] std::optional<double> impulse_n_s(double speed) const;
   /// m omega^2, the spring.
   [[nodiscard]] std::optional<double> stiffness_n_per_m() const;
 };
