@@ -172,7 +172,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
       const double to = std::min(from + step, end);
       if (driven && to == end) {  // u > 0
         from = end;
-        step = pi;
+        step = pi / 2;  // at most pi; where it mostly turns
         break;
       }
       now = {to, slide.at(to)};

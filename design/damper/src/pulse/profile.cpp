@@ -43,9 +43,9 @@ double impulse(const Pulse& pulse) {
 /// k.
 std::vector<double> first_grid(const Pulse& pulse) {
   constexpr double least = 1e-9;
-  constexpr int small = 6;
-  constexpr int even = 40;
-  constexpr int large = 20;
+  constexpr int small = 4;
+  constexpr int even = 32;
+  constexpr int large = 14;
   constexpr double nearly = 1 - 1e-6;  // f = k moves nothing
   const double scale = std::min(1.0, impulse(pulse));
   const bool both_ways = std::holds_alternative<FullSine>(pulse);
