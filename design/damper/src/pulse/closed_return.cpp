@@ -148,7 +148,7 @@ Moment zero(const SineSlide& slide, double positive, const Moment& not_positive,
 enum class SlideEvent { turn, arrival, load_over };
 
 struct Slid {
-  SlideEvent end;
+  SlideEvent event{SlideEvent::load_over};
   Moment at;
 };
 
