@@ -26,6 +26,8 @@ using namespace stillpoint::design_test;
 constexpr double rounding = 1e-12;
 /// Closer than this to another kind of motion, either may be right.
 constexpr double undecided = 1e-10;
+/// Shorter full sines are left to the forced motion.
+constexpr double shortest = 1e3;
 
 }  // namespace
 
@@ -34,7 +36,7 @@ BOOST_AUTO_TEST_CASE(random_motions_are_those_of_the_forced_run) {
   std::array<int, 3> closed{};
   std::array<int, 3> returned{};
   for (int i = 0; i < 30'000; ++i) {
-    const double lambda = std::pow(10, random.uniform(-1.5, i % 2 == 0 ? 0.5 : 4));
+    const double lambda = std::pow(10, random.uniform(-2, i % 2 == 0 ? 0.5 : 4));
     const double f = i % 3 == 0 ? random.uniform(0, 0.999)
                                 : std::min(0.999, std::pow(10, random.uniform(-5, 0.3)) / lambda);
     const Pulse pulse =
@@ -42,6 +44,7 @@ BOOST_AUTO_TEST_CASE(random_motions_are_those_of_the_forced_run) {
                              Rectangle{1, lambda}}[static_cast<std::size_t>(random.pick(3))];
     const auto found = closed_return(pulse, f);
     const ForcedResponse motion = forced_response({1, f, 1e200}, {}, excitation(pulse));
+    BOOST_TEST(found.has_value() == (lambda <= shortest || pulse.index() != 1));
     if (!found || motion.decision_margin.value_or(0) < undecided) {
       continue;
     }
@@ -93,8 +96,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_return_says_how_far_it_is_from_it) {
   BOOST_REQUIRE(rests.has_value());
   BOOST_TEST(!rests->returns);
   BOOST_TEST(rests->turns == 1);
-  BOOST_TEST(!closed_return(HalfSine{1, 0.49}, 0.1).has_value());
-  BOOST_TEST(!closed_return(FullSine{1, 0.99}, 0.1).has_value());
+  BOOST_TEST(!closed_return(FullSine{1, 1001}, 1e-4).has_value());
   BOOST_TEST(!closed_return(HalfSine{1, 1}, 1).has_value());
 }
 

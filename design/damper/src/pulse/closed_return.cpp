@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 // | here   | means                                                                 |
 // |--------|-----------------------------------------------------------------------|
@@ -25,73 +24,181 @@ constexpr double crest = 1.5 * pi;  // of a full sine's second half
 struct Moving {
   double y{0};
   double v{0};
+  double a{0};  ///< v'
+  double j{0};  ///< v''
 };
 
-/// (62): a slide under sin(psi + lambda h), about c.
+/// (62): a slide from rest under sin(psi + lambda h), about c.
 class SineSlide {
  public:
-  SineSlide(double lambda, double psi, double c, Moving start)
-      : lambda_(lambda), psi_(psi), begin_(elementary::sin_cos(psi)), c_(c), s_(start) {}
+  SineSlide(double lambda, double psi, double c, double y)
+      : lambda_(lambda), psi_(psi), begin_(elementary::sin_cos(psi)), c_(c), y_(y) {}
 
   [[nodiscard]] Moving at(double h) const {
-    const auto [half, half_cosine] = elementary::sin_cos(h / 2);
-    const double bend = 2 * half * half;  // 1 - cos h
-    const double sine = 2 * half * half_cosine;
-    const Moving by_load = loaded(h, sine, 1 - bend);
-    return {s_.y + (c_ - s_.y) * bend + s_.v * sine + by_load.y,
-            (c_ - s_.y) * sine + s_.v * (1 - bend) + by_load.v};
+    const elementary::SinCos half = elementary::sin_cos(h / 2);
+    const elementary::SinCos half_load = elementary::sin_cos(lambda_ * h / 2);
+    const Swing own = doubled(half);
+    const Swing of_load = doubled(half_load);
+    const double rise = begin_.cosine * of_load.sine - begin_.sine * of_load.bend;
+    const double cosine = begin_.cosine * (1 - of_load.bend) - begin_.sine * of_load.sine;
+    Moving now{y_ + (c_ - y_) * own.bend, (c_ - y_) * own.sine};
+    constexpr double near = 1.0 / 16;
+    if (std::abs(lambda_ - 1) < near) {
+      add_near_resonance(now, h, half, half_load);
+    } else {
+      const double scale = 1 / ((lambda_ - 1) * (lambda_ + 1));
+      now.y += scale * (lambda_ * own.sine * begin_.cosine - own.bend * begin_.sine - rise);
+      now.v +=
+          scale * (lambda_ * ((1 - own.bend) * begin_.cosine - cosine) - own.sine * begin_.sine);
+    }
+    now.a = begin_.sine + rise + c_ - now.y;
+    now.j = lambda_ * cosine - now.v;
+    return now;
   }
-  [[nodiscard]] double acceleration(double h, double y) const {
-    return elementary::sin_cos(psi_ + lambda_ * h).sine + c_ - y;
-  }
+  [[nodiscard]] double time_to(double psi) const { return (psi - psi_) / lambda_; }
+  [[nodiscard]] double phase(double h) const { return psi_ + lambda_ * h; }
 
  private:
-  /// What the load adds to a mass at rest; near resonance by the form that does not divide by it.
-  [[nodiscard]] Moving loaded(double h, double sine_h, double cosine_h) const {
-    constexpr double far_from_resonance = 2;
-    const double psi = psi_ + lambda_ * h;
-    if (lambda_ >= far_from_resonance) {
-      const double scale = 1 / ((lambda_ - 1) * (lambda_ + 1));
-      const auto [sine, cosine] = elementary::sin_cos(psi);
-      return {(lambda_ * sine_h * begin_.cosine + cosine_h * begin_.sine - sine) * scale,
-              (lambda_ * (cosine_h * begin_.cosine - cosine) - sine_h * begin_.sine) * scale};
-    }
-    const double a = (lambda_ + 1) / 2 * h;
+  struct Swing {
+    double sine;
+    double bend;  ///< 1 - cosine
+  };
+  static Swing doubled(const elementary::SinCos& half) {
+    return {2 * half.sine * half.cosine, 2 * half.sine * half.sine};
+  }
+  /// By the form that does not divide by lambda^2 - 1.
+  void add_near_resonance(Moving& now, double h, const elementary::SinCos& own,
+                          const elementary::SinCos& of_load) const {
     const double b = (lambda_ - 1) / 2 * h;
-    const auto sinc = [](double z) { return z == 0 ? 1 : elementary::sin_cos(z).sine / z; };
-    const double fast = sinc(a);
-    const double slow = sinc(b);
-    const elementary::SinCos at_a = elementary::sin_cos(a + psi_);
-    const elementary::SinCos at_b = elementary::sin_cos(b + psi_);
-    return {h / 2 * (fast * at_b.cosine - slow * at_a.cosine),
-            h / 2 * (slow * at_a.sine + fast * at_b.sine)};
+    const double sine_a = of_load.sine * own.cosine + of_load.cosine * own.sine;
+    const double cosine_a = of_load.cosine * own.cosine - of_load.sine * own.sine;
+    const auto [sine_b, cosine_b] = elementary::sin_cos(b);
+    const double fast = sine_a / (lambda_ + 1);  // times 2, as slow
+    const double slow = b == 0 ? h / 2 : sine_b / (lambda_ - 1);
+    const auto& [sine, cosine] = begin_;
+    now.y +=
+        fast * (cosine_b * cosine - sine_b * sine) - slow * (cosine_a * cosine - sine_a * sine);
+    now.v +=
+        slow * (sine_a * cosine + cosine_a * sine) + fast * (sine_b * cosine + cosine_b * sine);
   }
 
   double lambda_;
   double psi_;
   elementary::SinCos begin_;
   double c_;
-  Moving s_;
+  double y_;
 };
 
-/// The zero of a function with its slope, between a place where it is positive and one where it is
-/// not: Newton's steps, or halves where they leave the bracket. A step of this part of the place
-/// squares the error below rounding.
-template <class Function>
-double zero(double positive, double other, const Function& function) {
-  constexpr double last_step = 1e-8;
-  constexpr int enough = 100;
-  double now = positive + (other - positive) / 2;
-  for (int i = 0; i < enough; ++i) {
-    const auto [value, slope] = function(now);
-    (value > 0 ? positive : other) = now;
-    const double newton = now - value / slope;
-    if (std::abs(newton - now) <= last_step * now) {
-      return newton;
+/// A moment of a slide.
+struct Moment {
+  double h{0};
+  Moving motion;
+};
+
+/// A short time later, by Taylor: d^4 is nothing.
+Moment advanced(const Moment& from, double d) {
+  const auto& [y, v, a, j] = from.motion;
+  return {from.h + d,
+          {y + d * (v + d * (a / 2 + d * j / 6)), v + d * (a + d * j / 2), a + d * j, j}};
+}
+
+struct Taylor {
+  double value;
+  double slope;
+  double curvature;
+};
+
+/// A step of this part of the time is the last one: it leaves an error of its cube.
+constexpr double last_step = 1e-6;
+/// Steps to a zero, were it double or lost in rounding.
+constexpr int most_steps = 100;
+
+double halley_step(const Taylor& figure) {
+  const double newton = -figure.value / figure.slope;
+  return newton / (1 + newton * figure.curvature / (2 * figure.slope));
+}
+
+/// The parabola's next zero is far behind this one, and its error is small beside the slope.
+bool is_near(const Taylor& figure, double step) {
+  return step <= std::min(1.0, -figure.slope) / 4 &&
+         std::abs(figure.value * figure.curvature) <= figure.slope * figure.slope / 4;
+}
+
+/// The zero of a figure of the motion between a time when it is positive and one when it is not.
+template <class Figure>
+Moment zero(const SineSlide& slide, double positive, const Moment& not_positive,
+            const Figure& figure) {
+  double other = not_positive.h;
+  Moment now = not_positive;
+  for (int i = 0; i < most_steps; ++i) {
+    const Taylor here = figure(now.motion);
+    const double step = halley_step(here);
+    // Halley's step is short where the slope vanishes as well.
+    if (std::abs(here.value) <= last_step * now.h * std::abs(here.slope)) {
+      return advanced(now, step);
     }
-    now = (newton - positive) * (newton - other) < 0 ? newton : positive + (other - positive) / 2;
+    (here.value > 0 ? positive : other) = now.h;
+    const double next = now.h + step;
+    now.h = (next - positive) * (next - other) < 0 ? next : positive + (other - positive) / 2;
+    now.motion = slide.at(now.h);
   }
   return now;
+}
+
+enum class SlideEvent { turn, arrival, load_over };
+
+struct Slid {
+  SlideEvent event{SlideEvent::load_over};
+  Moment at;
+};
+
+/// The first event of a slide from rest until the load of the phase `last` ends. The speed u is
+/// followed by quarters of the load, u'' + u >= 0 in those that drive it: docs/theory.md (65).
+Slid slid(const SineSlide& slide, bool outwards, double last) {
+  const double sign = outwards ? 1 : -1;
+  const auto speed = [sign](const Moving& m) { return Taylor{sign * m.v, sign * m.a, sign * m.j}; };
+  const auto height = [](const Moving& m) { return Taylor{m.y, m.v, m.a}; };
+  const auto turned_or_arrived = [&](const Moment& turn) {
+    return turn.motion.y > 0 ? Slid{SlideEvent::turn, turn}
+                             : Slid{SlideEvent::arrival, zero(slide, 0, turn, height)};
+  };
+  double from = 0;
+  double step = pi;
+  Moment now;
+  for (const double quarter : {pi / 2, crest, 2 * pi}) {
+    const double end = slide.time_to(std::min(quarter, last));
+    const bool driven = (quarter == crest) != outwards;
+    for (int i = 0; from < end && i < most_steps; ++i) {
+      const double to = std::min(from + step, end);
+      if (driven && to == end) {  // u > 0
+        from = end;
+        step = pi / 2;  // at most pi; where it mostly turns
+        break;
+      }
+      now = {to, slide.at(to)};
+      const Taylor here = speed(now.motion);
+      const double u = here.value;
+      if (!outwards && now.motion.y <= 0 && u >= 0) {
+        return {SlideEvent::arrival, zero(slide, 0, now, height)};
+      }
+      if (u <= 0) {
+        return turned_or_arrived(zero(slide, from, now, speed));
+      }
+      from = to;
+      step = elementary::atan2(u, -here.slope);
+      if (is_near(here, step)) {
+        step = halley_step(here);
+        if (step <= last_step * to) {
+          return turned_or_arrived(advanced(now, step));
+        }
+      }
+    }
+  }
+  if (now.h != from) {
+    now = {from, slide.at(from)};
+  }
+  return !outwards && now.motion.y <= 0 ? Slid{SlideEvent::arrival, zero(slide, 0, now, height)}
+                                        : Slid{SlideEvent::load_over, now};
 }
 
 /// The motion so far, and how it goes on when the load is over.
@@ -178,60 +285,54 @@ FirstReturn under_rectangle(double lambda, double f) {
   }
 }
 
-/// Inwards from where the mass has turned, at rest at y when the phase is psi, until the load of
-/// the phase `last` ends: empty if it turns again.
-std::optional<FirstReturn> back_under_sine(Outcome& outcome, double lambda, double f, double y,
-                                           double psi, double last) {
-  const SineSlide slide(lambda, psi, f, {y, 0});
-  const double end = (last - psi) / lambda;
-  const Moving then = slide.at(end);
-  if (!(then.v < 0)) {
+/// When a mass that has turned sets out again.
+struct Release {
+  double psi;
+  bool outwards;
+};
+
+/// Of a mass that has turned at y; empty if it is held for ever.
+std::optional<Release> release_of(double f, double y, double psi, double last) {
+  const double load = elementary::sin_cos(psi).sine;
+  if (std::abs(y - load) > f) {
+    return Release{psi, load > y};
+  }
+  if (psi < pi / 2 && y + f < 1) {
+    return Release{std::max(psi, elementary::asin(y + f)), true};
+  }
+  if (psi >= crest || y - f <= (last > pi ? -1 : 0)) {
     return std::nullopt;
   }
-  if (then.y > 0) {
-    return outcome.free_inwards({then.y, then.v}, last / lambda);
-  }
-  const double h = zero(0, end, [&](double now) {
-    const Moving at = slide.at(now);
-    return std::pair(at.y, at.v);
-  });
-  const double phase = psi + lambda * h;
-  const double load = last > crest && phase < crest ? 1 : std::abs(elementary::sin_cos(phase).sine);
-  return outcome.arrival(-slide.at(h).v, phase / lambda, load);
+  return Release{std::max(psi, pi - elementary::asin(y - f)), false};
 }
 
 std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
   Outcome outcome(f);
-  const double release = elementary::asin(f);
-  const SineSlide slide(lambda, release, -f, {});
-  // In each stretch v crosses 0 once at most, and only if it is negative at the end: (65), (66).
-  double from = pi / 2;
-  double to = std::min(last, crest);
-  Moving then = slide.at((to - release) / lambda);
-  if (then.v > 0 && to < last) {
-    from = to;
-    to = last;
-    then = slide.at((to - release) / lambda);
+  double y = 0;
+  Release release{elementary::asin(f), true};
+  // Of a pulse of a hundred natural periods. Rounding could hold a mass on the edge of a slide.
+  constexpr int most_slides = 1000;
+  for (int i = 0; i < most_slides; ++i) {
+    const SineSlide slide(lambda, release.psi, release.outwards ? -f : f, y);
+    const auto [event, at] = slid(slide, release.outwards, last);
+    if (event == SlideEvent::load_over) {
+      return release.outwards ? outcome.free_outwards(at.motion, last / lambda)
+                              : outcome.free_inwards(at.motion, last / lambda);
+    }
+    const double psi = slide.phase(at.h);
+    if (event == SlideEvent::arrival) {
+      const double load = psi < last - pi / 2 ? 1 : std::abs(elementary::sin_cos(psi).sine);
+      return outcome.arrival(-at.motion.v, psi / lambda, load);
+    }
+    y = at.motion.y;
+    outcome.turn(y);
+    const auto next = release_of(f, y, psi, last);
+    if (!next) {
+      return outcome.rest(y);
+    }
+    release = *next;
   }
-  if (then.v > 0) {
-    return outcome.free_outwards(then, last / lambda);
-  }
-  const double h = zero((from - release) / lambda, (to - release) / lambda, [&](double now) {
-    const Moving at = slide.at(now);
-    return std::pair(at.v, slide.acceleration(now, at.y));
-  });
-  const double y = slide.at(h).y;
-  const double turned = release + lambda * h;
-  outcome.turn(y);
-  if (y - elementary::sin_cos(turned).sine > f) {
-    return back_under_sine(outcome, lambda, f, y, turned, last);
-  }
-  // Held until sin psi = y - f, while the load still turns against it.
-  if (turned >= crest || y - f <= (last > pi ? -1 : 0)) {
-    return outcome.rest(y);
-  }
-  return back_under_sine(outcome, lambda, f, y, std::max(turned, pi - elementary::asin(y - f)),
-                         last);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -247,7 +348,7 @@ std::optional<FirstReturn> closed_return(const Pulse& pulse, double f) {
   const bool full = std::holds_alternative<FullSine>(pulse);
   // A full sine that is short leaves a velocity that is a difference of its two halves.
   constexpr double short_sine = 1e3;
-  if (lambda < (full ? 1 : 0.5) || (full && lambda > short_sine)) {
+  if (full && lambda > short_sine) {
     return std::nullopt;
   }
   return under_sine(lambda, f, full ? 2 * pi : pi);

@@ -10,10 +10,8 @@
 
 namespace stillpoint::design {
 
-/// The motion under the unit pulse with friction f < 1; empty where it is not known beforehand in
-/// which order the load turns the mass: a half-sine with lambda < 1/2 and a full sine with
-/// lambda < 1, where the mass may swing more than once while the pulse lasts, and a full sine that
-/// turns the mass twice or is very short. Good to a few roundings, but for what f hardly below 1
+/// The motion under the unit pulse with friction f < 1; empty for a full sine that is very short,
+/// whose speed is a small difference. Good to a few roundings, but for what f hardly below 1
 /// magnifies.
 [[nodiscard]] std::optional<FirstReturn> closed_return(const Pulse& pulse, double f);
 

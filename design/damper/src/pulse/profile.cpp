@@ -43,9 +43,9 @@ double impulse(const Pulse& pulse) {
 /// k.
 std::vector<double> first_grid(const Pulse& pulse) {
   constexpr double least = 1e-9;
-  constexpr int small = 6;
-  constexpr int even = 40;
-  constexpr int large = 20;
+  constexpr int small = 4;
+  constexpr int even = 32;
+  constexpr int large = 14;
   constexpr double nearly = 1 - 1e-6;  // f = k moves nothing
   const double scale = std::min(1.0, impulse(pulse));
   const bool both_ways = std::holds_alternative<FullSine>(pulse);
@@ -69,21 +69,17 @@ bool same_kind(const FirstReturn& a, const FirstReturn& b) {
   return a.returns == b.returns && (!a.returns || a.turns == b.turns);
 }
 
-/// Every figure that a requirement bounds rises along the four, or falls: between the middle two no
-/// box has its largest.
-bool all_go_on(const FirstReturn& a, const FirstReturn& b, const FirstReturn& c,
-               const FirstReturn& d) {
-  const auto goes_on = [&](double FirstReturn::*figure) {
-    const double before = a.*figure;
+/// No figure that a requirement bounds comes to a top between the middle two, rising up to it or
+/// falling from it: no box has its largest there.
+bool no_top_between(const FirstReturn& a, const FirstReturn& b, const FirstReturn& c,
+                    const FirstReturn& d) {
+  const auto no_top = [&](double FirstReturn::*figure) {
     const double last = b.*figure;
     const double after = c.*figure;
-    const double to = d.*figure;
-    return (before <= last && last <= after && after <= to) ||
-           (before >= last && last >= after && after >= to);
+    return (a.*figure >= last || last <= after) && (d.*figure >= after || after <= last);
   };
-  return goes_on(&FirstReturn::peak) && goes_on(&FirstReturn::acceleration) &&
-         goes_on(&FirstReturn::time) && goes_on(&FirstReturn::exact_need) &&
-         goes_on(&FirstReturn::published_need);
+  return no_top(&FirstReturn::peak) && no_top(&FirstReturn::acceleration) &&
+         no_top(&FirstReturn::exact_need) && no_top(&FirstReturn::published_need);
 }
 
 }  // namespace
@@ -114,7 +110,7 @@ PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bo
   for (const double f : first_grid(pulse_)) {
     const FirstReturn now = at(f);
     if (!samples_.empty()) {
-      add_changes(now);
+      add_changes(now, k_varies);
     }
     samples_.push_back(now);
   }
@@ -122,7 +118,7 @@ PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bo
 }
 
 /// Both sides of each change of the kind between the last sample and the next one.
-void PulseProfile::add_changes(const FirstReturn& to) {
+void PulseProfile::add_changes(const FirstReturn& to, bool k_varies) {
   // The kind may change more than once between two points.
   constexpr int most_changes = 8;
   for (int change = 0; change < most_changes && !same_kind(samples_.back(), to); ++change) {
@@ -149,7 +145,8 @@ void PulseProfile::add_changes(const FirstReturn& to) {
     } else {
       constexpr double near = 1.0 / 4096;
       last_that_holds(before.f, to.f, same_at, near * (to.f - before.f));
-      if (!all_go_on(before, last, after, to)) {
+      const bool time_goes_on = (before.time <= last.time) == (after.time <= to.time);
+      if (!no_top_between(before, last, after, to) || (k_varies && !time_goes_on)) {
         last_that_holds(last.f, after.f, same_at);
       }
     }

@@ -49,7 +49,7 @@ class PulseProfile {
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
 
  private:
-  void add_changes(const FirstReturn& to);
+  void add_changes(const FirstReturn& to, bool k_varies);
   void add_maxima(Criterion criterion, bool k_varies);
 
   Pulse pulse_;

@@ -110,11 +110,10 @@ std::optional<FrictionBox> PulseRegion::cheapest_box(const Island& island, doubl
   }
   const auto use = [&](double low) { return use_of_delta(low, low * ratio, tolerance); };
   const FrictionBox at_last{last, use(last)};
-  if (at_last.use <= 1) {
+  if (at_last.use <= 1 || profile_->need_falls(island.low, island.high, criterion_)) {
     return at_last;
   }
-  // The need mostly falls with f. Where it does not, the box that needs least as far as the samples
-  // know.
+  // The box that needs least as far as the samples know.
   const auto rough = [&](double low) {
     return profile_->rough_need_between(low, low * ratio, criterion_);
   };

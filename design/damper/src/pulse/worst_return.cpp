@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 
 namespace stillpoint::design {
 
@@ -122,7 +123,7 @@ void WorstReturn::add_leg(const Pulse& unit, double lambda, double p, double to_
 }
 
 void WorstReturn::add_samples() {
-  if (cases_.size() == 1 && weakest_ == 1) {
+  if (is_single()) {
     samples_ = cases_.front().profile.samples();
     return;
   }
@@ -210,8 +211,23 @@ FirstReturn WorstReturn::between(double low, double high) const {
 }
 
 double WorstReturn::need_between(double low, double high, Criterion criterion) const {
-  return std::max(
-      {at(low).need(criterion), at(high).need(criterion), need_of_samples(low, high, criterion)});
+  const double known = std::max(at(low).need(criterion), need_of_samples(low, high, criterion));
+  return most_near(high, criterion) <= known ? known : std::max(known, at(high).need(criterion));
+}
+
+bool WorstReturn::need_falls(double low, double high, Criterion criterion) const {
+  const auto from = std::ranges::lower_bound(samples_, low, {}, &FirstReturn::f);
+  const auto to = std::ranges::upper_bound(samples_, high, {}, &FirstReturn::f);
+  const auto need = [criterion](const FirstReturn& now) { return now.need(criterion); };
+  return is_single() && std::ranges::is_sorted(from, to, std::ranges::greater(), need);
+}
+
+/// No need at f is larger: of one pulse and spring the samples have the local maxima.
+double WorstReturn::most_near(double f, Criterion criterion) const {
+  const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
+  return is_single() && after != samples_.begin() && after != samples_.end()
+             ? std::max((after - 1)->need(criterion), after->need(criterion))
+             : HUGE_VAL;
 }
 
 double WorstReturn::rough_need_between(double low, double high, Criterion criterion) const {
