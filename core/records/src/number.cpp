@@ -104,9 +104,11 @@ std::int64_t parse_integer(std::string_view field, std::string_view text) {
     throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a whole number");
   }
   constexpr double most = 1e18;
-  if (scanned.value != std::floor(scanned.value) || std::abs(scanned.value) > most) {
-    throw InputError(std::string(field), std::string(text),
-                     "must be a whole number of at most 18 digits");
+  const bool whole = scanned.value == std::floor(scanned.value);
+  if (!whole || std::abs(scanned.value) > most) {
+    throw InputError(
+        std::string(field), std::string(text),
+        whole ? "must be a whole number of at most 18 digits" : "must be a whole number");
   }
   return static_cast<std::int64_t>(scanned.value);
 }

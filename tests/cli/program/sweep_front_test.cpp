@@ -5,6 +5,7 @@
 #include "sweep_table.hpp"
 #include "wrong_arguments.hpp"
 
+#include <fmt/format.h>
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -100,8 +101,8 @@ BOOST_FIXTURE_TEST_CASE(is_split_anywhere_and_merged_into_the_same_bytes, Listed
       Arguments merge("sweep merge merged.csv");
       for (int i = 1; i <= std::stoi(n); ++i) {
         const std::string part = std::to_string(i);
-        BOOST_TEST_REQUIRE(run(joined(joined(task, entries),
-                                      {"--part", part + "/" + n, "--output", part + ".csv"}))
+        BOOST_TEST_REQUIRE(run(joined(joined(task, entries), {"--part", fmt::format("{}/{}", i, n),
+                                                              "--output", part + ".csv"}))
                                .exit_code == 0);
         merge = joined(merge, {part + ".csv"});
       }

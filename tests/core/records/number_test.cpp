@@ -86,7 +86,11 @@ BOOST_AUTO_TEST_CASE(value_of_a_field) {
     BOOST_TEST(refusal(parse_integer, text) ==
                "f = \"" + std::string(text) + "\": must be a whole number");
   }
-  for (const char* text : {"9223372036854775808", "-1e19", "1.5", "1e-3"}) {
+  for (const char* text : {"1.5", "1e-3"}) {
+    BOOST_TEST(refusal(parse_integer, text) ==
+               "f = " + std::string(text) + ": must be a whole number");
+  }
+  for (const char* text : {"9223372036854775808", "-1e19"}) {
     BOOST_TEST(refusal(parse_integer, text) ==
                "f = " + std::string(text) + ": must be a whole number of at most 18 digits");
   }
