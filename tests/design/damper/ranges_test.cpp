@@ -495,6 +495,27 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
   BOOST_TEST(off_centre > 0);
 }
 
+/// The strip of Delta is as thin as the spread of the hits, so that rounding decides at its end.
+BOOST_AUTO_TEST_CASE(hits_of_nearly_one_strength_meet_each_row_of_their_design) {
+  int designs = 0;
+  for (std::uint64_t seed = 1'210'000; seed < 1'211'000; ++seed) {
+    RandomSource random(seed);
+    DesignRequest request;
+    request.problem = random_problem(random, 0.75, 2);
+    Problem& problem = request.problem;
+    problem.v0_low = problem.v0 * (1 - random.log_uniform(1e-15, 1e-3));
+    problem.arrivals = 1 + random.pick(2);
+    request.search.objective = objectives[static_cast<std::size_t>(random.pick(4))];
+    if (const auto finding = stillpoint::design::design(request).finding) {
+      ++designs;
+      for (const Constraint& constraint : finding->constraints) {
+        BOOST_TEST(constraint.satisfied, constraint.name << " of seed " << seed);
+      }
+    }
+  }
+  BOOST_TEST(designs > 900);
+}
+
 BOOST_AUTO_TEST_CASE(a_tolerance_that_no_damper_has_is_said_with_the_largest) {
   constexpr double more =
       1e-7;  // relative, of the largest tolerance: its search, and that of a box

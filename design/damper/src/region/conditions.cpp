@@ -59,8 +59,8 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
   const int n =
       way_of(problem, {}, f, delta).value_or(deciding_arrival(strongest_hit(problem), f, delta).n);
   const Way way(problem, {}, n);
-  if (n == 1 && !problem.residual && way.v_low > 0) {
-    return;  // the paper's own, each at its corner
+  if (way.is_papers()) {
+    return;
   }
   const auto [reach, pass] = way_speeds(way, f, delta);
   list[3] = n == 0          ? compared("residual", "f", "<=", f, way.f_cap)

@@ -52,7 +52,7 @@ bool admissible(const Way& way, double f, double delta, double tolerance) {
   if (!(f * f_low >= way.f2 && f * f_high <= way.f_cap && delta * delta_high <= way.delta_cap)) {
     return false;
   }
-  if (way.plain && way.n == 1) {  // by the edges that the region reports, themselves
+  if (way.is_papers()) {  // by the edges that the region reports, themselves
     return f * f_high <= way.tip && delta * delta_low > unchecked_delta1(problem, f * f_low);
   }
   if (way.n > 0) {
