@@ -3,7 +3,8 @@
 
 #include <string>
 
-/// What is made from the one table of options, so that it cannot drift from the program.
+/// What is made from the one table of options or by the library, so that it cannot drift from the
+/// program.
 namespace stillpoint::cli {
 
 /// The manual page stillpoint(1), in roff.
@@ -16,5 +17,9 @@ namespace stillpoint::cli {
 
 /// The JSON Schema (draft 2020-12) of scene files.
 [[nodiscard]] std::string scene_schema();
+
+/// The tables of docs/theory.md sections 12 and 13: the largest tolerance of each arrival, and with
+/// a residual.
+[[nodiscard]] std::string tolerance_tables();
 
 }  // namespace stillpoint::cli

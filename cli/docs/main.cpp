@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints what is made from the options: stillpoint_docs man|bash|zsh|fish|scene-schema
+// Prints what is made from the options, and tables of the docs:
+// stillpoint_docs man|bash|zsh|fish|scene-schema|tolerance-tables
 
 #include "generated_docs.hpp"
 
@@ -13,14 +14,17 @@
 int main(int argc, char** argv) {
   try {
     namespace cli = stillpoint::cli;
-    const std::map<std::string_view, std::string (*)()> makers{{"man", cli::man_page},
-                                                               {"bash", cli::bash_completion},
-                                                               {"zsh", cli::zsh_completion},
-                                                               {"fish", cli::fish_completion},
-                                                               {"scene-schema", cli::scene_schema}};
+    const std::map<std::string_view, std::string (*)()> makers{
+        {"man", cli::man_page},
+        {"bash", cli::bash_completion},
+        {"zsh", cli::zsh_completion},
+        {"fish", cli::fish_completion},
+        {"scene-schema", cli::scene_schema},
+        {"tolerance-tables", cli::tolerance_tables}};
     const auto maker = makers.find(argc == 2 ? argv[1] : "");
     if (maker == makers.end()) {
-      std::fputs("usage: stillpoint_docs man|bash|zsh|fish|scene-schema\n", stderr);
+      std::fputs("usage: stillpoint_docs man|bash|zsh|fish|scene-schema|tolerance-tables\n",
+                 stderr);
       return EXIT_FAILURE;
     }
     const std::string text = maker->second();

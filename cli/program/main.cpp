@@ -85,9 +85,11 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
   if (opens && !settings.has("html")) {
     settings.set(*find_option("html"), temporary.emplace().path());
   }
-  resolve_part(settings);
-  require_files_apart(invocation.command, settings, invocation.scene);
-  const ExitCode code = run(invocation.command, settings, output);
+  const ExitCode code = with_places(settings, [&] {
+    resolve_part(settings);
+    require_files_apart(invocation.command, settings, invocation.scene);
+    return run(invocation.command, settings, output);
+  });
   output.commit();
   for (const std::string& doubt : doubts(settings, invocation.command)) {
     remark(fmt::format("warning: {}", doubt));

@@ -6,6 +6,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/identity.hpp>
@@ -139,6 +140,11 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
         throw UsageError(fmt::format("{} and {} exclude each other", beta, other));
       }
     }
+    for (const char* const other : {"pulse", "catalogue", "objective"}) {
+      if (settings.has("trade-off") && settings.has(other)) {
+        throw UsageError(fmt::format("trade-off and {} exclude each other in a sweep", other));
+      }
+    }
     return;
   }
   for (const Option& option : options()) {
@@ -172,6 +178,17 @@ InputError of_physical_option(const InputError& error, const Settings& settings)
   return error;
 }
 
+/// The dampers along the front of each problem.
+void add_front(const Settings& settings, SweepSpec& spec) {
+  const auto count = settings.integer("trade-off");
+  if (!count) {
+    return;
+  }
+  design::require_trade_offs(*count);
+  spec.axes.push_back(
+      {Quantity::trade_off, Axis(1, static_cast<double>(*count), *count, Axis::Spacing::linear)});
+}
+
 /// Where nothing else is given a motion starts from x = 0, and from rest if something else moves
 /// it.
 void add_axes(const Settings& settings, SweepSpec& spec) {
@@ -179,7 +196,9 @@ void add_axes(const Settings& settings, SweepSpec& spec) {
                         (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
   for (const Quantity input : sweep::inputs(spec.kind)) {
     const std::string option = option_name(input, spec.units);
-    if (const auto axis = settings.axis(option)) {
+    if (input == Quantity::trade_off) {
+      add_front(settings, spec);
+    } else if (const auto axis = settings.axis(option)) {
       spec.axes.push_back({input, *axis});
     } else if (!given(settings, spec, input) &&
                (input == Quantity::x0 || (input == Quantity::v0 && may_rest))) {

@@ -199,8 +199,10 @@ std::vector<Option> rows() {
           "standard input",
           of_designs, for_hits({.file = FileUse::read})),
       row("trade-off", integer, "N", searching,
-          "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000",
-          design, for_hits()),
+          "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000; "
+          "of "
+          "sweep a row each, in place of the design",
+          design | sweep, for_hits()),
       row("objective", text, "NAME", searching,
           "{}; under records acceleration (default), amplitude or residual", design | sweep,
           {.values = all_objectives(), .first_is_default = true}),

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -126,14 +125,10 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
       }
       return value.get<double>();
     case OptionKind::integer:
-      if (!value.is_number_integer()) {
+      if (!value.is_number()) {
         throw wrong_type("a whole number");
       }
-      if (value.is_number_unsigned() &&
-          value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max()) {
-        throw wrong_type("a whole number of at most 18 digits");
-      }
-      return value.get<std::int64_t>();
+      return parse_integer(option.name, value.dump());
     case OptionKind::text:
       if (option.name == "friction-zones" && value.is_array()) {
         return zones_text(value);
@@ -154,7 +149,7 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
   return value.get<bool>();
 }
 
-void add_key(Settings& settings, const std::string& key, const nlohmann::json& value,
+void set_key(Settings& settings, const std::string& key, const nlohmann::json& value,
              const Option* option, Command command) {
   if (option == nullptr) {
     throw InputError(shown(key), value.dump(),
@@ -178,9 +173,25 @@ void add_key(Settings& settings, const std::string& key, const nlohmann::json& v
   }
 }
 
+void add_key(Settings& settings, const std::string& key, const nlohmann::json& value,
+             const Option* option, Command command, const sweep::KeyPlaces& places) {
+  const auto place = places.find(key);
+  if (place == places.end()) {
+    return set_key(settings, key, value, option, command);
+  }
+  try {
+    set_key(settings, key, value, option, command);
+  } catch (const InputError& error) {
+    throw records::FileError(place->second, error.what());
+  } catch (const UsageError& error) {
+    throw records::FileError(place->second, error.what());
+  }
+  settings.set_place(*option, place->second);
+}
+
 /// "excitation" may be an object of its own; its "type" is the option excitation.
 void add_keys(Settings& settings, const nlohmann::json& object, std::string_view within,
-              Command command) {
+              Command command, const sweep::KeyPlaces& places) {
   for (const auto& [key, value] : object.items()) {
     const std::string wanted = hyphened(key);
     const Option* option = find_option(wanted);
@@ -188,17 +199,17 @@ void add_keys(Settings& settings, const nlohmann::json& object, std::string_view
       if (value.empty()) {
         throw InputError(key, "{}", "must have a type");
       }
-      add_keys(settings, value, wanted, command);
+      add_keys(settings, value, key, command, places);
     } else if (within.empty()) {
-      add_key(settings, key, value, option, command);
+      add_key(settings, key, value, option, command, places);
     } else {
-      const bool of_it = option != nullptr && option->group == find_option(within)->group &&
-                         option->name != within;
+      const Option* const outer = find_option(hyphened(std::string(within)));
+      const bool of_it = option != nullptr && option->group == outer->group && option != outer;
       add_key(settings, fmt::format("{}.{}", within, key), value,
-              wanted == "type" ? find_option(within)
+              wanted == "type" ? outer
               : of_it          ? option
                                : nullptr,
-              command);
+              command, places);
     }
   }
 }
@@ -206,13 +217,15 @@ void add_keys(Settings& settings, const nlohmann::json& object, std::string_view
 }  // namespace
 
 Settings parse_scene(std::string_view text, std::string_view source, Command command) {
-  sweep::require_json_object(text, {"scene", std::string(source)});
-  return scene_settings(nlohmann::json::parse(text, nullptr, true, true), command);
+  const sweep::KeyPlaces places = sweep::require_json_object(text, {"scene", std::string(source)});
+  Settings settings;
+  add_keys(settings, nlohmann::json::parse(text, nullptr, true, true), "", command, places);
+  return settings;
 }
 
 Settings scene_settings(const nlohmann::json& scene, Command command) {
   Settings settings;
-  add_keys(settings, scene, "", command);
+  add_keys(settings, scene, "", command, {});
   return settings;
 }
 

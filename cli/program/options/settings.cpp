@@ -25,6 +25,10 @@ std::string with_a_unit(const Option& option) {
 }  // namespace
 
 double parse_value(const Option& option, std::string_view text) {
+  if (text.find(':') != std::string_view::npos) {
+    throw InputError(std::string(option.name), fmt::format("\"{}\"", text),
+                     "must be one number, not a range");
+  }
   const Dimension dimension = option.traits.dimension;
   return records::parse_value(option.name, dimension, text,
                               dimension == Dimension::none ? with_a_unit(option) : "");
@@ -150,16 +154,44 @@ std::optional<std::string> Settings::with_unit(std::string_view name) const {
   return found == with_units_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<records::FilePlace> Settings::place_of(std::string_view field) const {
+  std::string wanted(field.substr(0, field.find('[')));
+  std::ranges::replace(wanted, '_', '-');
+  for (const std::string_view end : {"-low", "-high"}) {
+    if (wanted.ends_with(end)) {
+      wanted.resize(wanted.size() - end.size());
+    }
+  }
+  const Option* const option = find_option(wanted);
+  if (option == nullptr) {
+    return std::nullopt;
+  }
+  std::vector<const Option*> meant = physical_rivals(*option);
+  meant.insert(meant.begin(), option);
+  for (const Option* one : meant) {
+    if (const auto found = places_.find(one->name); found != places_.end()) {
+      return found->second;
+    }
+  }
+  return std::nullopt;
+}
+
 void Settings::drop(std::string_view name) {
   values_.erase(name);
   with_units_.erase(name);
+  places_.erase(name);
 }
 
 void Settings::complete_with(const Settings& other) {
   for (const auto& [name, value] : other.values_) {
-    const auto given = other.with_units_.find(name);
-    if (values_.emplace(name, value).second && given != other.with_units_.end()) {
+    if (!values_.emplace(name, value).second) {
+      continue;
+    }
+    if (const auto given = other.with_units_.find(name); given != other.with_units_.end()) {
       with_units_.insert(*given);
+    }
+    if (const auto place = other.places_.find(name); place != other.places_.end()) {
+      places_.insert(*place);
     }
   }
 }

@@ -3,6 +3,8 @@
 
 #include "options/options.hpp"
 
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
@@ -14,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -80,6 +83,13 @@ class Settings {
   /// A number as it was given, if that was with a unit: "150mm".
   [[nodiscard]] std::optional<std::string> with_unit(std::string_view name) const;
 
+  /// Where the value of an option stands in a scene.
+  void set_place(const Option& option, records::FilePlace place) {
+    places_.insert_or_assign(option.name, std::move(place));
+  }
+  /// That of the value that an InputError about `field` means; empty where no scene has it.
+  [[nodiscard]] std::optional<records::FilePlace> place_of(std::string_view field) const;
+
   void drop(std::string_view name);
 
   /// Sets what `other` has and this does not have.
@@ -94,7 +104,21 @@ class Settings {
 
   std::map<std::string_view, Value> values_;
   std::map<std::string_view, std::string> with_units_;
+  std::map<std::string_view, records::FilePlace> places_;
 };
+
+/// What `body` throws about the value of a scene says where that stands.
+template <class Body>
+auto with_places(const Settings& settings, const Body& body) {
+  try {
+    return body();
+  } catch (const InputError& error) {
+    if (const auto place = settings.place_of(error.field())) {
+      throw records::FileError(*place, error.what());
+    }
+    throw;
+  }
+}
 
 /// What is absurd about its values together, a sentence each; it is computed all the same.
 [[nodiscard]] std::vector<std::string> doubts(const Settings& settings, Command command);

@@ -139,7 +139,9 @@ PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t 
 std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::dict& options) {
   const cli::Settings given = settings(row.command, scene, options);
   std::unique_ptr<answers::Answer> found = interruptible([&](const std::stop_token& stop) {
-    return cli::answer(row.command, given, [&] { return !stop.stop_requested(); });
+    return with_places(given, [&] {
+      return cli::answer(row.command, given, [&] { return !stop.stop_requested(); });
+    });
   });
   warn_of_doubts(given, row.command);
   if (row.command == Command::simulate) {

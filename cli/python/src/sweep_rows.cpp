@@ -178,11 +178,12 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
   if (in_memory && !given.flag("reduce")) {
     given.set(*cli::find_option("format"), std::string("npy"));
   }
-  cli::resolve_part(given);
-  cli::require_files_apart(Command::sweep, given, std::nullopt);
-  SweepSpec spec = cli::sweep_request(given);
-  std::unique_ptr<Sweep> found =
-      spec.reduction ? reduced(given, spec) : with_rows(std::move(spec), in_memory);
+  std::unique_ptr<Sweep> found = with_places(given, [&] {
+    cli::resolve_part(given);
+    cli::require_files_apart(Command::sweep, given, std::nullopt);
+    SweepSpec spec = cli::sweep_request(given);
+    return spec.reduction ? reduced(given, spec) : with_rows(std::move(spec), in_memory);
+  });
   warn_of_doubts(given, Command::sweep);
   return found;
 }

@@ -50,7 +50,7 @@ void require_valid(const Problem& problem, const Limits& limits) {
   }
   if (problem.arrivals < 1 || problem.arrivals > most_arrivals) {
     throw InputError("arrivals", fmt::format("{}", problem.arrivals),
-                     fmt::format("must be from 1 to {}", most_arrivals));
+                     fmt::format("must be a whole number from 1 to {}", most_arrivals));
   }
   if (problem.v0_low && *problem.v0_low != 0) {
     require_within("v0_low", *problem.v0_low, smallest_speed, problem.v0);

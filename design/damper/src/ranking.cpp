@@ -3,6 +3,7 @@
 
 #include "finding.hpp"
 #include "ranking.hpp"
+#include "region/mend_list.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -166,6 +167,13 @@ std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
     if (found) {
       mends.push_back({field, best, best > now});
     }
+  }
+  const auto with_arrivals = [&](std::int64_t n) {
+    task.arrivals = n;
+    return std::ranges::any_of(parts, any_fits);
+  };
+  if (const auto mend = arrivals_mend(problem, with_arrivals)) {
+    mends.push_back(*mend);
   }
   return mends;
 }

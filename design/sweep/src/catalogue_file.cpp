@@ -82,10 +82,12 @@ class CatalogueReader {
     delta_ = column("delta");
     delta_m_ = column("delta_m");
     if (!name_ || !f_ || (!delta_ && !delta_m_)) {
-      refuse(fmt::format("the header has no column {}: it must have name, f, and delta or delta_m",
-                         !name_ ? "name"
-                         : !f_  ? "f"
-                                : "delta or delta_m"));
+      refuse(
+          fmt::format("the header has no column {}: it must have name, f, and delta or delta_m, "
+                      "separated by commas",
+                      !name_ ? "name"
+                      : !f_  ? "f"
+                             : "delta or delta_m"));
     }
     if (delta_ && delta_m_) {
       refuse("the header has both delta and delta_m: give one of them");

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -22,15 +24,45 @@ std::string shown_key(std::string_view key) {
   return records::printable(key, records::longest_word);
 }
 
+/// Reads a text and notes how much of it has been read.
+class NotingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  NotingIterator(const char* at, const char*& read) : at_(at), read_(&read) {}
+
+  reference operator*() const { return *at_; }
+  NotingIterator& operator++() {
+    *read_ = ++at_;
+    return *this;
+  }
+  friend bool operator==(const NotingIterator& a, const NotingIterator& b) {
+    return a.at_ == b.at_;
+  }
+
+ private:
+  const char* at_;
+  const char** read_;
+};
+
 /// Reads a text through for what json::parse passes over or words badly: equal keys, of which it
 /// keeps the last, a deep value, which it would print by recursion until the stack ends, and
 /// numbers beyond a double. Throws FileError. The parser calls a function for each part of the
 /// text.
 class JsonCheck {
  public:
-  JsonCheck(std::string_view text, const records::FilePlace& file) : text_(text), file_(file) {
-    json::sax_parse(text, this, json::input_format_t::json, true, true);
+  JsonCheck(std::string_view text, const records::FilePlace& file)
+      : text_(text), file_(file), read_(text.data()) {
+    json::sax_parse(NotingIterator(text.data(), read_),
+                    NotingIterator(text.data() + text.size(), read_), this,
+                    json::input_format_t::json, true, true);
   }
+
+  [[nodiscard]] KeyPlaces take_places() { return std::move(places_); }
 
   static bool null() { return true; }
   static bool boolean(bool /*value*/) { return true; }
@@ -46,8 +78,17 @@ class JsonCheck {
 
   bool key(const std::string& key) {
     last_ = key;
+    records::FilePlace place = place_of_key();
     if (!seen_.back().insert(key).second) {
-      refuse({}, fmt::format("{} is set twice: a key can stand only once", shown_key(key)));
+      throw records::FileError(
+          std::move(place),
+          fmt::format("{} is set twice: a key can stand only once", shown_key(key)));
+    }
+    if (seen_.size() == 1) {
+      outer_ = key;
+      places_.emplace(key, std::move(place));
+    } else if (seen_.size() == 2) {
+      places_.emplace(fmt::format("{}.{}", outer_, key), std::move(place));
     }
     return true;
   }
@@ -88,6 +129,27 @@ class JsonCheck {
     return records::printable(message.substr(0, message.find("; last read")), 150);
   }
 
+  /// Of the key that has just been read, up to its closing quote.
+  records::FilePlace place_of_key() {
+    const auto is_quote = [this](const char* at) {
+      return *at == '"' && (at == text_.data() || at[-1] != '\\');
+    };
+    const char* quote = read_ - 2;
+    while (!is_quote(quote)) {
+      --quote;
+    }
+    for (; counted_ < quote; ++counted_) {
+      if (*counted_ == '\n') {
+        ++line_;
+        line_begin_ = counted_ + 1;
+      }
+    }
+    records::FilePlace place = file_;
+    place.line = line_;
+    place.column = static_cast<std::size_t>(quote - line_begin_) + 1;
+    return place;
+  }
+
   /// `position` counts the bytes that are read.
   [[noreturn]] void refuse(std::optional<std::size_t> position, std::string_view message) const {
     records::FilePlace place = file_;
@@ -104,22 +166,30 @@ class JsonCheck {
 
   std::string_view text_;
   const records::FilePlace& file_;
+  const char* read_;  ///< so far
+  /// The lines before this, and where the last of them begins.
+  const char* counted_{text_.data()};
+  const char* line_begin_{text_.data()};
+  std::size_t line_{1};
+  KeyPlaces places_;
+  std::string outer_;                        ///< the last key of the text's object
   std::string last_;                         ///< key
   std::vector<std::set<std::string>> seen_;  ///< the keys of each object that is open
 };
 
 }  // namespace
 
-void require_json_object(std::string_view text, const records::FilePlace& file) {
+KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {
     throw records::FileError(file, "is empty, must be a JSON object");
   }
-  const JsonCheck check(text, file);
+  JsonCheck check(text, file);
   if (const json value = json::parse(text, nullptr, true, true); !value.is_object()) {
     throw records::FileError(file,
                              fmt::format("is a JSON {}, must be an object", value.type_name()));
   }
+  return check.take_places();
 }
 
 }  // namespace stillpoint::sweep

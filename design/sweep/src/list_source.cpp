@@ -19,10 +19,22 @@ using Eigen::Index;
 class ListSource : public SweepSource {
  public:
   ListSource(const SweepSpec& spec, std::stop_token stop)
-      : list_(spec.list), fixed_(spec.axes), stop_(std::move(stop)) {}
+      : list_(spec.list),
+        fixed_(spec.axes),
+        stop_(std::move(stop)),
+        front_(given(spec, Quantity::trade_off)),
+        of_each_(dampers_of_each(spec)) {
+    std::erase_if(fixed_,
+                  [](const SweepAxis& axis) { return axis.quantity == Quantity::trade_off; });
+  }
 
   void fill(SweepBlock& block, Index most) override {
+    const std::int64_t first = next_;
     read(block, most);
+    if (front_) {
+      block[Quantity::trade_off] = Eigen::ArrayXd::NullaryExpr(
+          block.size, [&](Index i) { return static_cast<double>((first + i) % of_each_ + 1); });
+    }
     for (const SweepAxis& one : fixed_) {
       block[one.quantity].setConstant(block.size, one.axis[0]);
       if (one.axis.has_ranges()) {
@@ -69,7 +81,6 @@ class ListSource : public SweepSource {
       block.lines.push_back(list_->line());
       for (std::size_t i = 0; i < values_.size(); ++i) {
         block[list_->columns()[i]][size] = values_[i];
-        digest_.add(values_[i]);
       }
       block.digests.push_back(digest_.value());
     }
@@ -80,11 +91,18 @@ class ListSource : public SweepSource {
     next_ += size;
   }
 
-  /// Reads the next entry. What is wrong with it is kept until the `size` entries before it in this
-  /// block have been given.
+  /// Reads the next entry, or gives the last one again for the next damper of its front. What is
+  /// wrong with it is kept until the `size` entries before it in this block have been given.
   bool has_next(Index size) {
+    if ((next_ + size) % of_each_ != 0) {
+      return true;
+    }
     try {
-      return list_->next(values_, stop_);
+      if (!list_->next(values_, stop_)) {
+        return false;
+      }
+      std::ranges::for_each(values_, [this](double value) { digest_.add(value); });
+      return true;
     } catch (const records::FileError&) {
       if (size == 0) {
         throw;
@@ -97,6 +115,8 @@ class ListSource : public SweepSource {
   std::shared_ptr<List> list_;
   std::vector<SweepAxis> fixed_;
   std::stop_token stop_;
+  bool front_;
+  std::int64_t of_each_;  ///< rows of an entry, one after the other
   std::exception_ptr wrong_;
   std::vector<double> values_;
   Digest digest_;

@@ -32,9 +32,11 @@ bool PartLabel::is_whole(std::int64_t rows) const {
 }
 
 PartLabel label_of(const SweepSpec& spec) {
-  const ListExtent grid{entries(spec).value_or(0), 0};
-  return {spec.output.value_or(""), spec.part.value_or(SweepPart()), spec.identity,
-          spec.listed.value_or(grid)};
+  ListExtent whole = spec.listed.value_or(ListExtent{entries(spec).value_or(0), 0});
+  if (spec.listed) {
+    whole.entries *= dampers_of_each(spec);
+  }
+  return {spec.output.value_or(""), spec.part.value_or(SweepPart()), spec.identity, whole};
 }
 
 std::string difference(const PartLabel& one, const PartLabel& other) {

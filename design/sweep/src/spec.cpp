@@ -25,8 +25,8 @@ constexpr Names row_formats(std::to_array<Named<RowFormat>>({{RowFormat::csv, "c
 using enum Quantity;
 
 constexpr std::array motion_inputs{v0, p, x0, f, delta, hold, notch_width};
-constexpr std::array design_inputs{v0,     v0_low,      p,    p_high,   k,       k_low,
-                                   lambda, lambda_high, beta, residual, arrivals};
+constexpr std::array design_inputs{v0,     v0_low,      p,    p_high,   k,        k_low,
+                                   lambda, lambda_high, beta, residual, arrivals, trade_off};
 
 constexpr std::array free_results{peak_amplitude, half_cycles, outcome,
                                   stop_position,  stop_time,   peak_absolute_acceleration};
@@ -118,7 +118,8 @@ OwnEntries own_entries(const SweepSpec& spec) {
     return {0, entries(spec)};
   }
   const EntryRange range =
-      range_of(*spec.part, spec.listed ? spec.listed->entries : entries(spec).value_or(0));
+      range_of(*spec.part, spec.listed ? spec.listed->entries * dampers_of_each(spec)
+                                       : entries(spec).value_or(0));
   return {range.first, range.count};
 }
 
@@ -137,6 +138,10 @@ std::int64_t count_in_axes(const SweepSpec& spec, Quantity input) {
 
 bool given(const SweepSpec& spec, Quantity input) {
   return (spec.list && spec.list->has(input)) || count_in_axes(spec, input) > 0;
+}
+
+std::int64_t dampers_of_each(const SweepSpec& spec) {
+  return std::max(std::int64_t{1}, count_in_axes(spec, trade_off));
 }
 
 bool varies(const SweepSpec& spec, Quantity input) {

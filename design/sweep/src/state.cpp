@@ -93,7 +93,7 @@ std::int64_t count(const SweepState& state, Outcome outcome) {
 
 std::string summary(const SweepState& state, bool of_designs) {
   if (of_designs) {
-    return fmt::format("{} of {} problems have an admissible design.", state.feasible, state.rows);
+    return fmt::format("{} of {} entries have an admissible design.", state.feasible, state.rows);
   }
   const std::int64_t in_notch = count(state, Outcome::stopped_in_notch);
   std::string text = fmt::format("{} of {} motions stop at x = 0{}, {} off centre",

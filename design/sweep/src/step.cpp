@@ -10,6 +10,7 @@
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/design/trade_off.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -94,41 +95,46 @@ struct Designed {
   Response motion;
 };
 
+/// With its largest tolerance of f and Delta alike.
+design::DesignPoint evened(const design::DesignRequest& request, design::DesignPoint point) {
+  point.tolerance = even_tolerance(request.problem, request.limits, point);
+  return point;
+}
+
 /// The best damper of all, or of the parts; empty if none is admissible.
 std::optional<design::DesignPoint> point_of(const design::DesignRequest& request,
                                             const std::vector<design::Part>& parts) {
   const auto& [problem, limits, options, pulse, ranges] = request;
   if (parts.empty()) {
     const auto found = design::search(problem, limits, options);
-    return found ? std::optional(found->point) : std::nullopt;
+    return found ? std::optional(evened(request, found->point)) : std::nullopt;
   }
   const auto [part, admissible, tolerance, violated] =
       design::ranked(problem, limits, options.objective, parts).front();
-  return admissible ? std::optional(design::DesignPoint{part.f, part.delta, tolerance.value_or(0)})
+  return admissible ? std::optional(evened(request, {part.f, part.delta, tolerance.value_or(0)}))
                     : std::nullopt;
 }
 
-std::optional<Designed> designed(const design::DesignRequest& request,
-                                 const std::vector<design::Part>& parts,
-                                 const FreeOptions& options) {
-  if (request.pulse) {
-    const auto result = parts.empty() ? design::design(request) : choose(request, parts).result;
-    if (!result.finding) {
-      return std::nullopt;
-    }
-    const auto& [f, delta, tolerance] = result.finding->point;
-    return Designed{{f, delta, design::even_tolerance(result)},
-                    result.finding->arrival,
-                    result.finding->pulse->response};
-  }
-  const auto found = point_of(request, parts);
-  if (!found) {
+std::optional<Designed> designed_for_pulse(const design::DesignRequest& request,
+                                           const std::vector<design::Part>& parts) {
+  const auto result = parts.empty() ? design::design(request) : choose(request, parts).result;
+  if (!result.finding) {
     return std::nullopt;
   }
-  const design::Problem& problem = request.problem;
-  return Designed{{found->f, found->delta, even_tolerance(problem, request.limits, *found)},
-                  design::arrival_of(problem, found->f, found->delta),
-                  free_response({.p = problem.p, .f = found->f, .delta = found->delta},
+  const auto& [f, delta, tolerance] = result.finding->point;
+  return Designed{{f, delta, design::even_tolerance(result)},
+                  result.finding->arrival,
+                  result.finding->pulse->response};
+}
+
+std::optional<Designed> designed(const design::Problem& problem,
+                                 const std::optional<design::DesignPoint>& point,
+                                 const FreeOptions& options) {
+  if (!point) {
+    return std::nullopt;
+  }
+  return Designed{*point, design::arrival_of(problem, point->f, point->delta),
+                  free_response({.p = problem.p, .f = point->f, .delta = point->delta},
                                 {.x0 = 0, .v0 = problem.v0}, options)};
 }
 
@@ -306,9 +312,17 @@ void SweepStep::run_forced(SweepBlock& block) const {
 void SweepStep::run_design(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
   const FreeOptions options{.times = times_, .margin = false};
+  const bool front = given(spec_, trade_off);
+  const std::int64_t dampers = dampers_of_each(spec_);
   for_each(block, [&](Index i) {
-    const auto found = designed(request_of(spec_, [&](Quantity input) { return block[input][i]; }),
-                                spec_.parts, options);
+    const auto request = request_of(spec_, [&](Quantity input) { return block[input][i]; });
+    const auto damper = [&] {
+      return front ? design::trade_off_at(request.problem, request.limits, dampers,
+                                          static_cast<std::int64_t>(block[trade_off][i]))
+                   : point_of(request, spec_.parts);
+    };
+    const auto found = request.pulse ? designed_for_pulse(request, spec_.parts)
+                                     : designed(request.problem, damper(), options);
     block[feasible][i] = found ? 1 : 0;
     if (!found) {
       for (const Quantity result : results(spec_.kind).subspan(1)) {

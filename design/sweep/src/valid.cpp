@@ -56,9 +56,9 @@ void require_in_units(const SweepSpec& spec) {
 
 /// A pulse takes the place of v0.
 bool may_be_left_out(const SweepSpec& spec, Quantity input) {
-  constexpr std::array always{Quantity::v0_low,      Quantity::p_high,     Quantity::k_low,
-                              Quantity::lambda_high, Quantity::residual,   Quantity::arrivals,
-                              Quantity::hold,        Quantity::notch_width};
+  constexpr std::array always{Quantity::v0_low,      Quantity::p_high,   Quantity::k_low,
+                              Quantity::lambda_high, Quantity::residual, Quantity::arrivals,
+                              Quantity::trade_off,   Quantity::hold,     Quantity::notch_width};
   const bool of_pulse = input == Quantity::k || input == Quantity::lambda;
   return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
 }
@@ -111,7 +111,7 @@ void require_inputs(const SweepSpec& spec) {
     if (spec.list && (spec.list->has(swept.quantity) || (other && spec.list->has(*other)))) {
       refuse("is a column of the list as well: give only one of them");
     }
-    if (spec.list && swept.axis.size() > 1) {
+    if (spec.list && swept.axis.size() > 1 && swept.quantity != Quantity::trade_off) {
       refuse("must be one number beside a list");
     }
   }

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -37,6 +39,11 @@ std::string printed_by(const std::string& command) {
     text += buffer.data();
   }
   return text;
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::set<std::string> flags_of(cli::Command command) {
@@ -116,5 +123,16 @@ BOOST_AUTO_TEST_CASE(name_every_option) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_CASE(the_tables_of_the_theory_are_those_of_the_library) {
+  const std::string page =
+      text_of(std::filesystem::path(STILLPOINT_DATA_DIR).parent_path() / "docs/theory.md");
+  const std::string tables = cli::tolerance_tables();
+  const std::size_t gap = tables.find("\n\n");
+  BOOST_TEST_REQUIRE(gap != std::string::npos);
+  for (const std::string& table : {tables.substr(0, gap + 1), tables.substr(gap + 2)}) {
+    BOOST_TEST((page.find("\n" + table + "\n") != std::string::npos), "made now:\n" << table);
+  }
+}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -70,6 +70,11 @@ def test_scene_is_refused_as_the_program_does(program):
     with pytest.raises(stillpoint.InputError) as caught:
         stillpoint.design("scene.json")
     assert str(caught.value) == program.error("design", scene="scene.json")
+    for command in ("design", "region", "sweep"):
+        (program.folder / "scene.json").write_text('{"v0": 1, "p": 1,\n "beta": -1}')
+        with pytest.raises(stillpoint.InputError, match="line 2, column 2: beta = -1") as caught:
+            getattr(stillpoint, command)("scene.json")
+        assert str(caught.value) == program.error(command, scene="scene.json")
 
 
 def test_doubtful_value_is_warned_of(program):

@@ -130,6 +130,16 @@ def test_output_goes_to_a_file(program):
     assert (program.folder / "here.csv").read_bytes() == (program.folder / "there.csv").read_bytes()
 
 
+def test_fronts_are_those_of_the_designs():
+    table = stillpoint.sweep(v0=1, p=1, beta=[0.9, 1.2], arrivals=2, trade_off=3).table.reshape(2, 3)
+    assert np.array_equal(table["trade_off"], [[1, 2, 3]] * 2)
+    for front, beta in zip(table, [0.9, 1.2]):
+        report = stillpoint.design(v0=1, p=1, beta=beta, arrivals=2, trade_off=3).report
+        for row, damper in zip(front, report["trade_off"]):
+            for field in ("f", "delta", "tolerance", "peak_amplitude"):
+                assert row[field] == damper[field]
+
+
 def test_rows_outlive_the_result():
     rows = stillpoint.sweep(v0=1, p=1, f="0:0.3:1000", delta=0.1).table
     copy = rows.copy()

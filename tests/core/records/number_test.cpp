@@ -79,9 +79,20 @@ BOOST_AUTO_TEST_CASE(value_of_a_field) {
   BOOST_TEST(refusal(parse_number, "1e400") ==
              "f = 1e400: must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
   BOOST_TEST(parse_integer("f", "-42") == -42);
-  for (const char* text : {"", "1.0", "1e3", "9223372036854775808"}) {
+  BOOST_TEST(parse_integer("f", "9223372036854775807") == 9223372036854775807);
+  BOOST_TEST(parse_integer("f", "1.0") == 1);
+  BOOST_TEST(parse_integer("f", "-1e3") == -1000);
+  for (const char* text : {"", "x", "nan", "inf", "1e400"}) {
     BOOST_TEST(refusal(parse_integer, text) ==
                "f = \"" + std::string(text) + "\": must be a whole number");
+  }
+  for (const char* text : {"1.5", "1e-3"}) {
+    BOOST_TEST(refusal(parse_integer, text) ==
+               "f = " + std::string(text) + ": must be a whole number");
+  }
+  for (const char* text : {"9223372036854775808", "-1e19"}) {
+    BOOST_TEST(refusal(parse_integer, text) ==
+               "f = " + std::string(text) + ": must be a whole number of at most 18 digits");
   }
 }
 

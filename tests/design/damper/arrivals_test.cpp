@@ -370,6 +370,27 @@ BOOST_AUTO_TEST_CASE(a_later_arrival_works_for_its_own_strip_of_hits) {
   }
 }
 
+/// Of (51) and the table of section 12: V0 = p = 1, beta not binding, f at most 0.001.
+BOOST_AUTO_TEST_CASE(more_arrivals_are_offered_where_they_help) {
+  const auto offered = [](double beta, double tolerance, std::optional<double> delta_max,
+                          std::int64_t arrivals = 1) -> std::int64_t {
+    const Problem problem{1, 1, beta, Criterion::exact, arrivals};
+    const auto list = mends(problem, {0.001, delta_max, tolerance});
+    const auto found = std::ranges::find(list, "arrivals", &Mend::field);
+    return found == list.end() ? 0 : static_cast<std::int64_t>(found->value);
+  };
+  BOOST_TEST(offered(1, 0.3, {}) == 2);
+  BOOST_TEST(offered(1, 0.34, {}) == 0);   // above 1/3
+  BOOST_TEST(offered(0.9, 0.3, {}) == 0);  // the peak of f = 0.001 is 0.999
+  BOOST_TEST(offered(1, 0, {}) == 0);      // there is one with the first arrival
+  // A passage takes Delta = 0.05 of the energy 1/2 and a half-cycle 2 f x = 0.002 at most, so that
+  // 0.03 to 0.05 are left at the tenth arrival, which stops it, and 0.08 to 0.1 at the ninth.
+  const std::int64_t tenth = offered(1, 0, 0.05);
+  BOOST_TEST(tenth == 10);
+  BOOST_TEST(offered(1, 0, 0.05, 9) == tenth);
+  BOOST_TEST(offered(1, 0, 0.05, 10) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(mends_of_several_arrivals_are_least_and_suffice) {
   RandomSource random(906);
   constexpr double nearer = 1e-6;
@@ -387,6 +408,10 @@ BOOST_AUTO_TEST_CASE(mends_of_several_arrivals_are_least_and_suffice) {
       ++mended;
       const auto with = [&](double value) {
         Task now = task;
+        if (mend.field == "arrivals") {
+          now.problem.arrivals = static_cast<std::int64_t>(value);  // rounded down
+          return now;
+        }
         (mend.field == "v0"                 ? now.problem.v0
          : mend.field == "p"                ? now.problem.p
          : mend.field == "beta"             ? now.problem.beta

@@ -205,6 +205,7 @@ BOOST_AUTO_TEST_CASE(the_best_part_is_the_design) {
 BOOST_AUTO_TEST_CASE(a_mend_is_the_least_change_that_lets_a_part_in) {
   RandomSource random(24);
   int mended = 0;
+  int more_arrivals = 0;
   for (int i = 0; i < 200; ++i) {
     Shop shop = random_shop(random, 4);
     const auto any_fits = [&](const Problem& problem, const Limits& limits) {
@@ -219,6 +220,14 @@ BOOST_AUTO_TEST_CASE(a_mend_is_the_least_change_that_lets_a_part_in) {
     }
     for (const Mend& mend : mends) {
       Problem problem = shop.problem;
+      if (mend.field == "arrivals") {
+        problem.arrivals = static_cast<std::int64_t>(mend.value);
+        BOOST_TEST(any_fits(problem, shop.limits));
+        --problem.arrivals;
+        BOOST_TEST(!any_fits(problem, shop.limits));
+        ++more_arrivals;
+        continue;
+      }
       Limits limits = shop.limits;
       double& input = mend.field == "beta"        ? problem.beta
                       : mend.field == "tolerance" ? limits.tolerance
@@ -235,6 +244,7 @@ BOOST_AUTO_TEST_CASE(a_mend_is_the_least_change_that_lets_a_part_in) {
     }
   }
   BOOST_TEST(mended > 50);
+  BOOST_TEST(more_arrivals > 5);
 }
 
 BOOST_AUTO_TEST_CASE(the_largest_values_are_judged_and_mended_in_doubles) {

@@ -255,6 +255,15 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
     BOOST_TEST((list.empty() || !now.feasible()));
     for (const auto& [field, value] : list) {
       ++met[field];
+      if (field == "arrivals") {
+        Case more = now;
+        for (more.problem.arrivals = 2; static_cast<double>(more.problem.arrivals) < value;
+             ++more.problem.arrivals) {
+          BOOST_TEST(!more.feasible());
+        }
+        BOOST_TEST(more.feasible());
+        continue;
+      }
       const double old = Case(now).field(field);
       BOOST_TEST_CONTEXT(field << " from " << old << " to " << value) {
         BOOST_TEST(now.with(field, value).feasible());
@@ -267,7 +276,7 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
       }
     }
   }
-  for (const char* field : {"v0", "p", "beta", "f_max", "delta_max", "tolerance"}) {
+  for (const char* field : {"v0", "p", "beta", "f_max", "delta_max", "tolerance", "arrivals"}) {
     BOOST_TEST(met[field] > 50, field << " met " << met[field] << " times");
   }
 }

@@ -9,6 +9,8 @@
 #include <stillpoint/design/region.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -64,6 +66,25 @@ void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits,
                                        [&](double value) { return fits(input.in(base, value)); })) {
     list.push_back(input.mend(*nearest));
   }
+}
+
+/// More arrivals are not offered: looking for them would take seconds where there are none.
+inline constexpr std::int64_t most_arrivals_offered = 100;
+
+/// The least number of arrivals above that of the task that suffices alone. With more of them
+/// nothing is lost, so that `fits`, a function of the number, holds from there on.
+template <class Fits>
+std::optional<Mend> arrivals_mend(const Problem& problem, const Fits& fits) {
+  std::int64_t too_few = problem.arrivals;
+  std::int64_t enough = most_arrivals_offered;
+  if (too_few >= enough || !fits(enough)) {
+    return std::nullopt;
+  }
+  while (enough - too_few > 1) {
+    const std::int64_t middle = std::midpoint(too_few, enough);
+    (fits(middle) ? enough : too_few) = middle;
+  }
+  return Mend{"arrivals", static_cast<double>(enough), true};
 }
 
 /// The JointMend of a case without a single one. `inputs` are those that bring the peak below beta,

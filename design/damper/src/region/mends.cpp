@@ -212,6 +212,25 @@ std::optional<double> mended_p(const Case& base) {
   return nearest;
 }
 
+std::optional<Mend> more_arrivals(const Case& base) {
+  Case more = base;
+  if (base.problem.residual.value_or(0) > 0) {
+    return arrivals_mend(base.problem, [&](std::int64_t n) {
+      more.problem.arrivals = n;
+      return feasible(more);
+    });
+  }
+  // A strip is the same whatever later ones are allowed, so the first that has a box is looked for.
+  more.problem.arrivals = most_arrivals_offered;
+  int enough = 0;
+  for_each_way(more.problem, more.limits, [&](const Way& way) {
+    enough = way.n > base.problem.arrivals && any_point(way) ? way.n : 0;
+    return enough == 0;
+  });
+  return enough > 0 ? std::optional(Mend{"arrivals", static_cast<double>(enough), true})
+                    : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
@@ -232,6 +251,9 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   }
   for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
     add_mend(list, base, feasible, limit);
+  }
+  if (const auto mend = more_arrivals(base)) {
+    list.push_back(*mend);
   }
   return list;
 }

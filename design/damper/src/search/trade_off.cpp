@@ -147,30 +147,55 @@ std::vector<Span> feasible_spans(const Problem& problem, const Limits& limits,
   return spans;
 }
 
+/// The f of the front's damper number `place` of `count`: at equal steps of the widths of all
+/// spans.
+double f_at(const std::vector<Span>& spans, std::int64_t place, std::int64_t count) {
+  double width = 0;
+  for (const Span& span : spans) {
+    width += span.high - span.low;
+  }
+  double at = width * static_cast<double>(place - 1) / static_cast<double>(count - 1);
+  std::size_t k = 0;
+  while (k + 1 < spans.size() && at > spans[k].high - spans[k].low) {
+    at -= spans[k].high - spans[k].low;
+    ++k;
+  }
+  return std::min(spans[k].low + at, spans[k].high);
+}
+
 }  // namespace
 
-std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits, std::int64_t count) {
+void require_trade_offs(std::int64_t count) {
   if (count < 2 || count > most_trade_offs) {
     throw InputError("trade_off", std::to_string(count), "must be a whole number from 2 to 1000");
   }
+}
+
+std::optional<DesignPoint> trade_off_at(const Problem& problem, const Limits& limits,
+                                        std::int64_t count, std::int64_t place) {
+  require_trade_offs(count);
+  if (place < 1 || place > count) {
+    throw InputError("place", std::to_string(place),
+                     "must be from 1 to trade_off = " + std::to_string(count));
+  }
+  const Region region = admissible_region(problem, limits);
+  if (!region.feasible) {
+    return std::nullopt;
+  }
+  const double f = f_at(feasible_spans(problem, limits, region), place, count);
+  return best_with({problem, limits, f});
+}
+
+std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits, std::int64_t count) {
+  require_trade_offs(count);
   const Region region = admissible_region(problem, limits);
   if (!region.feasible) {
     return {};
   }
   const std::vector<Span> spans = feasible_spans(problem, limits, region);
-  double width = 0;
-  for (const Span& span : spans) {
-    width += span.high - span.low;
-  }
   std::vector<TradeOff> front;
-  for (std::int64_t i = 0; i < count; ++i) {
-    double at = width * static_cast<double>(i) / static_cast<double>(count - 1);
-    std::size_t k = 0;
-    while (k + 1 < spans.size() && at > spans[k].high - spans[k].low) {
-      at -= spans[k].high - spans[k].low;
-      ++k;
-    }
-    const double f = std::min(spans[k].low + at, spans[k].high);
+  for (std::int64_t place = 1; place <= count; ++place) {
+    const double f = f_at(spans, place, count);
     const bool again = !front.empty() && front.back().damper.f >= f;
     const auto damper = again ? std::nullopt : best_with({problem, limits, f});
     if (damper) {

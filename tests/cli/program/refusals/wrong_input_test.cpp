@@ -54,13 +54,20 @@ const std::vector<Wrong> values{
     {with(design(), "--v0", "nan:1"), {"v0 = \"nan\"", "finite"}},
     {with(region(), "--p", "0:1"), {"p = 0", "from 1e-150"}},
     {with(region(), "--v0", "-1:1"), {"v0 = -1:1", "0 <= LOW"}},
-    {with(simulate(), "--v0", "1:2"), {"v0 = \"1:2\"", "number"}},
+    {with(simulate(), "--v0", "1:2"), {"v0 = \"1:2\"", "one number, not a range"}},
+    {with(design(), "--beta", "0.8:0.9"), {"beta = \"0.8:0.9\"", "one number, not a range"}},
+    {design("--residual 0:1"), {"residual = \"0:1\"", "one number, not a range"}},
     {"design --velocity 1 --period 0:3 --max-displacement 1", {"period = 0", "from 1e-30"}},
     {design("--residual -1"), {"residual = -1", "from 0"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --residual 0.01",
      {"pulse", "residual"}},
     {design("--arrivals 0"), {"arrivals = 0", "from 1 to 1000"}},
-    {design("--arrivals 1000000000"), {"arrivals", "from 1 to 1000"}},
+    {design("--arrivals 1000000000"), {"arrivals = 1000000000", "whole number from 1 to 1000"}},
+    {design("--arrivals 1e9"), {"arrivals = 1000000000: must be a whole number from 1 to 1000"}},
+    {design("--arrivals -1"), {"arrivals = -1", "from 1 to 1000"}},
+    {design("--arrivals 1.5"), {"arrivals = 1.5: must be a whole number"}},
+    {design("--arrivals 1e20"), {"arrivals = 1e20", "at most 18 digits"}},
+    {design("--arrivals 3:4"), {"arrivals = \"3:4\": must be a whole number"}},
     {design("--tolerance-f 1.2:1.3"), {"tolerance-f", "LOW <= 1"}},
     {design("--tolerance-delta 1"), {"tolerance-delta", "less than 1"}},
     {design("--tolerance-f 0"), {"tolerance-f = 0", "above 0"}},
@@ -108,7 +115,7 @@ const std::vector<Wrong> values{
     {simulate("--trajectory t.csv --samples 1"), {"samples = 1", "from 2 to 1000000"}},
     {simulate("--trajectory t.csv --samples 10000001"),
      {"samples = 10000001", "from 2 to 1000000"}},
-    {simulate("--trajectory t.csv --samples 3.5"), {"samples = \"3.5\"", "whole number"}},
+    {simulate("--trajectory t.csv --samples 3.5"), {"samples = 3.5", "whole number"}},
     {simulate("--max-half-cycles -1"), {"max-half-cycles = -1", "from 0"}},
     {simulate("--half-cycle-limit 0"), {"half-cycle-limit = 0", "from 1"}},
     {simulate("--trajectory t.csv --t-end 0"), {"t-end = 0"}},
@@ -151,7 +158,7 @@ BOOST_FIXTURE_TEST_CASE(no_text_is_taken_for_a_number, Sandbox) {
     check_no_number(*this, "design", "v0", text);
     check_no_number(*this, "simulate", "samples", text);
   }
-  for (const char* text : {"1.0", "1e3", "99999999999999999999"}) {
+  for (const char* text : {"1.5", "1e-3", "99999999999999999999"}) {
     check_no_number(*this, "simulate", "samples", text);
   }
   BOOST_TEST(contents().empty());

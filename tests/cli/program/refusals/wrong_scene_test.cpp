@@ -40,7 +40,9 @@ const std::vector<Wrong> scenes{
     scene("{" + good + R"(, "tolerence": 0.1})", {"tolerence = 0.1", "mean tolerance?"}),
     scene(R"({"V0": 1, "p": 1, "beta": 0.9})", {"V0 = 1", "not a key"}),
     scene("{" + good + R"(, "a\nb": 1})", {"not a key"}),
-    scene("{" + good + R"(, "v0": 1})", {"v0", "twice"}),
+    scene("{" + good + R"(, "v0": 1})", {"line 1, column 32: v0 is set twice"}),
+    scene("{" + good + R"(, "arrivals": 1e9})", {"arrivals = 1000000000", "from 1 to 1000"}),
+    scene("{" + good + R"(, "arrivals": 2.5})", {"arrivals = 2.5", "a whole number"}),
     scene("{" + good + R"(, "f_max": 1, "f-max": 1})", {"f", "max", "twice"}),
     scene(R"({"v0": "1", "p": 1, "beta": 1})", {"v0 = \"1\"", "a number"}),
     scene(R"({"v0": null, "p": 1, "beta": 1})", {"v0 = null", "a number"}),
@@ -59,6 +61,22 @@ const std::vector<Wrong> scenes{
     scene(R"({"v0": 1, "p": 1, "beta": -1})", {"beta = -1", "from 1e-300"}),
     scene("{" + good + R"(, "velocity": 1})", {"v0 and velocity", "exclude"}),
     scene(R"({"v0": 1, "p": 1})", {"beta is missing"}),
+    // Where a value stands in its file: of a wrong type, out of range, within the excitation, one
+    // end of a range, and one that makes another value wrong.
+    scene("{\n  // the stroke\n  \"v0\": 1, \"p\": 1,\n  \"beta\": \"x\"\n}",
+          {"scene from standard input, line 4, column 3: beta = \"x\": must be a number"}),
+    scene("{\n\"title\": \"a\\n\\\"b\\\"\",\n " + good + ",\n  \"residual\": -1}",
+          {"scene from standard input, line 4, column 3: residual = -1: must be"}),
+    scene("{\n" + good + ",\n \"colour\": 1}", {"line 3, column 2: colour = 1: is not a key"}),
+    scene("{\"p\": [1, 2],\n\"v0\": [2, 1], \"beta\": 1}", {"line 2, column 1: v0 = 2:1: must be"}),
+    scene("{\"velocity\": 1, \"period\": 1,\n \"max_displacement\": 0}",
+          {"line 2, column 2: max-displacement = 0: must be"}),
+    {"simulate -",
+     {"line 2, column 31: lambda = -1: must be"},
+     R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "t_end": 9, "excitation":
+  {"type":"harmonic", "k": 1, "lambda": -1}})"},
+    // A flag has no place.
+    {"design - --beta -1", {"stillpoint: beta = -1: must be"}, "{" + good + "}"},
     {"simulate -",
      {"samples = 18446744073709551615", "whole number"},
      R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "trajectory": "t.csv",

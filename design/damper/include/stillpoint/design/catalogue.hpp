@@ -37,9 +37,9 @@ struct RatedPart {
 [[nodiscard]] std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits,
                                             Objective objective, std::span<const Part> parts);
 
-/// The least change of the stroke, the tolerance or a limit, with the others unchanged, that makes
-/// at least one of the parts admissible. None if one is, and none of v0 and p: parts are chosen for
-/// a hit.
+/// The least change of the stroke, the tolerance, a limit or the arrivals, with the others
+/// unchanged, that makes at least one of the parts admissible. None if one is, and none of v0 and
+/// p: parts are chosen for a hit.
 [[nodiscard]] std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
                                            std::span<const Part> parts);
 

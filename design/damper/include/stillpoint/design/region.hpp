@@ -149,8 +149,8 @@ struct DesignPoint {
 /// The least change of one input, with the others unchanged, that makes the region not empty.
 struct Mend {
   std::string_view
-      field;  ///< v0 (of a pulse k, lambda), p, beta, f_max, delta_max, acceleration_max
-  ///< or tolerance
+      field;  ///< v0 (of a pulse k, lambda), p, beta, f_max, delta_max, acceleration_max,
+  ///< tolerance or arrivals
   double value{0};
   bool upwards{false};  ///< it must grow, not shrink
 };

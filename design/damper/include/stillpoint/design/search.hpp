@@ -28,8 +28,8 @@ struct SearchResult {
 
 /// The objective's value of the best damper, found along f alone and without NLopt, to hold the
 /// search against: the largest tolerance, else the least peak, stop time or acceleration of the
-/// motion of the largest peak. Empty where there is no damper, or none with any tolerance, and for
-/// the stop time with a residual, which jumps. Throws InputError.
+/// motion of the largest peak. Empty where there is no damper, or none with any tolerance. Throws
+/// InputError.
 [[nodiscard]] std::optional<double> optimum_along_f(const Problem& problem, const Limits& limits,
                                                     Objective objective);
 

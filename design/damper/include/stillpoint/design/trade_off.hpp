@@ -5,6 +5,7 @@
 #include <stillpoint/design/search.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace stillpoint::design {
@@ -19,6 +20,9 @@ struct TradeOff {
 
 inline constexpr std::int64_t most_trade_offs = 1000;
 
+/// Throws InputError unless 2 <= count <= most_trade_offs.
+void require_trade_offs(std::int64_t count);
+
 /// The front of stroke, transmitted acceleration and tolerance: dampers of which none can be
 /// improved in one of the three without loss in another. It has every f that is feasible within the
 /// limits, each with the Delta that tolerates most; these are `count` of them at equal steps of f,
@@ -27,5 +31,10 @@ inline constexpr std::int64_t most_trade_offs = 1000;
 /// InputError for a wrong problem and unless 2 <= count <= most_trade_offs.
 [[nodiscard]] std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits,
                                               std::int64_t count);
+
+/// Of these `count` dampers number `place`, from 1; where several f are equal they are not left
+/// out. Empty if the region is. Throws InputError as above and unless 1 <= place <= count.
+[[nodiscard]] std::optional<DesignPoint> trade_off_at(const Problem& problem, const Limits& limits,
+                                                      std::int64_t count, std::int64_t place);
 
 }  // namespace stillpoint::design

@@ -9,16 +9,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
 namespace stillpoint::sweep {
 
+/// Where keys stand: of an object in that of the text as "outer.inner", none farther in.
+using KeyPlaces = std::map<std::string, records::FilePlace>;
+
 /// Throws FileError, with line and column, unless the text is a JSON object, which may have
 /// comments, in which no key stands twice, nothing is nested deeper than 16 levels and every number
 /// is a double.
-void require_json_object(std::string_view text, const records::FilePlace& file);
+KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file);
 
 /// Reads an integer. Throws std::runtime_error for any other value, and for an integer beyond
 /// Integer: nlohmann's get_to casts these, which for a double beyond the range is undefined.

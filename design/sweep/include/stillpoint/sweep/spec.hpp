@@ -47,7 +47,8 @@ struct SweepSpec {
   /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has
   /// one value and stands for an input that is not a column. Without hold or notch_width the notch
   /// is the paper's. v0_low, p_high and the like are the other ends of an axis of ranges, or
-  /// columns of the list.
+  /// columns of the list. trade_off, if given, is 1 to N, beside a list too: instead of its design
+  /// each problem has the N dampers of its front.
   std::vector<SweepAxis> axes;
   std::shared_ptr<List> list;        ///< empty for a grid; it is read once, from its beginning
   std::optional<SweepPart> part;     ///< only these entries; the file can be merged
@@ -90,6 +91,9 @@ struct OwnEntries {
 
 /// Whether the input has an axis or is a column of the list.
 [[nodiscard]] bool given(const SweepSpec& spec, Quantity input);
+
+/// How many rows a problem has: its front's dampers, else 1.
+[[nodiscard]] std::int64_t dampers_of_each(const SweepSpec& spec);
 
 /// Whether the input takes more than one value.
 [[nodiscard]] bool varies(const SweepSpec& spec, Quantity input);

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Sweeps over the dampers along the front of each design problem.
+#include "refusal.hpp"
+#include "run_program.hpp"
+#include "sweep_table.hpp"
+#include "wrong_arguments.hpp"
+
+#include <fmt/format.h>
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(sweep_front_test)
+
+namespace {
+
+using namespace stillpoint::cli_test;
+namespace data = boost::unit_test::data;
+using nlohmann::json;
+
+constexpr std::size_t dampers = 4;
+const Arguments front("--trade-off 4 --times");
+
+/// Asserts that the row has the numbers of a damper of a report's front.
+void check_damper(const SweepTable& table, std::size_t row, const json& damper) {
+  BOOST_TEST(table.at(row, "feasible") == "true");
+  for (const char* const column :
+       {"f", "delta", "tolerance", "peak_amplitude", "stop_time", "peak_absolute_acceleration"}) {
+    BOOST_TEST(table.number(row, column) == damper.at(column).get<double>(), column);
+  }
+}
+
+}  // namespace
+
+BOOST_FIXTURE_TEST_CASE(has_the_dampers_that_design_reports, Sandbox) {
+  for (const Arguments& task :
+       std::vector<Arguments>{"--v0 1 --p 1", "--v0 1 --p 1 --arrivals 3 --tolerance 0.25",
+                              "--v0 0.9:1.1 --p 1 --criterion exact",
+                              "--v0 1 --p 1 --residual 0.05 --arrivals 2 --f-max 0.2",
+                              "--v0 1 --p 1 --tolerance-f 0.9:1.2 --tolerance-delta 0.05"}) {
+    const ProgramRun swept = run(joined(joined("sweep --beta 0.6,0.9,1.2", task), front));
+    BOOST_TEST_REQUIRE(swept.exit_code == 0, swept.err);
+    const SweepTable table = read_csv(swept.out);
+    BOOST_TEST_REQUIRE(table.rows.size() == 3 * dampers);
+    int fronts = 0;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      BOOST_TEST(table.number(row, "trade_off") == static_cast<double>(row % dampers + 1));
+    }
+    for (std::size_t first = 0; first < table.rows.size(); first += dampers) {
+      const json report = run(joined(joined({"design", "--json", "--trade-off", "4", "--beta",
+                                             table.at(first, "beta")},
+                                            task),
+                                     {}))
+                              .json();
+      const json& reported = report.at("trade_off");
+      if (reported.empty()) {
+        BOOST_TEST(table.at(first, "feasible") == "false");
+        BOOST_TEST(table.at(first + 1, "f").empty());
+        continue;
+      }
+      BOOST_TEST_REQUIRE(reported.size() == dampers);
+      ++fronts;
+      for (std::size_t i = 0; i < dampers; ++i) {
+        check_damper(table, first + i, reported[i]);
+      }
+    }
+    BOOST_TEST((fronts == 1 || fronts == 2));
+  }
+}
+
+namespace {
+
+const Arguments task("sweep --v0 1 --p 1 --tolerance 0.05 --trade-off 4");
+const std::string betas = "beta\n0.8\n0.5\n0.9\n0.95\n1.2\n";
+
+}  // namespace
+
+struct Listed : Sandbox {
+  Listed() { write("list.csv", betas); }
+
+  [[nodiscard]] std::string rows_of(const Arguments& more) const {
+    const ProgramRun answer = run(joined(joined(task, "--output whole.csv"), more));
+    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    return read("whole.csv");
+  }
+};
+
+BOOST_FIXTURE_TEST_CASE(of_a_list_has_the_rows_of_the_grid, Listed) {
+  const std::string expected = rows_of("--beta 0.8,0.5,0.9,0.95,1.2");
+  BOOST_TEST(rows_of("--list list.csv") == expected);
+  BOOST_TEST(rows_of("--list list.csv --threads 1") == expected);
+}
+
+BOOST_FIXTURE_TEST_CASE(is_split_anywhere_and_merged_into_the_same_bytes, Listed) {
+  for (const Arguments& entries : std::vector<Arguments>{"--beta 0.8:1.2:5", "--list list.csv"}) {
+    const std::string whole = rows_of(entries);
+    // 20 rows in 3 and 7 parts: a part begins in the middle of a front.
+    for (const std::string n : {"3", "7"}) {
+      Arguments merge("sweep merge merged.csv");
+      for (int i = 1; i <= std::stoi(n); ++i) {
+        const std::string part = std::to_string(i);
+        BOOST_TEST_REQUIRE(run(joined(joined(task, entries), {"--part", fmt::format("{}/{}", i, n),
+                                                              "--output", part + ".csv"}))
+                               .exit_code == 0);
+        merge = joined(merge, {part + ".csv"});
+      }
+      BOOST_TEST(run(merge).exit_code == 0);
+      BOOST_TEST(read("merged.csv") == whole);
+    }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_list_is_resumed_where_a_line_was_wrong, Listed) {
+  const std::string whole = rows_of("--list list.csv");
+  const Arguments again = joined(task, "--list broken.csv --output rows.csv");
+  write("broken.csv", "beta\n0.8\n0.5\n-1\n");
+  const ProgramRun broken = run(again);
+  BOOST_TEST(broken.exit_code == 2);
+  check_contains(broken.err, {"broken.csv, line 4", "beta = -1", "--resume"});
+  write("broken.csv", betas);
+  const ProgramRun answer = run(joined(again, "--resume --json"));
+  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  BOOST_TEST(answer.json()["resumed_at"] == 2 * dampers);
+  BOOST_TEST(read("rows.csv") == whole);
+}
+
+BOOST_FIXTURE_TEST_CASE(is_reduced_and_written_as_npy, Listed) {
+  const json report = run(joined(task, "--list list.csv --reduce --json")).json();
+  BOOST_TEST(report.at("entries") == 5 * dampers);
+  BOOST_TEST(report.at("feasible") == 4 * dampers);
+  BOOST_TEST_REQUIRE(run(joined(task, "--list list.csv --output rows.npy")).exit_code == 0);
+  const SweepTable text = read_csv(rows_of("--list list.csv"));
+  const NpyFile npy = read_npy(read("rows.npy"));
+  BOOST_TEST_REQUIRE(npy.count == static_cast<std::int64_t>(text.rows.size()));
+  for (std::int64_t row = 0; row < npy.count; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    BOOST_TEST(npy.number(row, "trade_off") == text.number(i, "trade_off"));
+    BOOST_TEST(npy.byte(row, "feasible") == (text.at(i, "feasible") == "true" ? 1 : 0));
+    if (!text.at(i, "f").empty()) {
+      BOOST_TEST(npy.number(row, "f") == text.number(i, "f"));
+    }
+  }
+}
+
+namespace {
+
+Wrong wrong(const std::string& options, const Texts& says) {
+  return {Arguments(("sweep --p 1 " + options).c_str()), says};
+}
+
+const std::vector<Wrong> refused{
+    wrong("--v0 1 --beta 0.9 --trade-off 1", {"trade_off = 1: must be a whole number from 2"}),
+    wrong("--v0 1 --beta 0.9 --trade-off 2000", {"trade_off = 2000", "to 1000"}),
+    wrong("--v0 1 --beta 0.9 --trade-off 5,6", {"trade-off = \"5,6\"", "a whole number"}),
+    wrong("--v0 1 --f 0.1 --delta 0.1 --trade-off 5", {"trade-off is for designs", "--beta"}),
+    wrong("--v0 1 --beta 0.9 --trade-off 5 --catalogue parts.csv",
+          {"trade-off and catalogue exclude each other"}),
+    wrong("--v0 1 --beta 0.9 --trade-off 5 --objective time",
+          {"trade-off and objective exclude each other"}),
+    wrong("--pulse half-sine --k 0.2 --lambda 2 --beta 0.9 --trade-off 5",
+          {"trade-off and pulse exclude each other"})};
+
+}  // namespace
+
+BOOST_DATA_TEST_CASE_F(Sandbox, what_has_no_front_is_refused, data::make(refused), wrong) {
+  check_refused(*this, wrong);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
