@@ -36,6 +36,7 @@ test("an impossible stroke is explained, and what it needs is offered", () =>
     await type(page, "max-displacement", "50mm");
     assert.match(await words(page, "#verdict"), /^No damper will do\. To stay within 50\smm/);
     assert.deepEqual(Object.values(await numbers(page)), [null, null, null, null, null]);
+    assert.equal(await page.inputValue("#set-delta"), "");
     for (const offer of await page.locator("#verdict button").all()) {
       await offer.click();
       await settle(page);
@@ -195,6 +196,7 @@ test("a link with nonsense says so and harms nothing", () =>
     const said = await notice(page);
     assert.match(said, /^(v0 = "abc"|p = "%E0%A4%A"): /);
     assert.match(said, /__proto__=1/);
+    assert.match(await words(page, "#verdict"), /^Nothing is computed/);
     assert.equal(await page.locator("#notice img").count(), 0);
     for (const nonsense of [
       "%",
