@@ -264,8 +264,8 @@ class Bench {
     }
     const scale = this.judged.physical?.length_unit_m ?? 1;
     this.hits.show(this.hit, this.motion, this.judged.input.beta * scale);
-    this.draw_motion();
-    this.frames.put_off("portraits", () => this.motion_view.draw_portraits());
+    if (level === Level.task) this.frames.put_off("motion", () => this.draw_motion());
+    else this.draw_motion();
     if (level >= Level.damper) this.frames.put_off("cloud", () => this.draw_cloud());
   }
 
@@ -302,6 +302,7 @@ class Bench {
   }
 
   draw_motion() {
+    if (!this.motion) return;
     const motion = this.engine.motion(this.plain_motion(), points);
     if ("error" in motion) return fill(el("motion"), motion.error);
     const { physical, input: run } = this.motion;
@@ -315,6 +316,7 @@ class Bench {
         : this.judged.input.beta,
       units: plot_units(physical),
     });
+    this.frames.put_off("portraits", () => this.motion_view.draw_portraits());
   }
 
   draw_record() {
