@@ -7,13 +7,13 @@ import { basename, join } from "node:path";
 const [module, page, scenes, out] = process.argv.slice(2);
 const largest_page = 600_000;
 
-const read = (...path) => readFileSync(join(...path), "utf8");
-const files = (folder, ending) =>
+const read = (/** @type {string[]} */ ...path) => readFileSync(join(...path), "utf8");
+const files = (/** @type {string} */ folder, /** @type {string} */ ending) =>
   readdirSync(folder)
     .filter((name) => name.endsWith(ending))
     .sort();
 /** Without what only its readers need: the blanks that lines begin with, and lines that are a comment alone. */
-const stripped = (text) =>
+const stripped = (/** @type {string} */ text) =>
   text
     .split("\n")
     .map((line) => line.trim())
@@ -21,7 +21,8 @@ const stripped = (text) =>
     .join("\n");
 
 /** As text of 8 bytes for 7 in UTF-8, which page/loader.js reads: its alphabet are the 128 letters of ASCII. Those that a
- * template of JavaScript or HTML would take for its own are 1, 2, ... times 128 higher, with the next letter. */
+ * template of JavaScript or HTML would take for its own are 1, 2, ... times 128 higher, with the next letter.
+ * @param {Buffer} bytes */
 function dense(bytes) {
   const taken = [..."\0\r$<\\`"].map((letter) => letter.charCodeAt(0));
   const letters = [];
@@ -44,7 +45,11 @@ const glue = read(`${module}.js`);
 const engine = stripped(readFileSync(new URL("engine/engine.js", import.meta.url), "utf8"));
 writeFileSync(
   join(out, "engine.js"),
-  [glue, `const stillpointWasm = Uint8Array.from(atob("${wasm.toString("base64")}"), (c) => c.charCodeAt(0));`, engine].join("\n"),
+  [
+    glue,
+    `const stillpointWasm = Uint8Array.from(atob("${wasm.toString("base64")}"), (c) => c.charCodeAt(0));`,
+    engine,
+  ].join("\n"),
 );
 
 const presets = Object.fromEntries(
@@ -52,10 +57,18 @@ const presets = Object.fromEntries(
 );
 const parts = files(page, ".js").filter((name) => /^\d\d-/.test(name));
 const script = Buffer.from(
-  [`const scenes = ${JSON.stringify(presets)};`, glue, engine, ...parts.map((name) => stripped(read(page, name)))].join("\n"),
+  [
+    `const scenes = ${JSON.stringify(presets)};`,
+    glue,
+    engine,
+    ...parts.map((name) => stripped(read(page, name))),
+  ].join("\n"),
 );
 const plain = Buffer.concat([script, wasm]);
-const packed = execFileSync("xz", ["--format=lzma", "-9e", "--stdout"], { input: plain, maxBuffer: plain.length });
+const packed = execFileSync("xz", ["--format=lzma", "-9e", "--stdout"], {
+  input: plain,
+  maxBuffer: plain.length,
+});
 const loader = `${stripped(read(page, "loader.js"))}
 start_page(\`${dense(packed)}\`, ${packed.length}, ${plain.length}, ${script.length});`;
 const style = files(page, ".css").map((name) => stripped(read(page, name)));
@@ -64,6 +77,8 @@ const html = read(page, "page.html")
   .replace("<!-- scripts -->", () => `<script>\n${loader}</script>`);
 const size = Buffer.byteLength(html);
 if (size > largest_page) {
-  console.error(`dev: the page has ${size} bytes, more than the ${largest_page} that it should have`);
+  console.error(
+    `dev: the page has ${size} bytes, more than the ${largest_page} that it should have`,
+  );
 }
 writeFileSync(join(out, "stillpoint.html"), html);

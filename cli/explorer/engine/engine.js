@@ -5,7 +5,7 @@
 async function createEngine() {
   const module = await createModule({ wasmBinary: stillpointWasm });
 
-  /** @param {(text: number) => number} work */
+  /** @param {string} text @param {(text: number) => number} work */
   const withText = (text, work) => {
     const size = module.lengthBytesUTF8(text) + 1;
     const at = module._malloc(size);
@@ -16,6 +16,7 @@ async function createEngine() {
       module._free(at);
     }
   };
+  /** @param {number} index @param {number} size */
   const column = (index, size) => {
     const at = module._stillpoint_numbers() / 8 + index * size;
     return module.HEAPF64.slice(at, at + size);
@@ -36,7 +37,9 @@ async function createEngine() {
     },
 
     motion(options, points) {
-      const said = withText(JSON.stringify(options), (text) => module._stillpoint_motion(text, points));
+      const said = withText(JSON.stringify(options), (text) =>
+        module._stillpoint_motion(text, points),
+      );
       if (said.error !== undefined) return said;
       const size = module._stillpoint_count() / 3;
       return { t: column(0, size), x: column(1, size), v: column(2, size) };
@@ -48,9 +51,14 @@ async function createEngine() {
       try {
         [f, delta, v0].forEach((values, i) => module.HEAPF64.set(values, at / 8 + i * size));
         const said = withText(JSON.stringify(options), (text) =>
-          module._stillpoint_batch(text, size, at));
+          module._stillpoint_batch(text, size, at),
+        );
         if (said.error !== undefined) return said;
-        return { peak: column(0, size), rest: column(1, size), outcome: Uint8Array.from(column(2, size)) };
+        return {
+          peak: column(0, size),
+          rest: column(1, size),
+          outcome: Uint8Array.from(column(2, size)),
+        };
       } finally {
         module._free(at);
       }

@@ -103,6 +103,15 @@ function words(value, unit, count = 5) {
   return `${digits(value / factor, count)} ${name}`;
 }
 
+/** Writes a text where it is another: even the same one would be laid out anew. @param {HTMLElement} node @param {string} text */
+function write(node, text) {
+  if (node instanceof HTMLInputElement) {
+    if (node.value !== text) node.value = text;
+  } else if (node.textContent !== text) {
+    node.textContent = text;
+  }
+}
+
 /**
  * Shows a number in an element that exists.
  * @param {HTMLElement} node
@@ -112,12 +121,12 @@ function words(value, unit, count = 5) {
  */
 function show(node, value, unit = "", sign = "") {
   if (value === null || value === undefined) {
-    node.textContent = "–";
+    write(node, "–");
     delete node.dataset.value;
     delete node.dataset.unit;
     return;
   }
-  node.textContent = sign + words(value, unit).replace(" ", "\u00a0");
+  write(node, sign + words(value, unit).replace(" ", "\u00a0"));
   node.dataset.value = String(value);
   node.dataset.unit = unit === "%" ? "1" : unit;
 }

@@ -80,6 +80,7 @@ function options_of(command, options) {
 function motion_options(options, report, damper) {
   const { physical } = report;
   const result = /** @type {Options} */ ({ f: String(damper.f), delta: String(damper.delta) });
+  if ("hold" in options) result.hold = options.hold;
   /** @param {string} name @param {number} value */
   const one = (name, value) => {
     if (name in options) result[name] = options[name].includes(":") ? String(value) : options[name];

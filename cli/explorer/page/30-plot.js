@@ -62,9 +62,10 @@ class Plot {
     for (const value of ticks(this.x, this.width / 60)) {
       const at = this.left + this.across(value);
       lines += `M${at} ${this.top}v${this.height}`;
-      this.node.append(
-        svg("text", { x: at, y: base + 17, "text-anchor": "middle" }, digits(value)),
-      );
+      const label = digits(value);
+      const half = 4 * label.length; // of its width; the last one stays in the frame
+      const x = Math.min(at, frame.width - half);
+      this.node.append(svg("text", { x, y: base + 17, "text-anchor": "middle" }, label));
     }
     for (const value of ticks(this.y, this.height / 45)) {
       const at = this.top + this.up(value);

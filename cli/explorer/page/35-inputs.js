@@ -47,7 +47,7 @@ const physical_fields = [
   },
   {
     name: "velocity",
-    label: "velocity of the hit",
+    label: "hit velocity",
     least: 0,
     most: 2,
     two: true,
@@ -88,7 +88,7 @@ const dimensionless_fields = [
   },
   {
     name: "v0",
-    label: "velocity of the hit V₀",
+    label: "hit velocity V₀",
     least: 0,
     most: 5,
     two: true,

@@ -71,7 +71,12 @@ class Fields {
   /** @param {Field} field */
   build_field(field) {
     const { name, label, two } = field;
-    const text = make("input", { type: "text", id: `in-${name}`, spellcheck: "false" });
+    const text = make("input", {
+      type: "text",
+      id: `in-${name}`,
+      spellcheck: "false",
+      class: two ? "two" : "",
+    });
     const typed = /** @type {HTMLInputElement} */ (text);
     text.addEventListener("change", () => this.type(field, typed.value.trim()));
     const slide = make("div", { class: "slide" });
@@ -148,7 +153,7 @@ class Fields {
     const own = name in options ? name : written;
     const values = report ? field.read(report) : [];
     if (document.activeElement !== text || text.getAttribute("aria-invalid") !== "true") {
-      text.value = own ? options[own] : name === "arrivals" ? "1" : "";
+      write(text, own ? options[own] : name === "arrivals" ? "1" : "");
     }
     text.placeholder = own ? "" : name === "mass" ? "none" : "0";
     const parsed =
@@ -166,17 +171,19 @@ class Fields {
       const slider = document.getElementById(`slide-${name}-${id}`);
       if (!(slider instanceof HTMLInputElement) || value === null || value === undefined) continue;
       if (document.activeElement !== slider) {
-        slider.value = String(Math.round(slider_place(field, value) * Number(slider.max)));
+        write(slider, String(Math.round(slider_place(field, value) * Number(slider.max))));
       }
       slider.setAttribute("aria-valuetext", words(value, field.unit, 4));
     }
-    const hint = el(`hint-${name}`);
-    hint.textContent =
+    if (name === "max-displacement" || name === "beta") return; // show_end has its hint
+    write(
+      el(`hint-${name}`),
       own && own !== name
         ? `given as the ${own.replaceAll("-", " ")}`
         : name === "hold"
-          ? "for records only"
-          : "";
+          ? "acts under a record; a hit is the same without it"
+          : "",
+    );
   }
 
   /** Of a field that no report gives back. @param {string | undefined} text */

@@ -67,6 +67,7 @@ class RegionView {
   draw(figure, report) {
     const focused = document.activeElement === this.handle && this.handle !== null;
     const node = put_figure(this.place, figure);
+    write(el("region-caption"), figure?.caption ?? "");
     this.handle = null;
     this.frame = node && frame_of(node);
     if (!node || !this.frame) return;

@@ -22,6 +22,10 @@ class MotionView {
     this.from = 0;
     /** @type {DrawnMotion | null} */
     this.drawn = null;
+    /** @type {((x: number, v: number) => void) | null} */
+    this.to_state = null;
+    /** @type {((time: number) => void) | null} */
+    this.to_time = null;
     const slider = input("time");
     slider.addEventListener("input", () => {
       this.stop();
@@ -61,9 +65,17 @@ class MotionView {
     this.draw_curves(plot);
     this.draw_bench(plot);
     el("motion").replaceChildren(plot.node);
-    const series = { t: this.t, x: this.x, v: this.v, most: this.most, limit: this.limit };
-    this.to_state = draw_phase(series, units);
-    this.to_time = draw_energy(series, motion, drawn, units);
+    this.to_state = this.to_time = null;
+    this.seek(this.at);
+  }
+
+  /** Of the motion that was drawn last. */
+  draw_portraits() {
+    const { drawn, t, x, v, most = 0, limit = 0 } = this;
+    if (!drawn || !t || !x || !v) return;
+    const series = { t, x, v, most, limit };
+    this.to_state = draw_phase(series, drawn.units);
+    this.to_time = draw_energy(series, drawn.motion, drawn, drawn.units);
     this.seek(this.at);
   }
 
@@ -196,7 +208,7 @@ class MotionView {
     this.to_state?.(here, this.v_now());
     this.to_time?.(time);
     const slider = input("time");
-    slider.value = String(Math.round(at * 1000));
+    write(slider, String(Math.round(at * 1000)));
     slider.setAttribute("aria-valuetext", words(time, drawn.units.time_unit, 4));
     show(el("clock"), time, drawn.units.time_unit);
     el("clock").dataset.value = String(time);

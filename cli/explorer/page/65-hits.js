@@ -23,7 +23,7 @@ class HitsView {
         id: "hit",
         min: "0",
         max: "2000",
-        "aria-label": "velocity of the hit tried",
+        "aria-label": "velocity of the hit that is tried",
       }),
       make("div", { class: "ends", id: "hit-ends" }),
     );

@@ -59,9 +59,8 @@ class RecordView {
   /**
    * @param {Engine} engine
    * @param {Options} damper the options of the motion that it is put under the record
-   * @param {string | undefined} hold
    */
-  draw(engine, damper, hold) {
+  draw(engine, damper) {
     el("record-away").hidden = this.record === null;
     if (!this.record) {
       el("record-answer").replaceChildren();
@@ -71,7 +70,6 @@ class RecordView {
     const { name, bytes } = this.record;
     /** @type {Options} */
     const options = { ...without(damper, ["velocity", "v0"]), record: name };
-    if (hold) options.hold = hold;
     const units = /** @type {HTMLSelectElement} */ (el("record-units"));
     if (units.selectedIndex > 0) options["record-units"] = units.value;
     if (input("record-step").value.trim())

@@ -60,7 +60,7 @@ class AnswerView {
     fill(el("rest-sub"), ...at, ...as_built);
     for (const [id, value] of /** @type {const} */ ([
       ["set-f", damper?.f],
-      ["set-delta", physical ? physical.delta_m * 1000 : damper?.delta],
+      ["set-delta", damper && physical ? physical.delta_m * 1000 : damper?.delta],
     ])) {
       if (document.activeElement === el(id)) continue;
       input(id).value =

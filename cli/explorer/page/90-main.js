@@ -14,8 +14,7 @@ class Bench {
     this.options = {};
     /** @type {number | null} */
     this.hit = null;
-    this.pending = 0;
-    this.requested = false;
+    this.frames = new Frames((level) => this.update(level));
     this.record_timer = 0;
     this.finished = false; // the change is one to go back from
     this.opened = false;
@@ -52,7 +51,7 @@ class Bench {
       if (options) this.go(options);
     });
     input("dimensionless").addEventListener("change", () => this.turn_units());
-    input("spread").addEventListener("input", () => this.redraw(Level.damper));
+    input("spread").addEventListener("input", () => this.frames.ask(Level.damper));
     for (const id of ["set-f", "set-delta"])
       el(id).addEventListener("change", () => this.set_damper());
     el("release").addEventListener("click", () => this.go(without(this.options, damper_options)));
@@ -84,7 +83,7 @@ class Bench {
     this.hit = null;
     this.opened = true;
     this.options = Object.keys(options).length ? options : (from_scene(scenes.isolator) ?? {});
-    this.redraw(Level.task);
+    this.frames.ask(Level.task);
   }
 
   /** Another state, to which one can go back. @param {Options} options */
@@ -94,7 +93,7 @@ class Bench {
     this.unknown = [];
     this.source = "";
     this.finished = true;
-    this.redraw(Level.task);
+    this.frames.ask(Level.task);
   }
 
   /** Steps of the same control, one close after the other, are one step to go back. */
@@ -117,7 +116,7 @@ class Bench {
     this.hit = null;
     this.unknown = [];
     this.finished ||= done;
-    this.redraw(Level.task);
+    this.frames.ask(Level.task);
   }
 
   /** @param {number} f @param {number} delta @param {boolean} done @param {string} source */
@@ -126,7 +125,7 @@ class Bench {
     this.options = { ...without(this.options, damper_options), f: String(f), delta: String(delta) };
     this.hit = null;
     this.finished ||= done;
-    this.redraw(Level.damper);
+    this.frames.ask(Level.damper);
   }
 
   /** What was typed for the damper: with a unit it is a length. */
@@ -141,7 +140,7 @@ class Bench {
   /** @param {number | null} hit */
   try_hit(hit) {
     this.hit = hit;
-    this.redraw(Level.hit);
+    this.frames.ask(Level.hit);
   }
 
   /** The same task with or without units. */
@@ -150,23 +149,6 @@ class Bench {
     if (on === !is_physical(this.options)) return;
     const { options, design, damper } = this;
     this.go(on ? to_plain(options, design, damper) : to_physical(options, design));
-  }
-
-  /** At most once a frame. @param {number} level */
-  redraw(level) {
-    this.pending = Math.max(this.pending, level);
-    if (this.requested) return;
-    this.requested = true;
-    requestAnimationFrame(() => {
-      this.requested = false;
-      const start = performance.now();
-      const done = this.pending;
-      this.pending = 0;
-      this.update(done);
-      // For the tests, and for who looks: the last redraws, in the browser's own record of times.
-      if (performance.getEntriesByName("redraw").length > 500) performance.clearMeasures("redraw");
-      performance.measure("redraw", { start, end: performance.now(), detail: done });
-    });
   }
 
   /** @param {number} level */
@@ -185,7 +167,11 @@ class Bench {
     input("dimensionless").checked = !is_physical(this.options);
     if (level === Level.task || message) {
       this.fields.show(this.options, message ? null : this.design);
-      this.show_preset();
+      this.frames.put_off("preset", () => this.show_preset());
+    }
+    if (message !== null && !this.design) {
+      el("verdict").textContent = "Nothing is computed until that is mended.";
+      document.body.classList.add("nothing");
     }
     this.fields.blame(message);
     if (message === null) this.show(level);
@@ -263,7 +249,7 @@ class Bench {
     const chosen = this.judged !== this.design;
     if (level === Level.task) {
       this.region.draw(this.figure, this.design);
-      this.fields.show_end(this.least_stroke());
+      this.frames.put_off("end", () => this.fields.show_end(this.least_stroke()));
     }
     document.body.classList.toggle("nothing", !this.damper);
     if (level >= Level.damper) {
@@ -278,8 +264,13 @@ class Bench {
     }
     const scale = this.judged.physical?.length_unit_m ?? 1;
     this.hits.show(this.hit, this.motion, this.judged.input.beta * scale);
-    this.draw_motion();
-    if (level >= Level.damper)
+    if (level === Level.task) this.frames.put_off("motion", () => this.draw_motion());
+    else this.draw_motion();
+    if (level >= Level.damper) this.frames.put_off("cloud", () => this.draw_cloud());
+  }
+
+  draw_cloud() {
+    if (this.motion && this.damper)
       draw_cloud(this.engine, this.judged, this.damper, this.plain_motion());
   }
 
@@ -311,6 +302,7 @@ class Bench {
   }
 
   draw_motion() {
+    if (!this.motion) return;
     const motion = this.engine.motion(this.plain_motion(), points);
     if ("error" in motion) return fill(el("motion"), motion.error);
     const { physical, input: run } = this.motion;
@@ -324,6 +316,7 @@ class Bench {
         : this.judged.input.beta,
       units: plot_units(physical),
     });
+    this.frames.put_off("portraits", () => this.motion_view.draw_portraits());
   }
 
   draw_record() {
@@ -331,7 +324,6 @@ class Bench {
     this.record.draw(
       this.engine,
       motion_options(this.options, this.judged, { ...this.damper, hit: 0 }),
-      this.options.hold,
     );
   }
 
@@ -352,6 +344,7 @@ class Bench {
   }
 
   draw_sheet() {
+    this.frames.finish();
     if (!this.motion || !this.damper) {
       fill(
         el("sheet"),

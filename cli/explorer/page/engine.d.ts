@@ -51,7 +51,28 @@ interface Engine {
   batch(options: Options, f: Float64Array, delta: Float64Array, v0: Float64Array): Batch | Refusal;
 }
 
-declare function createEngine(): Promise<Engine>;
+/** Of Emscripten's module, what engine.js needs. */
+interface Module {
+  HEAPF64: Float64Array;
+  FS: { writeFile(name: string, content: Uint8Array): void; unlink(name: string): void };
+  UTF8ToString(at: number): string;
+  stringToUTF8(text: string, at: number, size: number): void;
+  lengthBytesUTF8(text: string): number;
+  _malloc(size: number): number;
+  _free(at: number): void;
+  _stillpoint_about(): number;
+  _stillpoint_run(request: number): number;
+  _stillpoint_motion(options: number, points: number): number;
+  _stillpoint_batch(options: number, size: number, columns: number): number;
+  _stillpoint_numbers(): number;
+  _stillpoint_count(): number;
+}
+
+declare function createModule(settings: { wasmBinary: Uint8Array }): Promise<Module>;
+
+/** Of Emscripten's compiler, which reads left_out.js. */
+declare const LibraryManager: { library: Record<string, unknown> };
+declare function mergeInto(library: Record<string, unknown>, more: Record<string, string>): void;
 
 /** The files of data/scenes by their names. */
 declare const scenes: Record<string, Record<string, string | number | Array<string | number>>>;

@@ -13,6 +13,7 @@ namespace stillpoint::figures {
 namespace {
 
 constexpr double step = 4;  // pixels between places that are tried
+constexpr double edge = 2;  // pixels of the plot where no word stands
 
 Box box_around(const FigurePoint& centre, double width, double height) {
   return {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2};
@@ -127,8 +128,8 @@ class Places {
   }
 
   [[nodiscard]] bool is_free(const Box& box) const {
-    return box.left >= 2 && box.top >= 2 && box.right <= plane_.width - 2 &&
-           box.bottom <= plane_.height - 2 && taken_.set_in(box) == 0;
+    return box.left >= edge && box.top >= edge && box.right <= plane_.width - edge &&
+           box.bottom <= plane_.height - edge && taken_.set_in(box) == 0;
   }
 
   void put(const std::string& text, const FigurePoint& centre, bool upright) {
@@ -185,12 +186,20 @@ class Places {
 
   [[nodiscard]] std::vector<FigurePoint> free_places(const Raster& inside, double w,
                                                      double h) const {
+    std::vector<std::pair<double, Raster::Range>> across;
+    for (double x = w / 2; x < plane_.width; x += step) {
+      if (x - w / 2 >= edge && x + w / 2 <= plane_.width - edge) {
+        across.emplace_back(x, inside.columns(x - w / 2, x + w / 2));
+      }
+    }
     std::vector<FigurePoint> places;
     for (double y = h / 2; y < plane_.height; y += step) {
-      for (double x = w / 2; x < plane_.width; x += step) {
-        const Box box = box_around({x, y}, w, h);
-        if (is_free(box) && inside.is_full(box)) {
-          places.push_back({x, y});
+      if (y - h / 2 >= edge && y + h / 2 <= plane_.height - edge) {
+        const Raster::Range rows = inside.rows(y - h / 2, y + h / 2);
+        for (const auto& [x, columns] : across) {
+          if (inside.is_full(columns, rows) && taken_.set_in(columns, rows) == 0) {
+            places.push_back({x, y});
+          }
         }
       }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_paths.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -55,7 +56,8 @@ std::string path(const Plane& plane, const std::vector<FigurePoint>& points, boo
   if (!smooth) {
     for (const FigurePoint& point : points) {
       const auto [x, y] = plane.pixel(point);
-      fmt::format_to(std::back_inserter(d), "{}{:.2f} {:.2f}", d.empty() ? 'M' : 'L', x, y);
+      fmt::format_to(std::back_inserter(d), FMT_COMPILE("{}{:.2f} {:.2f}"), d.empty() ? 'M' : 'L',
+                     x, y);
     }
     return d;
   }
@@ -72,6 +74,20 @@ std::string path(const Plane& plane, const std::vector<FigurePoint>& points, boo
                    at[i].x - third * slope[i].x, at[i].y - third * slope[i].y, at[i].x, at[i].y);
   }
   return d;
+}
+
+std::vector<FigurePoint> corners(const std::vector<FigurePoint>& outline) {
+  std::vector<FigurePoint> made;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const bool inside = i > 0 && i + 1 < outline.size();
+    const auto ahead = [&](std::size_t from, std::size_t to) {
+      return outline[from].y == outline[to].y ? outline[to].x - outline[from].x : 0;
+    };
+    if (!inside || !(ahead(i - 1, i) * ahead(i, i + 1) > 0)) {
+      made.push_back(outline[i]);
+    }
+  }
+  return made;
 }
 
 std::vector<Heading> headings(const Plane& plane, const std::vector<FigurePoint>& stroke) {

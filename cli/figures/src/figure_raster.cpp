@@ -11,24 +11,18 @@ Raster::Raster(double width, double height)
       rows_(static_cast<std::size_t>(height / cell)),
       cells_(columns_ * rows_, 0) {}
 
-Raster::Range Raster::range(const Box& box) const {
-  const auto within = [](double at, std::size_t most) {
+Raster::Range Raster::range(double from, double to, std::size_t most) {
+  const auto within = [&](double at) {
     return std::clamp(at / cell, 0.0, static_cast<double>(most));
   };
-  const auto down = [&](double at, std::size_t most) {
-    return static_cast<std::size_t>(within(at, most));
-  };
-  const auto up = [&](double at, std::size_t most) {
-    return static_cast<std::size_t>(std::ceil(within(at, most)));
-  };
-  return {down(box.left, columns_), up(box.right, columns_), down(box.top, rows_),
-          up(box.bottom, rows_)};
+  return {static_cast<std::size_t>(within(from)), static_cast<std::size_t>(std::ceil(within(to)))};
 }
 
 void Raster::set(const Box& box) {
-  const auto [first_column, last_column, first_row, last_row] = range(box);
-  for (std::size_t row = first_row; row < last_row; ++row) {
-    for (std::size_t column = first_column; column < last_column; ++column) {
+  const Range across = columns(box.left, box.right);
+  const Range down = rows(box.top, box.bottom);
+  for (std::size_t row = down.first; row < down.last; ++row) {
+    for (std::size_t column = across.first; column < across.last; ++column) {
       cells_[row * columns_ + column] = 1;
     }
   }
@@ -54,20 +48,26 @@ void Raster::set_line(const std::vector<FigurePoint>& points) {
 }
 
 void Raster::fill(const std::vector<FigurePoint>& outline) {
-  for (std::size_t row = 0; row < rows_; ++row) {
-    const double y = middle(row);
-    std::vector<double> crossings;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const FigurePoint& a = outline[i];
-      const FigurePoint& b = outline[(i + 1) % outline.size()];
+  std::vector<std::vector<double>> crossings(rows_);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const FigurePoint& a = outline[i];
+    const FigurePoint& b = outline[(i + 1) % outline.size()];
+    const Range down = rows(std::min(a.y, b.y), std::max(a.y, b.y));
+    for (std::size_t row = down.first; row < down.last; ++row) {
+      const double y = middle(row);
       if ((a.y <= y) != (b.y <= y)) {
-        crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+        crossings[row].push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
       }
     }
-    std::ranges::sort(crossings);
-    for (std::size_t i = 1; i < crossings.size(); i += 2) {
-      for (std::size_t column = 0; column < columns_; ++column) {
-        if (crossings[i - 1] <= middle(column) && middle(column) < crossings[i]) {
+  }
+  for (std::size_t row = 0; row < rows_; ++row) {
+    std::ranges::sort(crossings[row]);
+    for (std::size_t i = 1; i < crossings[row].size(); i += 2) {
+      const double from = crossings[row][i - 1];
+      const double to = crossings[row][i];
+      const Range across = columns(from, to);
+      for (std::size_t column = across.first; column < across.last; ++column) {
+        if (from <= middle(column) && middle(column) < to) {
           cells_[row * columns_ + column] = 1;
         }
       }
@@ -87,26 +87,6 @@ void Raster::sum() const {
     }
   }
   summed_ = true;
-}
-
-int Raster::set_in(const Range& range) const {
-  if (!summed_) {
-    sum();
-  }
-  const auto& [first_column, last_column, first_row, last_row] = range;
-  const std::size_t wide = columns_ + 1;
-  return sums_[last_row * wide + last_column] - sums_[first_row * wide + last_column] -
-         sums_[last_row * wide + first_column] + sums_[first_row * wide + first_column];
-}
-
-int Raster::set_in(const Box& box) const {
-  return set_in(range(box));
-}
-
-bool Raster::is_full(const Box& box) const {
-  const Range cells = range(box);
-  return set_in(cells) == static_cast<int>((cells.last_column - cells.first_column) *
-                                           (cells.last_row - cells.first_row));
 }
 
 }  // namespace stillpoint::figures

@@ -42,19 +42,38 @@ class Raster {
     summed_ = false;
   }
 
-  /// Of the cells that the box touches within the plot: how many are set, whether all are.
-  [[nodiscard]] int set_in(const Box& box) const;
-  [[nodiscard]] bool is_full(const Box& box) const;
+  /// Columns or rows.
+  struct Range {
+    std::size_t first;
+    std::size_t last;  ///< one beyond
+    [[nodiscard]] std::size_t size() const { return last - first; }
+  };
+  /// Those that the pixels from `from` to `to` touch within the plot.
+  [[nodiscard]] Range columns(double from, double to) const { return range(from, to, columns_); }
+  [[nodiscard]] Range rows(double from, double to) const { return range(from, to, rows_); }
+
+  /// Of the cells of these columns and rows: how many are set, whether all are.
+  [[nodiscard]] int set_in(const Range& columns, const Range& rows) const {
+    if (!summed_) {
+      sum();
+    }
+    const int* const upper = &sums_[rows.first * (columns_ + 1)];
+    const int* const lower = &sums_[rows.last * (columns_ + 1)];
+    return lower[columns.last] - upper[columns.last] - lower[columns.first] + upper[columns.first];
+  }
+  [[nodiscard]] bool is_full(const Range& columns, const Range& rows) const {
+    return set_in(columns, rows) == static_cast<int>(columns.size() * rows.size());
+  }
+  /// The same of the cells that the box touches.
+  [[nodiscard]] int set_in(const Box& box) const {
+    return set_in(columns(box.left, box.right), rows(box.top, box.bottom));
+  }
+  [[nodiscard]] bool is_full(const Box& box) const {
+    return is_full(columns(box.left, box.right), rows(box.top, box.bottom));
+  }
 
  private:
-  struct Range {
-    std::size_t first_column;
-    std::size_t last_column;  ///< one beyond
-    std::size_t first_row;
-    std::size_t last_row;
-  };
-  [[nodiscard]] Range range(const Box& box) const;
-  [[nodiscard]] int set_in(const Range& range) const;
+  [[nodiscard]] static Range range(double from, double to, std::size_t most);
   [[nodiscard]] static double middle(std::size_t index) {
     return (static_cast<double>(index) + 0.5) * cell;
   }

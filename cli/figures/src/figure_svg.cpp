@@ -91,7 +91,7 @@ class Drawing {
           : hatched ? "hatched"
                     : "area",
           word(area.ink), hatched ? fmt::format(" fill=\"url(#{}-hatch-{})\"", figure_.id, i) : "",
-          path(plot, area.outline), escaped(area.name));
+          path(plot, corners(area.outline)), escaped(area.name));
     }
   }
 

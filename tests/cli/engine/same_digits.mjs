@@ -8,7 +8,11 @@ import vm from "node:vm";
 const [script, program, seed = "20081"] = process.argv.slice(2);
 const tasks = 200;
 
-Object.assign(globalThis, { require: createRequire(import.meta.url), __filename: script, __dirname: "." });
+Object.assign(globalThis, {
+  require: createRequire(import.meta.url),
+  __filename: script,
+  __dirname: ".",
+});
 const engine = await vm.runInThisContext(`${readFileSync(script, "utf8")}\ncreateEngine`)();
 
 let state = Number(seed) >>> 0;
@@ -19,49 +23,69 @@ function random() {
   bits ^= bits + Math.imul(bits ^ (bits >>> 7), bits | 61);
   return ((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32;
 }
-const between = (low, high) => low + (high - low) * random();
+const between = (/** @type {number} */ low, /** @type {number} */ high) =>
+  low + (high - low) * random();
+/** @template T @param {T[]} list @returns {T} */
 const one_of = (list) => list[Math.floor(random() * list.length)];
 
+/** @typedef {Record<string, any>} Task the options of a command */
+
+/** @returns {Task} */
 const hit = () =>
   random() < 0.5
     ? { v0: between(0.1, 3), p: between(0.3, 3) }
     : { velocity: `${between(0.05, 2)}`, period: `${between(0.3, 5)}s` };
+/** @param {Task} task @returns {Task} */
 const stroke = (task) =>
   task.v0 === undefined
-    ? { "max-displacement": `${(between(0.5, 1.1) * task.velocity * parseFloat(task.period) * 1000) / 6.28}mm` }
+    ? {
+        "max-displacement": `${(between(0.5, 1.1) * task.velocity * parseFloat(task.period) * 1000) / 6.28}mm`,
+      }
     : { beta: (between(0.5, 1.1) * task.v0) / task.p };
-const now_and_then = (options) => (random() < 0.2 ? options : {});
+const now_and_then = (/** @type {Task} */ options) => (random() < 0.2 ? options : {});
 
-/** A task of each command in turn. */
+/** A task of each command in turn. @param {number} number @returns {[string, Task]} */
 function task(number) {
   const options = hit();
   if (number % 3 === 2) {
     Object.assign(options, { f: between(0, 0.5), delta: between(0, 0.3) });
     if (options.v0 !== undefined && random() < 0.4) {
       Object.assign(options, {
-        excitation: one_of(["harmonic", "half-sine", "full-sine"]), k: between(0.2, 2), lambda: between(0.3, 3),
+        excitation: one_of(["harmonic", "half-sine", "full-sine"]),
+        k: between(0.2, 2),
+        lambda: between(0.3, 3),
       });
       if (options.excitation === "harmonic") options["t-end"] = between(5, 60);
     }
     return ["simulate", options];
   }
-  Object.assign(options, stroke(options), now_and_then({ arrivals: one_of([1, 2, 3]) }),
-    now_and_then({ "tolerance-f": 0.05 }), now_and_then({ "acceleration-max": between(0.5, 3) }));
+  Object.assign(
+    options,
+    stroke(options),
+    now_and_then({ arrivals: one_of([1, 2, 3]) }),
+    now_and_then({ "tolerance-f": 0.05 }),
+    now_and_then({ "acceleration-max": between(0.5, 3) }),
+  );
   if (number % 3 === 1) {
     if (random() < 0.5) Object.assign(options, { f: between(0, 0.5), delta: between(0, 0.3) });
     return ["region", options];
   }
-  return ["design", { ...options, ...now_and_then({ objective: one_of(["robust", "time", "peak"]) }) }];
+  return [
+    "design",
+    { ...options, ...now_and_then({ objective: one_of(["robust", "time", "peak"]) }) },
+  ];
 }
 
 /** Without what is a time of the machine. */
-const timeless = (text) => text.replace(/"(wall_time_s|[a-z_]*seconds|[a-z_]*_us)": [-+.e0-9]+/g, '"$1": 0');
+const timeless = (/** @type {string} */ text) =>
+  text.replace(/"(wall_time_s|[a-z_]*seconds|[a-z_]*_us)": [-+.e0-9]+/g, '"$1": 0');
 
-/** The places where two reports differ. */
+/** The places where two reports differ. @param {any} a @param {any} b @returns {string[]} */
 function differences(a, b, place = "") {
   if (a !== null && b !== null && typeof a === "object" && typeof b === "object") {
     return [...new Set([...Object.keys(a), ...Object.keys(b)])].flatMap((key) =>
-      differences(a[key], b[key], Array.isArray(a) ? `${place}[]` : `${place}.${key}`));
+      differences(a[key], b[key], Array.isArray(a) ? `${place}[]` : `${place}.${key}`),
+    );
   }
   return Object.is(a, b) ? [] : [place];
 }
@@ -81,12 +105,20 @@ for (let number = 0; number < tasks; ++number) {
     }
   } else if (found.exit !== expected.status || timeless(found.json) !== timeless(expected.stdout)) {
     ++wrong;
-    const places = found.error !== undefined ? [found.error]
-      : differences(JSON.parse(timeless(expected.stdout)), JSON.parse(timeless(found.json)));
+    const places =
+      found.error !== undefined
+        ? [found.error]
+        : differences(JSON.parse(timeless(expected.stdout)), JSON.parse(timeless(found.json)));
     for (const place of new Set(places)) fields.set(place, (fields.get(place) ?? 0) + 1);
-    if (wrong <= 3) console.error(`${command} ${words.join(" ")}\n  differs in ${[...new Set(places)].join(", ")}`);
+    if (wrong <= 3)
+      console.error(
+        `${command} ${words.join(" ")}\n  differs in ${[...new Set(places)].join(", ")}`,
+      );
   }
 }
-for (const [place, count] of [...fields].sort((a, b) => b[1] - a[1])) console.error(`${count} ${place}`);
-console.log(`${wrong} of ${tasks} tasks differ (seed ${seed}, ${execFileSync(program, ["--version"]).toString().trim()})`);
+for (const [place, count] of [...fields].sort((a, b) => b[1] - a[1]))
+  console.error(`${count} ${place}`);
+console.log(
+  `${wrong} of ${tasks} tasks differ (seed ${seed}, ${execFileSync(program, ["--version"]).toString().trim()})`,
+);
 process.exit(wrong === 0 ? 0 : 1);

@@ -7,9 +7,16 @@ import { createRequire } from "node:module";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const { chromium } = createRequire(
-  new URL("../../../cli/explorer/page/package.json", import.meta.url),
-)("playwright-core");
+/**
+ * @typedef {import("playwright-core").Page} Page
+ * @typedef {{ x: number, y: number }} Place
+ */
+
+const { chromium } = /** @type {import("playwright-core")} */ (
+  createRequire(new URL("../../../cli/explorer/page/package.json", import.meta.url))(
+    "playwright-core",
+  )
+);
 
 const page_file = resolve(process.env.STILLPOINT_PAGE ?? "build/explorer/stillpoint.html");
 export const address = pathToFileURL(page_file).href;
@@ -18,7 +25,8 @@ const program_file = process.env.STILLPOINT_PROGRAM ?? "build/release/cli/stillp
 export const file = page_file;
 export const isolator = "velocity=0.4m/s&period=2.8s&max-displacement=150mm&mass=1200t";
 
-let browser = null;
+/** @type {import("playwright-core").Browser | undefined} */
+let browser;
 
 export async function start() {
   // The sandbox of the browser needs rights that a container lacks; this page is our own.
@@ -32,15 +40,23 @@ export async function end() {
   await browser?.close();
 }
 
-/** Opens the page, lets `visit` try something, and sees that nothing was loaded and nothing went wrong. */
+/**
+ * Opens the page, lets `visit` try something, and sees that nothing was loaded and nothing went wrong.
+ * @param {string} fragment
+ * @param {import("playwright-core").BrowserContextOptions} settings
+ * @param {(page: Page) => Promise<void>} visit
+ */
 export async function with_page(fragment, settings, visit) {
+  assert.ok(browser);
   const context = await browser.newContext({
     viewport: { width: 1280, height: 900 },
     reducedMotion: "reduce",
     ...settings,
   });
   const page = await context.newPage();
+  /** @type {string[]} */
   const wrong = [];
+  /** @type {string[]} */
   const loaded = [];
   page.on("console", (message) => wrong.push(message.text()));
   page.on("pageerror", (error) => wrong.push(String(error)));
@@ -57,52 +73,81 @@ export async function with_page(fragment, settings, visit) {
   await context.close();
 }
 
-/** Until what was asked for is drawn. */
+/** A frame. @param {Page} page */
+export async function frame(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
+}
+
+/** Until what was asked for is drawn, and what was put off. @param {Page} page */
 export async function settle(page) {
   await page.evaluate(
     () =>
-      new Promise((done) =>
-        requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done))),
-      ),
+      new Promise((done) => {
+        const look = () => {
+          if (document.body.classList.contains("drawing")) requestAnimationFrame(look);
+          else done(undefined);
+        };
+        requestAnimationFrame(() => requestAnimationFrame(look));
+      }),
   );
 }
 
-/** Another state in the same page, as when a link is pasted into its address. */
+/**
+ * Another state in the same page, as when a link is pasted into its address.
+ * @param {Page} page @param {string} fragment
+ */
 export async function go(page, fragment) {
   await page.evaluate((text) => (location.hash = text), fragment);
   await settle(page);
 }
 
-/** The numbers of the design in full; null where none is shown. */
+/**
+ * The numbers of the design in full; null where none is shown.
+ * @param {Page} page
+ * @returns {Promise<Record<string, any>>}
+ */
 export function numbers(page) {
   return page.evaluate(() =>
     Object.fromEntries(
       ["f", "delta", "tolerance", "peak", "stop-time"].map((id) => {
-        const value = document.getElementById(id).dataset.value;
+        const value = document.getElementById(id)?.dataset.value;
         return [id, value === undefined ? null : Number(value)];
       }),
     ),
   );
 }
 
-export async function notice(page) {
-  return (await page.isVisible("#notice")) ? page.textContent("#notice") : "";
+/** What an element says. @param {Page} page @param {string} selector */
+export async function words(page, selector) {
+  return (await page.textContent(selector)) ?? "";
 }
 
-/** Types into a field of the task. */
+/** What is wrong, or nothing. @param {Page} page */
+export async function notice(page) {
+  return (await page.isVisible("#notice")) ? words(page, "#notice") : "";
+}
+
+/** Types into a field of the task. @param {Page} page @param {string} name @param {string} text */
 export async function type(page, name, text) {
   await page.fill(`#in-${name}`, text);
   await page.press(`#in-${name}`, "Enter");
   await settle(page);
 }
 
-/** The middle of the handle. */
+/** @param {Page} page @param {string} selector */
+export async function box_of(page, selector) {
+  const box = await page.locator(selector).boundingBox();
+  assert.ok(box, selector);
+  return box;
+}
+
+/** The middle of the handle. @param {Page} page */
 export async function handle_place(page) {
-  const box = await page.locator(".handle .grip").boundingBox();
+  const box = await box_of(page, ".handle .grip");
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-/** Drags the handle to places, one after the other. */
+/** Drags the handle to places, one after the other. @param {Page} page @param {Place[]} places */
 export async function drag(page, ...places) {
   await page.locator(".handle .grip").scrollIntoViewIfNeeded();
   const from = await handle_place(page);
@@ -116,14 +161,40 @@ export async function drag(page, ...places) {
   await settle(page);
 }
 
-/** Runs the program; its report, or what it refuses. */
+/**
+ * The frames in which the page drew during `work`: what each took of its thread in ms of computing, with style, layout
+ * and paint. What others do on the machine counts little in it.
+ * @param {Page} page
+ * @param {() => Promise<void>} work
+ */
+export async function frame_times(page, work) {
+  assert.ok(browser);
+  const categories = ["toplevel", "devtools.timeline", "blink.user_timing"];
+  await browser.startTracing(page, { categories });
+  await work();
+  /** @type {{ name: string, ph: string, pid: number, tid: number, ts: number, dur: number, tdur: number }[]} */
+  const events = JSON.parse(String(await browser.stopTracing())).traceEvents;
+  const drawn = events.filter(({ name, ph }) => name === "redraw" && ph === "b");
+  return events
+    .filter(({ name, dur }) => name === "ThreadControllerImpl::RunTask" && dur > 0)
+    .filter(({ pid, tid, ts, dur }) =>
+      drawn.some((of) => of.pid === pid && of.tid === tid && of.ts >= ts && of.ts < ts + dur),
+    )
+    .map(({ tdur }) => tdur / 1000);
+}
+
+/** Runs the program; its report, or what it refuses. @param {string[]} words @returns {any} */
 export function program(words) {
   const run = spawnSync(program_file, [...words, "--json"], { encoding: "utf8" });
   assert.equal(run.error, undefined);
   return run.stdout ? JSON.parse(run.stdout) : { refused: run.stderr };
 }
 
-/** The words of a fragment's options, for the program. */
+/**
+ * The words of a fragment's options, for the program.
+ * @param {string} fragment
+ * @param {string[]} left_out
+ */
 export function words_of(fragment, left_out = []) {
   return [...new URLSearchParams(fragment)]
     .filter(([name]) => !left_out.includes(name))

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import * as bench from "./bench.mjs";
 
-const { drag, go, handle_place, isolator, notice, numbers, settle, type, with_page } = bench;
+const { drag, go, handle_place, isolator, notice, numbers, settle, type, with_page, words } = bench;
 
 before(bench.start);
 after(bench.end);
@@ -34,8 +34,9 @@ test("a frequency in the field of the period is a frequency", () =>
 test("an impossible stroke is explained, and what it needs is offered", () =>
   with_page(isolator, {}, async (page) => {
     await type(page, "max-displacement", "50mm");
-    assert.match(await page.textContent("#verdict"), /^No damper will do\. To stay within 50\smm/);
+    assert.match(await words(page, "#verdict"), /^No damper will do\. To stay within 50\smm/);
     assert.deepEqual(Object.values(await numbers(page)), [null, null, null, null, null]);
+    assert.equal(await page.inputValue("#set-delta"), "");
     for (const offer of await page.locator("#verdict button").all()) {
       await offer.click();
       await settle(page);
@@ -57,7 +58,7 @@ test("a record of 100 MB is refused with the bound, and a small one is not", () 
       await page.setInputFiles("#record-file", large);
       await page.waitForSelector("#record-answer .bad");
       assert.match(
-        await page.textContent("#record-answer"),
+        await words(page, "#record-answer"),
         /large\.txt has 100 MB; this page reads at most 20 MB/,
       );
     } finally {
@@ -105,13 +106,13 @@ test("a hit of zero is refused as a task and held as a trial", () =>
     assert.equal(await notice(page), "");
     await page.fill("#hit", "0");
     await settle(page);
-    assert.match(await page.textContent("#hit-words"), /is held/);
+    assert.match(await words(page, "#hit-words"), /is held/);
     assert.equal(await notice(page), "");
   }));
 
 test("dragged out of the frame, the damper stays on its edge", () =>
   with_page(isolator, {}, async (page) => {
-    const plot = await page.locator("#region .frame").boundingBox();
+    const plot = await bench.box_of(page, "#region .frame");
     for (const place of [
       { x: -400, y: -300 },
       { x: 2500, y: -300 },
@@ -153,7 +154,7 @@ test("printed, it is a specification of two pages", () =>
     await page.emulateMedia({ media: "print" });
     assert.equal(await page.isVisible("#bench"), false);
     const text = await page.innerText("#sheet");
-    for (const words of [
+    for (const part of [
       "283.81 kN",
       "69.423 kJ",
       "±34.18 %",
@@ -161,7 +162,7 @@ test("printed, it is a specification of two pages", () =>
       "agrees",
       "Assumptions",
     ]) {
-      assert.ok(text.replaceAll("\u00a0", " ").includes(words), words);
+      assert.ok(text.replaceAll("\u00a0", " ").includes(part), part);
     }
   }));
 
@@ -195,6 +196,7 @@ test("a link with nonsense says so and harms nothing", () =>
     const said = await notice(page);
     assert.match(said, /^(v0 = "abc"|p = "%E0%A4%A"): /);
     assert.match(said, /__proto__=1/);
+    assert.match(await words(page, "#verdict"), /^Nothing is computed/);
     assert.equal(await page.locator("#notice img").count(), 0);
     for (const nonsense of [
       "%",
@@ -233,14 +235,14 @@ test("resized down to 400 pixels, everything is within reach and the numbers sta
             (node) =>
               node.getClientRects().length && node.getBoundingClientRect().right > right + 1,
           )
-          .map((node) => node.id || node.className.baseVal || node.textContent);
+          .map((node) => node.id || node.getAttribute("class") || node.textContent);
       }, width);
       assert.deepEqual(outside, [], `${width}`);
       const covered = await page.evaluate(() => {
         const boxes = [...document.querySelectorAll("main > *")].map((node) =>
           node.getBoundingClientRect(),
         );
-        const meet = (a, b) =>
+        const meet = (/** @type {DOMRect} */ a, /** @type {DOMRect} */ b) =>
           a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
         return boxes
           .filter((a, i) => a.width < 225 || boxes.slice(i + 1).some((b) => meet(a, b)))
