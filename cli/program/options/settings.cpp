@@ -155,7 +155,8 @@ std::optional<std::string> Settings::with_unit(std::string_view name) const {
 }
 
 std::optional<records::FilePlace> Settings::place_of(std::string_view field) const {
-  std::string wanted(field.substr(0, field.find('[')));
+  // Of "friction-zones 2: f" too.
+  std::string wanted(field.substr(0, field.find_first_of("[ ")));
   std::ranges::replace(wanted, '_', '-');
   for (const std::string_view end : {"-low", "-high"}) {
     if (wanted.ends_with(end)) {

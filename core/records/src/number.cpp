@@ -93,24 +93,33 @@ double parse_number(std::string_view field, std::string_view text) {
   return scanned.value;
 }
 
-std::int64_t parse_integer(std::string_view field, std::string_view text) {
+std::optional<std::int64_t> scan_integer(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size()) {
     return value;
   }
+  constexpr double most = 1e18;
+  const ScannedNumber scanned = scan_number(text);
+  if (scanned.fault != NumberFault::none || scanned.value != std::floor(scanned.value) ||
+      std::abs(scanned.value) > most) {
+    return std::nullopt;
+  }
+  return static_cast<std::int64_t>(scanned.value);
+}
+
+std::int64_t parse_integer(std::string_view field, std::string_view text) {
+  if (const auto value = scan_integer(text)) {
+    return *value;
+  }
   const ScannedNumber scanned = scan_number(text);
   if (scanned.fault != NumberFault::none) {
     throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a whole number");
   }
-  constexpr double most = 1e18;
   const bool whole = scanned.value == std::floor(scanned.value);
-  if (!whole || std::abs(scanned.value) > most) {
-    throw InputError(
-        std::string(field), std::string(text),
-        whole ? "must be a whole number of at most 18 digits" : "must be a whole number");
-  }
-  return static_cast<std::int64_t>(scanned.value);
+  throw InputError(
+      std::string(field), std::string(text),
+      whole ? "must be a whole number of at most 18 digits" : "must be a whole number");
 }
 
 }  // namespace stillpoint::records

@@ -3,6 +3,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
+#include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
@@ -133,13 +134,28 @@ SweepPart launched_part(const Environment& environment, std::optional<std::int64
   return Launchers(environment, count).part();
 }
 
+namespace {
+
+/// N of "auto/N".
+std::int64_t count_of(const std::string& asked) {
+  const auto count = records::scan_integer(asked.substr(asked.find('/') + 1));
+  if (!count || *count < 1 || *count > most_sweep_parts) {
+    throw InputError("part",
+                     fmt::format("\"{}\"", records::printable(asked, records::longest_word)),
+                     fmt::format("must be auto/N with 1 <= N <= {}", most_sweep_parts));
+  }
+  return *count;
+}
+
+}  // namespace
+
 SweepPart asked_part(const std::string& asked, const Environment& environment) {
   constexpr std::string_view automatic = "auto";
   if (asked == automatic) {
     return launched_part(environment);
   }
   if (asked.starts_with("auto/")) {
-    return launched_part(environment, parse_part("1" + asked.substr(automatic.size())).count);
+    return launched_part(environment, count_of(asked));
   }
   return parse_part(asked);
 }

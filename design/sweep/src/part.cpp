@@ -2,12 +2,13 @@
 #include <stillpoint/sweep/part.hpp>
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cstddef>
 
 namespace stillpoint::sweep {
 
@@ -16,19 +17,15 @@ std::string text(const SweepPart& part) {
 }
 
 SweepPart parse_part(std::string_view text) {
-  SweepPart part{0, 0};
-  const char* const end = text.data() + text.size();
-  const auto [slash, number_fault] = std::from_chars(text.data(), end, part.number);
-  if (number_fault == std::errc() && slash != end && *slash == '/') {
-    const auto [rest, count_fault] = std::from_chars(slash + 1, end, part.count);
-    if (rest == end && count_fault == std::errc() && 1 <= part.number &&
-        part.number <= part.count && part.count <= most_sweep_parts) {
-      return part;
-    }
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto number = records::scan_integer(text.substr(0, slash));
+  const auto count = records::scan_integer(text.substr(std::min(slash + 1, text.size())));
+  if (!number || !count || !(1 <= *number && *number <= *count && *count <= most_sweep_parts)) {
+    throw InputError(
+        "part", fmt::format("\"{}\"", records::printable(text, records::longest_word)),
+        fmt::format("must be I/N with 1 <= I <= N <= {}, auto or auto/N", most_sweep_parts));
   }
-  throw InputError(
-      "part", fmt::format("\"{}\"", records::printable(text, records::longest_word)),
-      fmt::format("must be I/N with 1 <= I <= N <= {}, auto or auto/N", most_sweep_parts));
+  return {*number, *count};
 }
 
 EntryRange range_of(const SweepPart& part, std::int64_t entries) {

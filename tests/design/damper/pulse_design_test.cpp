@@ -412,6 +412,25 @@ BOOST_AUTO_TEST_CASE(a_full_sine_leaves_no_velocity_and_has_designs_all_the_same
   BOOST_TEST(result.finding->cross_check.passed);
 }
 
+// The f whose need is delta_max itself is the best that fits. After four rests two runs of it
+// differ by more than a last digit, and a design that left them no room would fail its own check.
+BOOST_AUTO_TEST_CASE(a_design_at_the_edge_of_delta_max_leaves_room_for_rounding) {
+  PulseRequest request;
+  request.problem = {FullSine{0.062063979677861654, 0.15618816201005284}, 0.67668106563338437,
+                     0.15814880463153116, Criterion::exact};
+  request.limits.f_max = 0.029968416646649516;
+  request.limits.delta_max = 0.0007687369087384583;
+  for (const Objective objective : {Objective::amplitude, Objective::acceleration}) {
+    request.search.objective = objective;
+    const DesignResult result = stillpoint::design::design(request);
+    BOOST_TEST(result.finding.value().cross_check.passed);
+    const auto& [f, delta, tolerance] = result.finding->point;
+    BOOST_TEST(delta <= *request.limits.delta_max);
+    BOOST_TEST(scanned(request, request.problem.pulse, request.problem.p, f).need <=
+               delta * (1 - 1e-10));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_makes_the_reduction_poor_is_named) {
   const auto warnings = [](const Pulse& pulse, double beta, Objective objective) {
     return stillpoint::design::design(request_of(pulse, beta, objective))

@@ -157,4 +157,13 @@ BOOST_AUTO_TEST_CASE(what_contradicts_or_is_missing_is_refused) {
                 {"SLURM_ARRAY_TASK_MIN = -" + most, "1000000000000"});
 }
 
+BOOST_AUTO_TEST_CASE(the_numbers_of_a_part_are_whole_in_any_form) {
+  BOOST_TEST((parse_part("1e0/2") == SweepPart{1, 2}));
+  BOOST_TEST((parse_part("3/1e3") == SweepPart{3, 1000}));
+  for (const char* wrong : {"1.5/2", "1/2.5", "1/1e7", "2/1e0", "0e0/2", "/2", "1/", "1", "",
+                            "1/2/3", "nan/2", "1/inf", "1/1e400"}) {
+    BOOST_CHECK_THROW(static_cast<void>(parse_part(wrong)), InputError);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -22,12 +22,14 @@ namespace stillpoint::design {
 
 namespace {
 
-/// One island, kept a relative 1e-9 from its edges where it is wide enough: an edge is a graze, or
-/// a peak that is beta to the last digit.
+/// One island, kept a relative 1e-9 from its edges and from delta_max where there is room for that:
+/// an edge is a graze, or a peak that is beta to the last digit, and a need that is delta_max to
+/// the last digit may be beyond it in a run of other roundings.
 struct PulseTask {
   const PulseRegion& region;
   Objective objective;
   Island island;
+  double most_use{1};  ///< of delta_max
   mutable FirstReturn last{.f = -1};
 
   PulseTask(const PulseRegion& of, Objective what, const Island& whole)
@@ -36,6 +38,10 @@ struct PulseTask {
     const Island inner{whole.low * (1 + inset), whole.high * (1 - inset)};
     if (inner.low < inner.high && region.box_in(inner, region.asked())) {
       island = inner;
+    }
+    const auto cheapest = region.cheapest_box(island, region.asked());
+    if (cheapest && cheapest->use <= 1 - inset) {
+      most_use = 1 - inset;
     }
   }
 
@@ -61,8 +67,8 @@ struct PulseTask {
     const double within = std::min(low / (island.low * (1 - rounding)) - 1,
                                    1 - high / (island.high * (1 + rounding)));
     return within < 0 ? within
-                      : 1 - region.use_of_delta(std::max(low, island.low),
-                                                std::min(high, island.high), tolerance);
+                      : most_use - region.use_of_delta(std::max(low, island.low),
+                                                       std::min(high, island.high), tolerance);
   }
 };
 
@@ -240,7 +246,8 @@ NloptProblem constrained(const PulseTask& task, double scale,
   });
   const auto use = [=, &task](double f, double t) {
     const double box_low = std::clamp(f * (1 - down * t), low, high);
-    return task.region.use_of_delta(box_low, std::clamp(f * (1 + up * t), box_low, high), t) - 1;
+    return task.region.use_of_delta(box_low, std::clamp(f * (1 + up * t), box_low, high), t) -
+           task.most_use;
   };
   posed.constraints.emplace_back([=, &task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     const double f = x[0] * high;

@@ -41,6 +41,10 @@ const std::vector<Wrong> scenes{
     scene(R"({"V0": 1, "p": 1, "beta": 0.9})", {"V0 = 1", "not a key"}),
     scene("{" + good + R"(, "a\nb": 1})", {"not a key"}),
     scene("{" + good + R"(, "v0": 1})", {"line 1, column 32: v0 is set twice"}),
+    {"simulate -",
+     {"line 2, column 2: friction-zones 1: f = -0.1"},
+     "{\"v0\": 1, \"p\": 1, \"f\": 0.1, \"delta\": 0.1,\n \"friction_zones\": [{\"to\": 0.1, "
+     "\"f\": -0.1}]}"},
     scene("{" + good + R"(, "arrivals": 1e9})", {"arrivals = 1000000000", "from 1 to 1000"}),
     scene("{" + good + R"(, "arrivals": 2.5})", {"arrivals = 2.5", "a whole number"}),
     scene("{" + good + R"(, "f_max": 1, "f-max": 1})", {"f", "max", "twice"}),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace stillpoint::records {
@@ -27,6 +28,9 @@ struct ScannedNumber {
 
 /// What is wrong, to follow the text in a message: "is not a number". For `none`, "".
 [[nodiscard]] std::string_view explanation(NumberFault fault) noexcept;
+
+/// A whole number up to 1e18, "1000" or "1e3"; empty for any other text.
+[[nodiscard]] std::optional<std::int64_t> scan_integer(std::string_view text);
 
 /// The number that the value of a field stands for. Throws InputError, which names the field.
 [[nodiscard]] double parse_number(std::string_view field, std::string_view text);
