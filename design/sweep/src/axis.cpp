@@ -65,8 +65,9 @@ Axis::Axis(const std::vector<Range>& ranges, RangeEnd standing) : size_(0), step
   values_.reserve(ranges.size());
   others_.reserve(ranges.size());
   for (const auto& [low, high] : ranges) {
-    values_.push_back(standing == RangeEnd::low ? low : high);
-    others_.push_back(standing == RangeEnd::low ? high : low);
+    // With 0 added -0 is 0, and of equal ends neither is the lower.
+    values_.push_back((standing == RangeEnd::low ? low : high) + 0.0);
+    others_.push_back((standing == RangeEnd::low ? high : low) + 0.0);
   }
   size_ = static_cast<std::int64_t>(values_.size());
 }

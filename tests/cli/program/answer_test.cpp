@@ -131,7 +131,8 @@ BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_near_it_is_to_another, Sandbox) {
 
 BOOST_FIXTURE_TEST_CASE(of_a_point_says_what_it_violates, Sandbox) {
   const std::string text = run("region --v0 1 --p 1 --beta 0.9 --f 0.5 --delta 0.6").out;
-  BOOST_TEST(contains(text, "\n  The damper is not admissible; it violates start and return. "), text);
+  BOOST_TEST(contains(text, "\n  The damper is not admissible; it violates start and return. "),
+             text);
   BOOST_TEST(contains(text, "violated"));
 }
 

@@ -163,7 +163,8 @@ BOOST_AUTO_TEST_CASE(of_other_tasks_are_refused) {
   static_cast<void>(run({"sweep", "--v0", "1", "--p", "1", "--f", "0.1,0.2", "--delta", "0",
                          "--reduce", "--part", "2/2", "--output", "foreign"}));
   check_refused({names[1], "foreign"}, {"foreign", "not a whole part of a design"});
-  check_refusal(run({"sweep", "merge", "merged", names[0], names[1]}), {names[0], "not a whole part"});
+  check_refusal(run({"sweep", "merge", "merged", names[0], names[1]}),
+                {names[0], "not a whole part"});
 }
 
 /// Each part has seen them, and so does the search.

@@ -224,7 +224,7 @@ namespace {
 
 /// 50 Hz for so many seconds.
 std::string knet_heading(const std::string& duration) {
-  const std::string& text = text_of("EW");
+  const std::string text = text_of("EW");
   return replaced(text.substr(0, text.find("    8000     8073")), "Time(s)  2",
                   "Time(s)  " + duration);
 }

@@ -65,6 +65,7 @@ BOOST_AUTO_TEST_CASE(ranges_have_two_ends_of_which_one_stands_for_them) {
   BOOST_TEST(springs.text() == "0.9:1.1");
   BOOST_TEST(!parse_axis("v0", "0:1:5", number, RangeEnd::high).has_ranges());
   BOOST_TEST(!parse_axis("v0", "1,2", number, RangeEnd::high).has_ranges());
+  BOOST_TEST(parse_axis("v0", "-0:0", number, RangeEnd::high).text() == "0:0");
   BOOST_CHECK_THROW(static_cast<void>(parse_axis("v0", "1:2,0:1:5", number, RangeEnd::high)),
                     InputError);
 }

@@ -132,7 +132,7 @@ std::vector<Span> feasible_spans(const Problem& problem, const Limits& limits,
   }
   if (spans.empty() || spans.front().low != *region.f_lower ||
       spans.back().high != *region.f_upper) {
-    spans = {{*region.f_lower, *region.f_upper}};  // the strips are not all there is
+    spans.assign(1, {*region.f_lower, *region.f_upper});  // the strips are not all there is
   }
   // As a design does, it stays off the edges, which rounding may put on either side.
   constexpr double inset = 1e-9;
