@@ -269,6 +269,15 @@ void bind_units(std::string& text) {
   }
 }
 
+/// No line begins with the sign of "f >= 0.02".
+void bind_bounds(std::string& text) {
+  for (const std::string_view sign : {" &gt;= ", " &lt;= "}) {
+    for (std::size_t i = text.find(sign); i != std::string::npos; i = text.find(sign, i + 1)) {
+      text.replace(i, 1, no_break);
+    }
+  }
+}
+
 /// "f = 0.02" in one piece; of "0.03 = 5.9 mm" what follows the first number.
 void bind_equations(std::string& text) {
   const auto begins_number = [&](std::size_t i) {
@@ -319,6 +328,7 @@ std::string prose(std::string_view text) {
   std::string result = escaped(text);
   bind_units(result);
   bind_equations(result);
+  bind_bounds(result);
   return with_whole_numbers(result);
 }
 

@@ -27,7 +27,7 @@ tr{break-inside:avoid}
 .wide{overflow-x:auto;break-inside:avoid}
 tr.violated td{background:#fbe3e1}
 summary{cursor:pointer;font-weight:bold;margin-top:24px}
-@media screen and (max-width:520px){body{padding:8px}pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td{min-width:0}td,th{padding:3px 4px 3px 0;overflow-wrap:anywhere}.columns,.columns tr,.columns tbody{display:block}.columns tr{border-bottom:1px solid #999;padding:4px 0}.columns th{display:none}.columns td{display:inline-block;border:0;margin-right:10px;white-space:normal}.columns td[data-head]::before{content:attr(data-head) " ";opacity:.8}}
+@media screen and (max-width:520px){body{padding:8px}pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td{min-width:0}td,th{padding:3px 4px 3px 0;overflow-wrap:anywhere}.columns,.columns tr,.columns tbody{display:block}.columns tr{border-bottom:1px solid #999;padding:4px 0}.columns th{display:none}.columns td{display:inline-block;border:0;margin-right:10px;white-space:normal}.columns td[data-head]::before{content:attr(data-head) " ";opacity:.8}.columns td:empty{display:none}}
 table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left;white-space:nowrap}
 td{font-variant-numeric:tabular-nums}.rows th{font-weight:normal;color:#666}.rows td{white-space:normal;min-width:12em}
 .number{white-space:nowrap}.key{font-weight:bold}.good{color:#00704f}.bad{color:#b3261e;font-weight:bold}.faint{color:#666}
@@ -41,7 +41,7 @@ body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color
 
 constexpr std::string_view print_style = R"(
 body{max-width:none;padding:0}.figures{grid-template-columns:1fr 1fr;gap:8px 20px}figcaption{font-size:12px}h2{margin-top:14px}.readout,details{display:none}
-pre{white-space:pre-wrap;overflow:visible}.wide{overflow:visible}td,th{white-space:normal;padding:2px 5px}table{font-size:12px}
+pre{white-space:pre-wrap;overflow:visible;break-inside:avoid}section p{break-after:avoid}footer{break-before:avoid}.wide{overflow:visible}td,th{white-space:normal;padding:2px 5px}table{font-size:12px}
 )";
 
 /// One figure, and those that belong below it, with plots that begin at the same place.

@@ -143,7 +143,7 @@ std::string trade_off_words(const std::vector<design::TradeOff>& front, const Ph
 void add_trade_off(Document& document, const std::vector<design::TradeOff>& front,
                    const Physical& physical) {
   const FigureUnits units(physical);
-  Table table{{in("stroke", units.length_unit), "acceleration", "tolerance",
+  Table table{{in("stroke", units.length_unit), "acceleration, g", "tolerance",
                in("stop time", units.time_unit), "f", in("delta", units.length_unit)},
               {}};
   const std::size_t step = (front.size() + most_rows - 1) / most_rows;

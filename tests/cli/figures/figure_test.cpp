@@ -196,6 +196,8 @@ BOOST_AUTO_TEST_CASE(prose_breaks_no_number_and_no_short_equation) {
   BOOST_TEST(prose("a peak of 9.8 m/s2") == "a peak of 9.8\u00a0m/s2");
   BOOST_TEST(prose("rest at x = 0") == "rest at x\u00a0=\u00a00");
   BOOST_TEST(prose("delta = 0.03 = 5.9 mm") == "delta\u00a0=\u00a00.03 =\u00a05.9\u00a0mm");
+  BOOST_TEST(prose("needs f >= f2 = 0.5, x <= 1") ==
+             "needs f\u00a0&gt;= f2\u00a0=\u00a00.5, x\u00a0&lt;= 1");
   BOOST_TEST(prose("off by 6.2e-09, or -3") ==
              "off by <span class=\"number\">6.2e-09,</span> or -3");
   BOOST_TEST(prose("(EN 1998-2)") == "(EN <span class=\"number\">1998-2)</span>");

@@ -180,6 +180,22 @@ BOOST_AUTO_TEST_CASE(the_envelope_goes_through_the_peaks) {
   }
 }
 
+/// At rest after 50 half-cycles, before a tenth of the load is over: most columns hold no state.
+BOOST_AUTO_TEST_CASE(the_envelope_of_a_long_rest_is_a_line) {
+  Harmonic load;
+  load.k = 1e-3;
+  load.lambda = 0.01;
+  load.duration = 2000;
+  const Figure drawn = figure(motion({1, 0.01, 0}, load), "motion");
+  const auto envelope = std::ranges::find(drawn.curves, "envelope", &figures::FigureCurve::name);
+  BOOST_TEST_REQUIRE((envelope != drawn.curves.end()));
+  for (const figures::FigurePoint& at : envelope->strokes[0]) {
+    BOOST_TEST(std::abs(at.y) <= 1, at.y << " at " << at.x);  // V0/p
+    // A rest off x = 0 is within (f + k)/p^2.
+    BOOST_TEST((at.x < 300 || std::abs(at.y) <= 0.011), at.y << " at " << at.x);
+  }
+}
+
 /// Caught at its first return; the load lasts 40.
 BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
   Harmonic load;
@@ -261,6 +277,28 @@ BOOST_AUTO_TEST_CASE(the_area_of_the_design_stands_out) {
   };
   BOOST_TEST((ink("any rest within the residual") == figures::Ink::sky));
   BOOST_TEST((ink("arrival 1") == figures::Ink::green));
+}
+
+/// With little friction the strips touch, and the first is too thin for its name.
+BOOST_AUTO_TEST_CASE(neighbouring_strips_differ) {
+  design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 1, .arrivals = 4},
+                                .limits = {.f_max = 0.01}};
+  const auto check = [&] {
+    const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "region");
+    const auto ink = [&](int arrival) {
+      const std::string name = "arrival " + std::to_string(arrival);
+      const auto area = std::ranges::find(drawn.areas, name, &figures::FigureArea::name);
+      BOOST_TEST_REQUIRE((area != drawn.areas.end()), name);
+      return area->ink;
+    };
+    for (int arrival = 2; arrival <= 4; ++arrival) {
+      BOOST_TEST((ink(arrival) != ink(arrival - 1)), arrival);
+    }
+  };
+  check();
+  request.f = 0.005;  // a damper of the third strip
+  request.delta = 0.2;
+  check();
 }
 
 BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {

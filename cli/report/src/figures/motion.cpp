@@ -19,7 +19,8 @@ using figures::Ink;
 namespace {
 
 /// The least and the largest in each of some columns of time and their neighbours, which together
-/// span a swing to either side, in the order of an outline.
+/// span a swing to either side, in the order of an outline. A rest of many columns is one line
+/// between two points.
 std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::size_t turns) {
   constexpr std::size_t columns = 180;
   const std::size_t neighbours = (columns + turns / 2) / turns;  // columns / turns, rounded
@@ -28,14 +29,19 @@ std::vector<FigurePoint> envelope(const std::vector<FigurePoint>& points, std::s
     double most{-HUGE_VAL};
   };
   std::vector<Column> spans(columns);
+  const auto column = [&](const FigurePoint& at) {
+    return std::min(static_cast<std::size_t>(at.x / points.back().x * columns), columns - 1);
+  };
+  const FigurePoint* before = &points.front();
   for (const FigurePoint& at : points) {
-    const double share = at.x / points.back().x;
-    const auto middle = std::min(static_cast<std::size_t>(share * columns), columns - 1);
-    const std::size_t last = std::min(middle + neighbours, columns - 1);
-    for (std::size_t i = middle - std::min(middle, neighbours); i <= last; ++i) {
-      spans[i].least = std::min(spans[i].least, at.y);
-      spans[i].most = std::max(spans[i].most, at.y);
+    const auto [least, most] = std::minmax(before->y, at.y);
+    const std::size_t first = column(*before);
+    const std::size_t last = std::min(column(at) + neighbours, columns - 1);
+    for (std::size_t i = first - std::min(first, neighbours); i <= last; ++i) {
+      spans[i].least = std::min(spans[i].least, least);
+      spans[i].most = std::max(spans[i].most, most);
     }
+    before = &at;
   }
   std::vector<FigurePoint> outline;
   outline.reserve(2 * columns);

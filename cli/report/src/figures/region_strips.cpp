@@ -74,6 +74,14 @@ std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t ar
   return lower;
 }
 
+/// Neighbours may touch, so they differ; the damper's own is like any admissible area.
+Ink strip_ink(std::int64_t arrival, std::int64_t own) {
+  if (arrival == own) {
+    return Ink::sky;
+  }
+  return arrival % 2 == 0 ? Ink::purple : Ink::green;
+}
+
 }  // namespace
 
 std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits& units) {
@@ -89,7 +97,7 @@ std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits&
   const auto add = [&](std::int64_t n) {
     if (auto outline = strip_outline(drawn, n, units.length); !outline.empty()) {
       areas.push_back({n > 0 ? format("arrival {}", n) : "any rest within the residual",
-                       std::move(outline), n == own ? Ink::sky : Ink::green});
+                       std::move(outline), strip_ink(n, own)});
     }
   };
   if (drawn.problem.residual) {
