@@ -3,6 +3,7 @@
 #include "testing/printing.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/region.hpp>
 
@@ -11,7 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 
 BOOST_AUTO_TEST_SUITE(pulse_region_test)

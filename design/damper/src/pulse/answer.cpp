@@ -85,7 +85,7 @@ RegionAnswer answer_under_pulse(const RegionRequest& asked) {
   const double f = *asked.f;
   require_valid(Oscillator{problem.p, f, asked.delta.value_or(0)});
   const auto least = [&](Criterion criterion) {
-    PulseProblem task = problem;
+    PulseProblem task = request.problem;
     task.criterion = criterion;
     return least_delta(task, f);
   };

@@ -42,7 +42,7 @@ namespace stillpoint::design {
                                     const DesignPoint& point, double unit_f);
 
 /// `region` under a pulse.
-[[nodiscard]] RegionAnswer answer_under_pulse(const RegionRequest& request);
+[[nodiscard]] RegionAnswer answer_under_pulse(const RegionRequest& asked);
 
 /// A damper, simulated and checked; `unit_f` is its f in the units of the region.
 void add_finding(DesignResult& result, const PulseRequest& request, const PulseRegion& region,
