@@ -44,12 +44,13 @@ report::DesignReport answer(DesignTask task) {
 }
 
 report::RegionReport answer(RegionTask task) {
-  const auto& [problem, limits, f, delta] = task.request;
+  const auto& [problem, limits, f, delta, pulse, ranges] = task.request;
   report::RegionReport report{task.request, design::answer(task.request), task.physical, {}};
   if (task.catalogue) {
-    report.catalogue = {
-        std::move(task.catalogue->file),
-        design::ranked(problem, limits, design::Objective::robust, task.catalogue->parts)};
+    const std::vector<design::Part>& parts = task.catalogue->parts;
+    report.catalogue = {std::move(task.catalogue->file),
+                        pulse ? design::choose({problem, limits, {}, pulse, ranges}, parts).parts
+                              : design::ranked(problem, limits, design::Objective::robust, parts)};
   }
   return report;
 }

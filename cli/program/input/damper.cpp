@@ -49,7 +49,8 @@ std::optional<design::Spread> spread(const Settings& settings, const char* name)
 }
 
 /// With a pulse, without a velocity.
-Task read_task(const Settings& settings, Command command, bool pulse) {
+Task read_task(const Settings& settings, Command command) {
+  const bool pulse = settings.has("pulse");
   MotionInput motion = motion_input(settings, command, pulse);
   const double beta = stroke(settings, motion);
   if (motion.physical && !pulse) {
@@ -127,7 +128,7 @@ design::Objective objective(const Settings& settings) {
 
 answers::DesignTask design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::hit);
-  const Task given = read_task(settings, Command::design, settings.has("pulse"));
+  const Task given = read_task(settings, Command::design);
   const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
   const std::optional<std::string> algorithm = settings.text("algorithm");
   if (algorithm && algorithm->empty()) {
@@ -149,13 +150,12 @@ answers::DesignTask design_input(const Settings& settings) {
 }
 
 answers::RegionTask region_input(const Settings& settings) {
-  if (settings.has("pulse") && !settings.has("v0") && !settings.has("velocity")) {
-    throw InputError::missing(
-        "v0", "region needs a velocity, not a pulse: give --v0, or --velocity in m/s");
-  }
-  const Task given = read_task(settings, Command::region, false);
-  answers::RegionTask asked{{given.problem, given.limits, settings.number("f")}, given.physical};
-  auto& [problem, limits, f, delta] = asked.request;
+  const Task given = read_task(settings, Command::region);
+  const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
+  answers::RegionTask asked{
+      {given.problem, given.limits, settings.number("f"), {}, pulse, pulse_ranges(settings, pulse)},
+      given.physical};
+  auto& [problem, limits, f, delta, same_pulse, ranges] = asked.request;
   delta = point_friction(settings, "delta", "delta-m", given.physical);
   if (f) {
     require_valid(Oscillator{problem.p, *f, delta.value_or(0)});

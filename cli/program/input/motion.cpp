@@ -16,7 +16,7 @@ namespace stillpoint::cli {
 namespace {
 
 /// UsageError where more than one option of a set of rivals is given. Of the hits a command looks
-/// only at those that it has: a scene's pulse is for design.
+/// only at those that it has: a scene's pulse is for designs.
 void require_no_rivals(const Settings& settings, Command command) {
   std::map<Rivals, std::string_view> given;
   for (const Option& option : options()) {

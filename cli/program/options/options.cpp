@@ -42,8 +42,8 @@ constexpr CommandSet of_suites = design | spectrum;
 constexpr CommandSet reporting = every | spectrum;
 constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
-/// What a load with a wave, or a pulse, takes in hertz and seconds.
-constexpr CommandSet in_hertz = design | of_excitations;
+/// What takes a load with a wave, or a pulse.
+constexpr CommandSet of_waves = design | region | of_excitations;
 /// What takes acceleration records.
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
@@ -126,7 +126,7 @@ std::vector<Option> rows() {
           plain_axis(Rivals::stroke)),
       row("pulse", text, "TYPE", motion,
           "{}, with --k and --pulse-duration or --lambda: the hit instead of an initial velocity",
-          design | sweep, {.rivals = Rivals::hit, .values = pulse_names()}),
+          of_designs, {.rivals = Rivals::hit, .values = pulse_names()}),
       row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
           plain_axis(Rivals::start)),
 
@@ -227,20 +227,19 @@ std::vector<Option> rows() {
 
       row("excitation", text, "TYPE", shaking, "{}", of_excitations,
           {.values = excitation_names()}),
-      row("k", number, "K", shaking, "peak of the excitation or pulse in g",
-          design | of_excitations,
+      row("k", number, "K", shaking, "peak of the excitation or pulse in g", of_waves,
           of(Load::wave,
              {.sweeps = true, .dimension = Dimension::gravities, .range = RangeEnd::high})),
       row("excitation-frequency", number, "HZ", shaking,
-          "with physical input: in Hz; of a pulse, that of its sine", in_hertz,
+          "with physical input: in Hz; of a pulse, that of its sine", of_waves,
           of(Load::wave, axis_in_si(Rivals::frequency, Dimension::frequency, RangeEnd::low))),
       row("pulse-duration", number, "S", shaking,
-          "with physical input: how long half-sine, full-sine or rectangle last, in s", in_hertz,
+          "with physical input: how long half-sine, full-sine or rectangle last, in s", of_waves,
           of(Load::pulse, axis_in_si(Rivals::frequency, Dimension::time, RangeEnd::high))),
       row("lambda", number, "L", shaking,
           "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
           "last pi/L, full-sine 2 pi/L",
-          design | of_excitations,
+          of_waves,
           of(Load::wave, {.sweeps = true, .rivals = Rivals::frequency, .range = RangeEnd::low})),
       row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
           of_excitations, of(Load::harmonic)),

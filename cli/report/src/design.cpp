@@ -12,27 +12,6 @@ namespace stillpoint::report {
 
 namespace {
 
-void add_pulse(Section& task, const design::DesignRequest& request, const Physical& physical) {
-  const design::Pulse& pulse = *request.pulse;
-  const auto& [k_low, lambda_high] = request.pulse_ranges;
-  const double lambda = design::angular_frequency(pulse);
-  const double lasts = duration(design::excitation(pulse)).value();
-  const auto to = [](const std::optional<std::string>& end) { return end ? " to " + *end : ""; };
-  const std::string weakest = k_low ? format("{:.6g} to ", *k_low) : "";
-  std::optional<std::string> highest;
-  std::optional<std::string> longest;
-  double shortest = lasts;
-  if (lambda_high) {
-    highest = frequency_text(physical, *lambda_high);
-    longest = time_text(physical, lasts);
-    shortest = lasts * (lambda / *lambda_high);
-  }
-  task.row("pulse",
-           format("{}, k = {}{:.6g}, lambda = {}{}", design::name(pulse), weakest,
-                  design::peak_load(pulse), frequency_text(physical, lambda), to(highest)));
-  task.row("duration", time_text(physical, shortest) + to(longest));
-}
-
 void add_damper(Document& document, const design::DesignResult& result, const Physical& physical) {
   const design::Finding& finding = *result.finding;
   const DeltaNeeds needs = delta_needs(result);
@@ -316,7 +295,7 @@ Document document(const DesignReport& report) {
   document.title = "Damper design";
   Section& task = add_problem(document, shown, limits, physical);
   if (pulse) {
-    add_pulse(task, report.result.request, physical);
+    add_pulse(task, *pulse, ranges, physical);
   }
   task.row("objective", std::string(name(search.objective)));
   if (pulse) {

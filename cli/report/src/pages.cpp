@@ -93,7 +93,7 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
   DrawnPulseRegion drawn{design::pulse_request(report.result.request).problem,
                          limits,
                          report.result.region,
-                         report.result.intervals,
+                         *report.result.intervals,
                          {},
                          {}};
   if (!report.result.finding) {
@@ -161,22 +161,24 @@ HtmlPage page(const DesignReport& report) {
 }
 
 std::vector<Figure> drawings(const RegionReport& report) {
-  const auto& [problem, limits, f, delta] = report.request;
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
   const FigureUnits units(report.physical);
-  DrawnRegion drawn{problem, limits, answer.region, {}, {}};
+  std::optional<DrawnDamper> point;
   if (answer.admissible) {
-    drawn.damper = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
-                    answer.tolerance.value_or(0)};
+    point = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
+             answer.tolerance.value_or(0)};
   }
-  if (!answer.region.feasible) {
-    drawn.mend = mend_title(answer, report.physical);
-  }
-  std::vector<Figure> figures{region_figure(drawn, units)};
+  const std::string mend = answer.region.feasible ? "" : mend_title(answer, report.physical);
+  std::vector<Figure> figures{
+      pulse ? pulse_region_figure({design::pulse_request(report.request).problem, limits,
+                                   answer.region, *answer.intervals, point, mend},
+                                  units)
+            : region_figure({problem, limits, answer.region, point, mend}, units)};
   if (report.catalogue) {
     add_parts(figures.front(), *report.catalogue, units);
   }
-  if (f && delta) {
+  if (f && delta && !pulse) {
     figures.push_back(hits_figure(problem, *f, *delta, answer.works_for, units));
   }
   return figures;

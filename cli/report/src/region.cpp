@@ -17,7 +17,7 @@ namespace stillpoint::report {
 namespace {
 
 void add_point(Section& section, const RegionReport& report) {
-  const auto& [problem, limits, f, delta] = report.request;
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
   section.row("delta", length_text(report.physical, *delta));
   section.row("the point is", *answer.admissible ? "admissible" : "not admissible",
@@ -44,12 +44,35 @@ std::string judgement(const design::RegionAnswer& answer) {
       violated.push_back(now.name);
     }
   }
+  if (violated.empty()) {
+    return "not admissible: it lacks the tolerance asked for";
+  }
   std::string text = "not admissible; it violates ";
   for (std::size_t i = 0; i < violated.size(); ++i) {
     text += i == 0 ? "" : i + 1 < violated.size() ? ", " : " and ";
     text += violated[i];
   }
   return text;
+}
+
+/// Both ways to count it, where the motion returns.
+void add_delta1(Section& section, const design::RegionAnswer& answer, const Physical& physical) {
+  const auto row = [&](std::string_view which, const std::optional<double>& delta1) {
+    section.row(format("Delta1 {}", which),
+                delta1 ? length_text(physical, *delta1) : "none: the motion does not return");
+  };
+  row("published", answer.delta1_published);
+  row("exact", answer.delta1_exact);
+}
+
+/// "Feasible f: 0.1 to 0.25.", and whether there are others.
+std::string feasible_f(const design::RegionVerdict& verdict) {
+  const auto& [low, high] = std::pair(*verdict.region.f_lower, *verdict.region.f_upper);
+  const std::size_t intervals = verdict.intervals ? verdict.intervals->size() : 1;
+  return format("Feasible f: {}{}.", range_digits(low, high),
+                intervals > 1
+                    ? format(", of {} intervals that with the most tolerant damper", intervals)
+                    : "");
 }
 
 /// Of several arrivals.
@@ -78,16 +101,20 @@ void add_strips(Document& document, const design::Problem& problem,
 }  // namespace
 
 Document document(const RegionReport& report) {
-  const auto& [problem, limits, f, delta] = report.request;
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
   Document document;
   document.title = "Admissible region";
-  add_problem(document, problem, limits, report.physical);
-  add_region(document, answer.region, report.physical).detail = false;
+  Section& task = add_problem(document, problem, limits, report.physical);
+  if (pulse) {
+    add_pulse(task, *pulse, ranges, report.physical);
+  }
+  (pulse ? add_pulse_region(document, answer, report.physical)
+         : add_region(document, answer.region, report.physical))
+      .detail = false;
   add_strips(document, problem, answer.strips);
   if (answer.region.feasible) {
-    document.verdict =
-        format("Feasible f: {}.", range_digits(*answer.region.f_lower, *answer.region.f_upper));
+    document.verdict = feasible_f(answer);
     document.tone = Tone::good;
   } else {
     add_emptiness(document, answer, limits, report.physical);
@@ -99,10 +126,7 @@ Document document(const RegionReport& report) {
   if (f) {
     Section& section = document.section(format("At f = {:.6g}", *f));
     if (!delta || stops_by_delta1(answer.constraints)) {
-      section.row("Delta1 published", length_text(report.physical, *answer.delta1_published));
-      section.row("Delta1 exact", answer.delta1_exact
-                                      ? length_text(report.physical, *answer.delta1_exact)
-                                      : "none: f > f3, the motion does not return");
+      add_delta1(section, answer, report.physical);
     }
     add_damper_physics(section, report.physical, *f, delta.value_or(0));
     if (delta) {

@@ -231,7 +231,7 @@ std::string most_tolerant_text(const design::DesignPoint& most, const design::Li
 
 void add_emptiness(Document& document, const design::RegionVerdict& empty,
                    const design::Limits& limits, const Physical& physical) {
-  const auto& [region, reason, mends, joint, most_tolerant] = empty;
+  const auto& [region, reason, mends, joint, most_tolerant, intervals] = empty;
   document.verdict = format("No admissible design: {}.", reason);
   if (most_tolerant) {
     document.verdict += most_tolerant_text(*most_tolerant, limits, physical);

@@ -45,9 +45,12 @@ void add_excitation(Section& section, const Excitation& excitation,
 Section& add_problem(Document& document, const design::Problem& problem,
                      const design::Limits& limits, const Physical& physical);
 Section& add_region(Document& document, const design::Region& region, const Physical& physical);
-/// The same of a pulse, by the forced motion itself.
-void add_pulse_region(Document& document, const design::DesignResult& result,
-                      const Physical& physical);
+/// The rows of a pulse in the section of the task.
+void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
+               const Physical& physical);
+/// The region of a pulse, by the forced motion itself.
+Section& add_pulse_region(Document& document, const design::RegionVerdict& verdict,
+                          const Physical& physical);
 /// The least Delta for the f of a finding.
 struct DeltaNeeds {
   double published{0};

@@ -7,9 +7,30 @@
 
 namespace stillpoint::report {
 
-void add_pulse_region(Document& document, const design::DesignResult& result,
-                      const Physical& physical) {
-  const design::Region& region = result.region;
+void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
+               const Physical& physical) {
+  const auto& [k_low, lambda_high] = ranges;
+  const double lambda = design::angular_frequency(pulse);
+  const double lasts = duration(design::excitation(pulse)).value();
+  const auto to = [](const std::optional<std::string>& end) { return end ? " to " + *end : ""; };
+  const std::string weakest = k_low ? format("{:.6g} to ", *k_low) : "";
+  std::optional<std::string> highest;
+  std::optional<std::string> longest;
+  double shortest = lasts;
+  if (lambda_high) {
+    highest = frequency_text(physical, *lambda_high);
+    longest = time_text(physical, lasts);
+    shortest = lasts * (lambda / *lambda_high);
+  }
+  task.row("pulse",
+           format("{}, k = {}{:.6g}, lambda = {}{}", design::name(pulse), weakest,
+                  design::peak_load(pulse), frequency_text(physical, lambda), to(highest)));
+  task.row("duration", time_text(physical, shortest) + to(longest));
+}
+
+Section& add_pulse_region(Document& document, const design::RegionVerdict& verdict,
+                          const Physical& physical) {
+  const design::Region& region = verdict.region;
   Section& section = document.detail("Bounds");
   section.row("found by", "the forced motion itself, from rest, for each f");
   if (region.feasible) {
@@ -19,12 +40,13 @@ void add_pulse_region(Document& document, const design::DesignResult& result,
   section.row("return", format("f <= {:.6g}", region.f3));
   section.row("start", "f below the peak load; nothing bounds delta, the mass starts from rest");
   section.row("smallest beta", length_text(physical, region.beta_min));
-  for (const auto& [low, high] : result.intervals) {
+  for (const auto& [low, high] : verdict.intervals.value()) {
     section.row("admissible f", range_digits(low, high));
   }
   if (region.feasible) {
     section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));
   }
+  return section;
 }
 
 DeltaNeeds delta_needs(const design::DesignResult& result) {

@@ -38,6 +38,11 @@ PulseRequest pulse_request(const DesignRequest& request) {
           options};
 }
 
+PulseRequest pulse_request(const RegionRequest& request) {
+  return pulse_request(
+      DesignRequest{request.problem, request.limits, {}, request.pulse, request.pulse_ranges});
+}
+
 DesignResult design(const DesignRequest& request) {
   const auto& [problem, limits, options, pulse, ranges] = request;
   if (pulse) {

@@ -13,7 +13,7 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_command_test)
 
-// design --pulse, from the flags to the report.
+// design --pulse and region --pulse, from the flags to the report.
 
 namespace {
 
@@ -22,6 +22,9 @@ using nlohmann::json;
 namespace data = boost::unit_test::data;
 
 const Arguments asked("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05");
+
+/// docs/theory.md section 8: f from 0.1 to 0.25, with the peak 1 - 2 f.
+const Arguments region("region --pulse rectangle --k 0.5 --lambda 1 --p 1 --beta 0.8");
 
 /// Without the option and its value.
 Arguments without(Arguments arguments, const std::string& option) {
@@ -137,6 +140,63 @@ BOOST_AUTO_TEST_CASE(a_length_of_a_pulse_may_be_given_as_any_range) {
   BOOST_TEST(near(by_hertz["input"]["p_range"][1], 2.1 / 1.9, 1e-12));
 }
 
+// `design` says the same of the region, whether it finds a damper or not.
+BOOST_AUTO_TEST_CASE(region_is_that_of_the_design) {
+  write("parts.csv", "name,f,delta\nweak,0.05,0.4\ngood,0.2,0.4\nstrong,0.3,0.4\n");
+  const Arguments near_fault{STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"};
+  for (const Arguments& task :
+       {Arguments(region.begin() + 1, region.end()), near_fault,
+        joined(near_fault, "--acceleration-max 0.06"),
+        joined(near_fault, "--k 0.07:0.09 --tolerance-f 0.9:1.1"),
+        joined(Arguments(region.begin() + 1, region.end()), "--tolerance 0.5")}) {
+    const ProgramRun bounds = run(joined(joined("region --json", task), "--catalogue parts.csv"));
+    const ProgramRun design = run(joined("design --json", task));
+    BOOST_TEST(bounds.exit_code == design.exit_code);
+    BOOST_TEST(bounds.json()["region"] == design.json()["region"]);
+    for (const char* field : {"pulse", "k", "k_range", "lambda", "lambda_range", "p", "beta"}) {
+      BOOST_TEST(bounds.json()["input"][field] == design.json()["input"][field], field);
+    }
+    const ProgramRun chosen = run(joined(joined("design --json", task), "--catalogue parts.csv"));
+    BOOST_TEST(bounds.json()["catalogue"] == chosen.json()["catalogue"]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
+  const json inside = report_of(*this, joined(region, "--f 0.175 --delta 0.49"));
+  BOOST_TEST(inside["admissible"] == true);
+  BOOST_TEST(near(inside["tolerance"], 3.0 / 7, 1e-9));
+  BOOST_TEST(near(inside["delta1_exact"], 0.65 * 0.3 / 2, 1e-12));
+  BOOST_TEST(inside["input"]["v0"].is_null());
+  check_fields(inside, {"works_for:null", "hits:null", "arrival:null", "practice:object"});
+  BOOST_TEST(inside["strips"].empty());
+  const json beyond = report_of(*this, joined(region, "--f 0.3 --delta 0.49"));
+  BOOST_TEST(beyond["admissible"] == false);
+  check_fields(beyond, {"tolerance:null", "delta1_published:null", "delta1_exact:null"});
+
+  const Arguments weak = joined(region, "--f 0.05 --delta 0.49");
+  check_contains(run(weak).out, {"it violates amplitude", "Feasible f: 0.1 to 0.25", "violated"});
+  const Arguments lacking = joined(region, "--f 0.12 --delta 0.49 --tolerance 0.2");
+  check_contains(run(lacking).out,
+                 {"not admissible: it lacks the tolerance asked for", "+-16.67 %"});
+}
+
+BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
+  const ProgramRun drawn = run(joined(region, "--f 0.175 --delta 0.49 --html page.html --json"));
+  BOOST_TEST(drawn.exit_code == 0);
+  check_contains(read("page.html"), {"id=\"region-title\"", "least Δ that stops it",
+                                     "point, admissible", "too weak: exceeds", "too strong"});
+}
+
+BOOST_AUTO_TEST_CASE(region_of_a_pulse_in_metres_has_its_excitation) {
+  const json report = report_of(*this,
+                                "region --pulse half-sine --k 0.5g --pulse-duration 70ms --period "
+                                "2.8s --max-displacement 100mm --f 0.01 --delta-m 3mm");
+  BOOST_TEST(near(report["physical"]["excitation_duration_s"], 0.07, 1e-12));
+  BOOST_TEST(report["physical"]["velocity_m_per_s"].is_null());
+  BOOST_TEST(report["physical"]["delta2_m"].is_null());
+  BOOST_TEST(near(report["physical"]["delta_m"], 0.003, 1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(plain_design_has_no_pulse) {
   const json report = report_of(*this, "design --v0 1 --p 1 --beta 0.9");
   BOOST_TEST(report["pulse"].is_null());
@@ -243,8 +303,15 @@ const std::vector<Wrong> wrong_pulses{
      {"pulse and velocity exclude each other"}},
     {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k is for a pulse", "--pulse"}},
     {"design --v0 1 --p 1 --beta 0.9 --lambda 1", {"lambda is for a pulse", "--pulse"}},
-    {"region --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 1",
-     {"--pulse", "not an option of region"}},
+    {joined(region, "--arrivals 2"), {"arrivals = 2", "with a pulse"}},
+    {joined(region, "--residual 0.1"), {"pulse = rectangle", "takes no residual"}},
+    {joined(region, "--v0 1"), {"v0 and pulse exclude each other"}},
+    {joined(region, "--delta 1"), {"f is missing", "--f"}},
+    {joined(region, "--f nan"), {"f = ", "finite number"}},
+    {joined(region, "--objective time"), {"--objective", "not an option of region"}},
+    {without(region, "--k"), {"k is missing", "--k"}},
+    {joined(without(region, "--lambda"), "--lambda 0.0099"), {"lambda = 0.0099", "longer pulse"}},
+    {"region --v0 1 --p 1 --beta 0.9 --k 1", {"k is for a pulse", "--pulse"}},
 };
 
 }  // namespace

@@ -97,10 +97,11 @@ BOOST_AUTO_TEST_CASE(with_a_pulse_is_followed_by_simulate) {
   BOOST_TEST(from_scene("--record r.txt") == report_of(*this, joined(simulate, "--record r.txt")));
 }
 
-// Neither region nor sweep follows it, but both serve with a velocity.
-BOOST_AUTO_TEST_CASE(with_a_pulse_needs_a_velocity_elsewhere) {
+// A velocity takes its place.
+BOOST_AUTO_TEST_CASE(with_a_pulse_serves_region_and_sweep) {
   write("scene.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");
-  check_refusal(run("region scene.json"), {"v0 is missing", "velocity, not a pulse"});
+  BOOST_TEST(report_of(*this, "region scene.json --beta 0.08") ==
+             report_of(*this, "region --pulse rectangle --k 0.5 --lambda 20 --p 1 --beta 0.08"));
   BOOST_TEST(report_of(*this, "region scene.json --v0 0.04") ==
              report_of(*this, "region --v0 0.04 --p 1 --beta 0.05"));
   BOOST_TEST(run("sweep scene.json --v0 0.04").out == run("sweep --v0 0.04 --p 1 --beta 0.05").out);
@@ -203,9 +204,6 @@ BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
       BOOST_TEST(motion.exit_code == (ranges ? 2 : 0), motion.err);  // one motion has one hit
       if (!ranges) {
         BOOST_TEST(motion.json()["input"]["excitation"].is_object() == text.contains("pulse"));
-      }
-      if (text.contains("pulse")) {
-        continue;  // region needs a velocity
       }
       const ProgramRun region = run({"region", entry.path().string()});
       BOOST_TEST(region.exit_code == (infeasible ? 3 : 0));

@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(allow_the_report_of_every_scene_that_is_shipped) {
   for (const fs::path& path : files_in(data_dir / "scenes")) {
     for (const char* command : {"design", "region"}) {
       const ProgramRun answer = run({command, path.string(), "--json"});
-      if (answer.exit_code != 2) {  // a pulse has no region of its own
+      if (answer.exit_code != 2) {  // records have no region
         BOOST_TEST(report_faults(answer.json(), UnknownProperties::fail).empty(), path);
       }
     }

@@ -10,9 +10,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-void add_pulse(ordered_json& task, const design::DesignRequest& request) {
-  const auto& pulse = request.pulse;
-  const auto& [k_low, lambda_high] = request.pulse_ranges;
+void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse,
+               const design::PulseRanges& ranges) {
+  const auto& [k_low, lambda_high] = ranges;
   task["pulse"] = pulse ? ordered_json(design::name(*pulse)) : ordered_json(nullptr);
   task["k"] = pulse ? number(design::peak_load(*pulse)) : ordered_json(nullptr);
   task["k_range"] = nullptr;
@@ -92,14 +92,6 @@ ordered_json cross_check_json(const design::CrossCheck& check) {
   return {{"passed", check.passed}, {"methods", methods}};
 }
 
-void add_pulse_region(ordered_json& region, const design::DesignResult& result) {
-  region["by"] = "forced_motion";
-  region["intervals"] = ordered_json::array();
-  for (const auto& [low, high] : result.intervals) {
-    region["intervals"].push_back({number(low), number(high)});
-  }
-}
-
 /// How the design stands under its pulse.
 ordered_json pulse_check_json(const design::PulseCheck& check) {
   ordered_json warnings = ordered_json::array();
@@ -167,7 +159,7 @@ ordered_json json(const DesignReport& report) {
   const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   ordered_json task = task_json(problem, limits);
-  add_pulse(task, result.request);
+  add_pulse(task, pulse, ranges);
   if (pulse && problem.v0 == 0) {
     task["v0"] = nullptr;  // a full sine leaves none
   }
@@ -193,9 +185,6 @@ ordered_json json(const DesignReport& report) {
                     {"catalogue", catalogue_json(report.catalogue, parts)},
                     {"trade_off", trade_off_json(report.trade_off, report.physical)},
                     {"physical", physical_json(report)}};
-  if (pulse) {
-    add_pulse_region(json["region"], result);
-  }
   if (result.finding) {
     const design::Finding& finding = *result.finding;
     json["design"] = design_point_json(result);
@@ -221,13 +210,17 @@ ordered_json json(const DesignReport& report) {
 }
 
 ordered_json json(const RegionReport& report) {
-  const auto& [problem, limits, f, delta] = report.request;
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
   ordered_json task = task_json(problem, limits);
+  add_pulse(task, pulse, ranges);
+  if (pulse) {
+    task["v0"] = nullptr;
+  }
   task["f"] = number(f);
   task["delta"] = number(delta);
   task["catalogue"] = file_of(report.catalogue);
-  const bool point = f && delta;
+  const bool hit_by = f && delta && !pulse;
   return {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},
@@ -241,7 +234,7 @@ ordered_json json(const RegionReport& report) {
       {"arrival", answer.arrival ? ordered_json(*answer.arrival) : ordered_json(nullptr)},
       {"constraints", constraints_json(answer.constraints)},
       {"works_for", works_for_json(answer.works_for)},
-      {"hits", point ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
+      {"hits", hit_by ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
       {"practice", practice_json(answer.practice)},
       {"catalogue", catalogue_json(report.catalogue, {problem, limits, report.physical})},
       {"physical", physical_json(report)}};

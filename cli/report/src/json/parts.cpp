@@ -42,6 +42,17 @@ ordered_json point_json(const std::optional<design::DesignPoint>& point) {
           {"delta", number(point->delta)}};
 }
 
+ordered_json intervals_json(const std::optional<std::vector<design::FrictionInterval>>& intervals) {
+  if (!intervals) {
+    return nullptr;
+  }
+  ordered_json list = ordered_json::array();
+  for (const auto& [low, high] : *intervals) {
+    list.push_back({number(low), number(high)});
+  }
+  return list;
+}
+
 /// The constraints and limits that exclude each other, by name; null where none do.
 ordered_json conflict_json(design::Conflict conflict) {
   switch (conflict) {
@@ -104,8 +115,8 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
       {"f_upper", number(region.f_upper)},
       {"delta2", number(std::isinf(region.delta2) ? std::nullopt : std::optional(region.delta2))},
       {"beta_min", number(region.beta_min)},
-      {"by", nullptr},  // these two of a pulse
-      {"intervals", nullptr},
+      {"by", verdict.intervals ? ordered_json("forced_motion") : ordered_json(nullptr)},
+      {"intervals", intervals_json(verdict.intervals)},
       {"most_tolerant", point_json(verdict.most_tolerant)},
       {"mends", mends_json(verdict.mends)},
       {"joint_mend", joint_json(verdict.joint_mend)}};

@@ -188,15 +188,19 @@ ordered_json physical_json(const RegionReport& report) {
   add_region(json, *report.physical, answer.region);
   add_mends(json, *report.physical, answer.mends);
   add_damper(json, scales, report.request.f, report.request.delta);
-  const auto& [problem, limits, f, delta] = report.request;
+  const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   add_served(json, scales, answer.works_for);
   json["hits"] = nullptr;
-  if (f && delta) {
+  if (f && delta && !pulse) {
     add_hits(json, scales, shown_hits(problem, *f, *delta));
+  }
+  if (pulse) {
+    json["velocity_m_per_s"] = nullptr;
   }
   add_practice(json, scales, answer.practice);
   json["delta1_published_m"] = number(times(answer.delta1_published, scales.length_m));
   json["delta1_exact_m"] = number(times(answer.delta1_exact, scales.length_m));
+  add_excitation(json, scales, pulse ? design::excitation(*pulse) : NoExcitation{});
   return json;
 }
 

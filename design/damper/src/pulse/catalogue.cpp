@@ -43,7 +43,7 @@ class Trial {
     const double unit_f = part.f / region_.f_unit();
     const double unit_delta = part.delta / region_.delta_unit();
     const double tolerance = limits.tolerance;
-    TriedPart tried{{part, false, {}, {}}, motion_at(unit_f)};
+    TriedPart tried{{part, false, {}, {}}, motion_at(region_, unit_f)};
     if (unit_f < 1) {
       const double high = region_.high_of(unit_f, tolerance);
       const FirstReturn box =
@@ -76,26 +76,11 @@ class Trial {
   static constexpr double inside = 1 - 2e-13;
 
  private:
-  /// An f >= k moves nothing.
-  [[nodiscard]] FirstReturn motion_at(double f) const {
-    FirstReturn still;
-    still.f = f;
-    return f < 1 ? region_.at(f) : still;
-  }
-
   [[nodiscard]] std::vector<Constraint> violated(const Part& part,
                                                  const FirstReturn& motion) const {
-    std::vector<Constraint> list;
-    for (const Constraint& now :
-         constraints_of(request_, {part.f, part.delta, 0}, motion, region_)) {
-      // What never starts or does not come back says nothing of what follows.
-      const bool meaningless =
-          (now.name == "stop" && !motion.returns) ||
-          (now.name == "return" && !list.empty() && list.front().name == "start");
-      if (!now.satisfied && !meaningless) {
-        list.push_back(now);
-      }
-    }
+    std::vector<Constraint> list =
+        constraints_of(request_, {part.f, part.delta, 0}, motion, region_);
+    std::erase_if(list, [](const Constraint& now) { return now.satisfied; });
     return list;
   }
 

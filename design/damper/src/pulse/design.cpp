@@ -6,7 +6,6 @@
 
 #include <stillpoint/design/design.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stillpoint::design {
@@ -32,31 +31,6 @@ std::optional<double> in_units(const PulseRegion& region, Objective objective, d
   return value * region.f_unit();
 }
 
-/// As that of region.hpp. The largest tolerance looked for says nothing of a larger one.
-std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseProblem& problem,
-                                         Limits limits) {
-  const double asked = std::min(limits.tolerance, widest_tolerance);
-  limits.tolerance = 0;
-  const auto best = search(PulseRegion(region.profile(), problem, limits), {});
-  if (!best || !(best->found.point.tolerance > 0 && best->found.point.tolerance < asked)) {
-    return std::nullopt;
-  }
-  const auto& [f, delta, tolerance] = best->found.point;
-  return DesignPoint{f * region.f_unit(), delta * region.delta_unit(), tolerance};
-}
-
-double even_tolerance_of(const PulseRequest& request, const PulseRegion& region,
-                         const DesignPoint& point, double unit_f) {
-  if (request.limits.shape == BoxShape{}) {
-    return point.tolerance;
-  }
-  Limits even = request.limits;
-  even.shape = {};
-  return PulseRegion(region.profile(), request.problem, even)
-      .tolerance_of(unit_f, point.delta / region.delta_unit())
-      .value_or(0);
-}
-
 }  // namespace
 
 void add_finding(DesignResult& result, const PulseRequest& request, const PulseRegion& region,
@@ -68,7 +42,7 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   result.request = reduced(request, shown.pulse, found.point.f);
   result.finding = finding_under_pulse(shown, limits, found, motion);
   result.finding->constraints = constraints_of(request, found.point, worst, region);
-  result.finding->pulse->even_tolerance = even_tolerance_of(request, region, found.point, unit_f);
+  result.finding->pulse->even_tolerance = even_tolerance(request, region, found.point, unit_f);
   if (problem.has_ranges()) {
     result.finding->pulse->worst =
         PulseWorst{worst.peak * region.length_unit(), worst.acceleration * region.f_unit(),
@@ -82,11 +56,8 @@ DesignResult design(const PulseRequest& request) {
   require_valid(problem, limits);
   const PulseRegion region(problem, limits);
   const auto optimum = search(region, options);
-  DesignResult result =
-      without_finding(request, region, optimum ? std::optional(optimum->island) : std::nullopt);
+  DesignResult result = around(optimum, request, region);
   if (!optimum) {
-    result.mends = mends(problem, limits);
-    result.most_tolerant = most_tolerant(region, problem, limits);
     return result;
   }
   const auto& [f, delta, tolerance] = optimum->found.point;

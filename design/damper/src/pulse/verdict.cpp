@@ -167,14 +167,22 @@ DesignResult without_finding(const PulseRequest& request, const PulseRegion& reg
                              const std::optional<Island>& within) {
   const auto& [problem, limits, options] = request;
   DesignResult result{{edges_of(region, problem, within)}, reduced(request, problem.pulse, 0)};
+  result.intervals.emplace();
+  result.intervals->reserve(region.islands().size());
   for (const Island& island : region.islands()) {
-    result.intervals.push_back({island.low * region.f_unit(), island.high * region.f_unit()});
+    result.intervals->push_back({island.low * region.f_unit(), island.high * region.f_unit()});
   }
   if (!within) {
     result.region.conflict = conflict_of(region, problem, limits);
     result.reason = reason_of(result.region.conflict, region, problem, limits);
   }
   return result;
+}
+
+FirstReturn motion_at(const PulseRegion& region, double unit_f) {
+  FirstReturn still;
+  still.f = unit_f;
+  return unit_f < 1 ? region.at(unit_f) : still;
 }
 
 std::vector<Constraint> constraints_of(const PulseRequest& request, const DesignPoint& point,
@@ -190,19 +198,24 @@ std::vector<Constraint> constraints_of(const PulseRequest& request, const Design
                       limit - value,
                       strict ? value < limit : value <= limit};
   };
-  const double need = motion.need(problem.criterion) * region.delta_unit();
   std::vector<Constraint> list{
       below("start", "f", point.f, problem.ranges.k_low.value_or(peak_load(problem.pulse)), true),
-      below("amplitude", "peak", motion.peak * region.length_unit(), problem.beta),
-      return_of(region, motion, point.f),
-      {"stop", "delta", ">=", point.delta, need, point.delta - need, point.delta >= need}};
+      below("amplitude", "peak", motion.peak * region.length_unit(), problem.beta)};
+  if (list.front().satisfied) {
+    list.push_back(return_of(region, motion, point.f));
+  }
+  if (motion.returns) {
+    const double need = motion.need(problem.criterion) * region.delta_unit();
+    list.push_back(
+        {"stop", "delta", ">=", point.delta, need, point.delta - need, point.delta >= need});
+  }
   if (limits.f_max) {
     list.push_back(below("f_max", "f", point.f, *limits.f_max));
   }
   if (limits.delta_max) {
     list.push_back(below("delta_max", "delta", point.delta, *limits.delta_max));
   }
-  if (limits.acceleration_max) {
+  if (limits.acceleration_max && motion.f < 1) {
     list.push_back(below("acceleration", "acceleration", motion.acceleration * region.f_unit(),
                          *limits.acceleration_max));
   }

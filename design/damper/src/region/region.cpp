@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "pulse/verdict.hpp"
 #include "region/edges.hpp"
 #include "unit_problem.hpp"
 #include "way/extent.hpp"
@@ -235,9 +236,12 @@ std::optional<double> delta1(const Problem& problem, double f) {
 }
 
 RegionAnswer answer(const RegionRequest& request) {
-  const auto& [problem, limits, f, delta] = request;
+  const auto& [problem, limits, f, delta, pulse, ranges] = request;
   if (delta && !f) {
     throw InputError::missing("f", "delta alone is not a point of the region, give f as well");
+  }
+  if (pulse) {
+    return answer_under_pulse(request);
   }
   const Region region = admissible_region(problem, limits);
   RegionAnswer answer{{region, reason(region, problem, limits), mends(problem, limits),

@@ -43,7 +43,6 @@ struct Finding {
 struct DesignResult : RegionVerdict {
   DesignRequest request;
   std::optional<Finding> finding{};
-  std::vector<FrictionInterval> intervals{};  ///< of admissible f, with a pulse
 };
 
 /// The largest R of f and delta at once, whatever the shape of the box.
@@ -67,6 +66,7 @@ struct PulseRequest {
 };
 /// That of a request with a pulse. Throws InputError for what a pulse does not take.
 [[nodiscard]] PulseRequest pulse_request(const DesignRequest& request);
+[[nodiscard]] PulseRequest pulse_request(const RegionRequest& request);
 
 /// The answer for a mass that a pulse moves from rest. The region is that of the forced motion
 /// itself: docs/theory.md section 8. In it f2 and f3 are the ends of the f that stay within beta

@@ -3,6 +3,7 @@
 
 #include <stillpoint/design/practice.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/works_for.hpp>
 
 #include <array>
@@ -178,6 +179,8 @@ struct RegionVerdict {
   std::vector<Mend> mends{};
   std::optional<JointMend> joint_mend{};
   std::optional<DesignPoint> most_tolerant{};  ///< not of parts of a catalogue
+  /// Of admissible f, with a pulse: the region is then that of the forced motion itself.
+  std::optional<std::vector<FrictionInterval>> intervals{};
 };
 
 /// A region, and a damper to hold against it.
@@ -186,12 +189,15 @@ struct RegionRequest {
   Limits limits{};
   std::optional<double> f{};
   std::optional<double> delta{};  ///< with f only
+  std::optional<Pulse> pulse{};   ///< in place of problem.v0
+  PulseRanges pulse_ranges{};
 };
 
-/// The region, and how the damper stands in it.
+/// The region, and how the damper stands in it. Under a pulse, strips, arrival and works_for are
+/// empty; Delta1 is the least Delta, by either criterion, that stops the mass at its first return.
 struct RegionAnswer : RegionVerdict {
   std::vector<Strip> strips{};
-  std::optional<double> delta1_published{};  ///< these two with f
+  std::optional<double> delta1_published{};  ///< these two with f; of a pulse as delta1_exact
   std::optional<double> delta1_exact{};      ///< empty also where the motion does not return
   std::optional<bool> admissible{};          ///< this and what follows with f and delta
   std::optional<double> tolerance{};         ///< the largest that the damper has
@@ -205,7 +211,7 @@ struct RegionAnswer : RegionVerdict {
 [[nodiscard]] std::string summary(const RegionVerdict& verdict);
 
 /// Throws InputError as admissible_region does, for f or delta not in [0, 1e300], and for delta
-/// without f.
+/// without f; with a pulse as a design under it does (design.hpp).
 [[nodiscard]] RegionAnswer answer(const RegionRequest& request);
 
 }  // namespace stillpoint::design

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The region of a pulse, what would help where it is empty, and how a damper stands in it.
+
+#include "pulse/verdict.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <algorithm>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// As that of region.hpp. The largest tolerance looked for says nothing of a larger one.
+std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseProblem& problem,
+                                         Limits limits) {
+  const double asked = std::min(limits.tolerance, widest_tolerance);
+  limits.tolerance = 0;
+  const auto best = search(PulseRegion(region.profile(), problem, limits), {});
+  if (!best || !(best->found.point.tolerance > 0 && best->found.point.tolerance < asked)) {
+    return std::nullopt;
+  }
+  const auto& [f, delta, tolerance] = best->found.point;
+  return DesignPoint{f * region.f_unit(), delta * region.delta_unit(), tolerance};
+}
+
+void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion& region, double f,
+           double delta) {
+  const auto& [problem, limits, options] = request;
+  const double unit_f = f / region.f_unit();
+  answer.constraints = constraints_of(request, {f, delta, 0}, motion_at(region, unit_f), region);
+  answer.admissible = std::ranges::all_of(answer.constraints, &Constraint::satisfied);
+  if (!*answer.admissible) {
+    return;
+  }
+  // A point on an edge keeps every requirement and has no tolerance.
+  const double widest = region.tolerance_of(unit_f, delta / region.delta_unit()).value_or(0);
+  answer.tolerance = even_tolerance(request, region, {f, delta, widest}, unit_f);
+  // By so much of f an edge of the region lies inside of that of the requirement, on either side.
+  constexpr double edge = 1e-12;
+  answer.admissible = limits.tolerance <= widest + edge;
+  const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
+  const Oscillator oscillator{shown.p, f, delta};
+  answer.practice = practice(oscillator, forced_response(oscillator, {}, excitation(shown.pulse)),
+                             limits.acceleration_max);
+}
+
+}  // namespace
+
+double even_tolerance(const PulseRequest& request, const PulseRegion& region,
+                      const DesignPoint& point, double unit_f) {
+  if (request.limits.shape == BoxShape{}) {
+    return point.tolerance;
+  }
+  Limits even = request.limits;
+  even.shape = {};
+  return PulseRegion(region.profile(), request.problem, even)
+      .tolerance_of(unit_f, point.delta / region.delta_unit())
+      .value_or(0);
+}
+
+DesignResult around(const std::optional<PulseOptimum>& optimum, const PulseRequest& request,
+                    const PulseRegion& region) {
+  const auto& [problem, limits, options] = request;
+  DesignResult result =
+      without_finding(request, region, optimum ? std::optional(optimum->island) : std::nullopt);
+  if (!optimum) {
+    result.mends = mends(problem, limits);
+    result.most_tolerant = most_tolerant(region, problem, limits);
+  }
+  return result;
+}
+
+RegionAnswer answer_under_pulse(const RegionRequest& asked) {
+  const PulseRequest request = pulse_request(asked);
+  const auto& [problem, limits, options] = request;
+  require_valid(problem, limits);
+  const PulseRegion region(problem, limits);
+  // Of several intervals the region is the one with the most tolerant damper.
+  RegionAnswer answer{around(search(region, options), request, region)};
+  if (!asked.f) {
+    return answer;
+  }
+  const double f = *asked.f;
+  require_valid(Oscillator{problem.p, f, asked.delta.value_or(0)});
+  const auto least = [&](Criterion criterion) {
+    PulseProblem task = request.problem;
+    task.criterion = criterion;
+    return least_delta(task, f);
+  };
+  answer.delta1_published = least(Criterion::published);
+  answer.delta1_exact = least(Criterion::exact);
+  if (asked.delta) {
+    judge(answer, request, region, f, *asked.delta);
+  }
+  return answer;
+}
+
+}  // namespace stillpoint::design

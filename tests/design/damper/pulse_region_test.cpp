@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "random_pulse.hpp"
+#include "testing/printing.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/design/box_shape.hpp>
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/region.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+BOOST_AUTO_TEST_SUITE(pulse_region_test)
+
+// The region of a pulse without a design, and dampers held against it: the region is that of the
+// design, and the dampers stand as their own motions say.
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+using Names = std::set<std::string_view>;
+
+/// Known by hand: f from 0.1 to 0.25 with beta = 0.8, peak A = 1 - 2 f, w^2 = A (A - 2 f).
+RegionRequest half_period(double beta = 0.8) {
+  RegionRequest request;
+  request.problem = {0, 1, beta, Criterion::exact};
+  request.pulse = Rectangle{0.5, 1};
+  return request;
+}
+
+RegionAnswer at(RegionRequest request, double f, double delta) {
+  request.f = f;
+  request.delta = delta;
+  return answer(request);
+}
+
+Names violated(const RegionAnswer& answer) {
+  Names names;
+  for (const Constraint& now : answer.constraints) {
+    if (!now.satisfied) {
+      names.insert(now.name);
+    }
+  }
+  return names;
+}
+
+RegionRequest region_of(const PulseRequest& request) {
+  const auto& [problem, limits, search] = request;
+  RegionRequest region{{0, problem.p, problem.beta, problem.criterion},
+                       limits,
+                       {},
+                       {},
+                       problem.pulse,
+                       problem.ranges};
+  region.problem.p_high = problem.p_high;
+  return region;
+}
+
+void check_same(const RegionVerdict& region, const RegionVerdict& of_design) {
+  const auto edges = [](const RegionVerdict& of) {
+    const Region& now = of.region;
+    return std::array{now.f1,
+                      now.f2,
+                      now.f3,
+                      now.delta2,
+                      now.f_lower.value_or(-1),
+                      now.beta_min,
+                      now.f_upper.value_or(-1)};
+  };
+  BOOST_TEST(region.region.feasible == of_design.region.feasible);
+  BOOST_TEST(edges(region) == edges(of_design), boost::test_tools::per_element());
+  BOOST_TEST((region.region.conflict == of_design.region.conflict));
+  BOOST_TEST(region.reason == of_design.reason);
+  const auto same_mend = [](const Mend& a, const Mend& b) {
+    return a.field == b.field && a.value == b.value && a.upwards == b.upwards;
+  };
+  BOOST_TEST(std::ranges::equal(region.mends, of_design.mends, same_mend));
+  const auto same_interval = [](const FrictionInterval& a, const FrictionInterval& b) {
+    return a.low == b.low && a.high == b.high;
+  };
+  BOOST_TEST(
+      std::ranges::equal(region.intervals.value(), of_design.intervals.value(), same_interval));
+  BOOST_TEST(region.most_tolerant.has_value() == of_design.most_tolerant.has_value());
+  if (region.most_tolerant && of_design.most_tolerant) {
+    BOOST_TEST(region.most_tolerant->f == of_design.most_tolerant->f);
+    BOOST_TEST(region.most_tolerant->tolerance == of_design.most_tolerant->tolerance);
+  }
+}
+
+/// How far the damper is from an edge of the truth, as a part of what is compared.
+bool near_an_edge(const PulseRequest& request, double f, double delta) {
+  constexpr double near = 1e-9;
+  for (const double f_side : {1 - near, 1 + near}) {
+    for (const double delta_side : {1 - near, 1 + near}) {
+      if (admissible(request, f * f_side, delta * delta_side) != admissible(request, f, delta)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_is_known) {
+  const auto close = boost::test_tools::tolerance(1e-9);
+  const RegionAnswer bounds = answer(half_period());
+  BOOST_TEST(bounds.region.feasible);
+  BOOST_TEST(bounds.region.f2 == 0.1, close);
+  BOOST_TEST(bounds.region.f3 == 0.25, close);
+  BOOST_TEST(bounds.region.beta_min == 0.5, close);
+  BOOST_TEST_REQUIRE(bounds.intervals.value().size() == 1U);
+  BOOST_TEST(bounds.intervals->front().low == 0.1, close);
+  BOOST_TEST(bounds.intervals->front().high == 0.25, close);
+  BOOST_TEST(!bounds.admissible.has_value());
+  BOOST_TEST(bounds.strips.empty());
+
+  const RegionAnswer inside = at(half_period(), 0.175, 0.49);
+  BOOST_TEST(inside.delta1_exact.value() == 0.65 * 0.3 / 2, close);
+  BOOST_TEST(inside.delta1_published.value() == (0.65 * 0.3 + 0.175 * 0.175) / 2, close);
+  BOOST_TEST(inside.admissible.value());
+  BOOST_TEST(inside.tolerance.value() == 3.0 / 7, close);
+  BOOST_TEST(inside.practice.has_value());
+  BOOST_TEST(!inside.works_for.has_value());
+  BOOST_TEST(!inside.arrival.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(edges_divide_what_is_admissible_from_what_is_not) {
+  const RegionRequest task = half_period();
+  constexpr double aside = 1e-9;
+  const double need = 0.65 * 0.3 / 2;
+  BOOST_TEST((violated(at(task, 0.1 * (1 - aside), 1)) == Names{"amplitude"}));
+  BOOST_TEST(at(task, 0.1 * (1 + aside), 1).admissible.value());
+  BOOST_TEST(at(task, 0.25 * (1 - aside), 1).admissible.value());
+  BOOST_TEST((violated(at(task, 0.25 * (1 + aside), 1)) == Names{"return"}));
+  BOOST_TEST((violated(at(task, 0.175, need * (1 - aside))) == Names{"stop"}));
+  BOOST_TEST(at(task, 0.175, need * (1 + aside)).admissible.value());
+  BOOST_TEST((violated(at(task, 0, 1)) == Names{"amplitude"}));
+}
+
+BOOST_AUTO_TEST_CASE(what_never_starts_violates_that_alone) {
+  for (const double f : {0.5, 0.6, 5.0}) {
+    RegionRequest task = half_period();
+    task.limits.acceleration_max = 1e-3;
+    const RegionAnswer still = at(task, f, 1);
+    BOOST_TEST(!still.admissible.value());
+    BOOST_TEST((violated(still) == Names{"start"}));
+    BOOST_TEST(!still.delta1_exact.has_value());
+    BOOST_TEST(!still.tolerance.has_value());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_has_a_row_and_is_held) {
+  RegionRequest task = half_period();
+  task.limits.f_max = 0.2;
+  task.limits.delta_max = 0.4;
+  task.limits.acceleration_max = 0.805;  // f + A = 1 - f
+  BOOST_TEST((violated(at(task, 0.21, 0.3)) == Names{"f_max"}));
+  BOOST_TEST((violated(at(task, 0.2, 0.41)) == Names{"delta_max"}));
+  BOOST_TEST((violated(at(task, 0.19, 0.3)) == Names{"acceleration"}));
+}
+
+// The largest box about the middle of f from 0.1 to 0.25 is 3/7.
+BOOST_AUTO_TEST_CASE(the_tolerance_asked_for_decides) {
+  RegionRequest task = half_period();
+  task.limits.tolerance = 3.0 / 7 - 1e-9;
+  BOOST_TEST(at(task, 0.175, 0.49).admissible.value());
+  task.limits.tolerance = 3.0 / 7 + 1e-9;
+  const RegionAnswer lacking = at(task, 0.175, 0.49);
+  BOOST_TEST(!lacking.admissible.value());
+  BOOST_TEST(violated(lacking).empty());
+  BOOST_TEST(lacking.tolerance.value() == 3.0 / 7, boost::test_tools::tolerance(1e-8));
+  // f may be off upwards alone: from 0.175 to 0.25, by 3/7 of it.
+  task.limits.tolerance = 0;
+  shape_box(task.limits, spread_of_factors("tolerance-f", 1, 1.42), std::nullopt);
+  BOOST_TEST(at(task, 0.175, 0.49).admissible.value());
+  shape_box(task.limits, spread_of_factors("tolerance-f", 1, 1.44), std::nullopt);
+  BOOST_TEST(!at(task, 0.175, 0.49).admissible.value());
+}
+
+BOOST_AUTO_TEST_CASE(is_that_of_the_design_which_is_admissible_in_it) {
+  RandomSource random(20261123);
+  int feasible = 0;
+  int empty = 0;
+  for (int i = 0; i < 120; ++i) {
+    PulseRequest request = random_request(random);
+    BOOST_TEST_CONTEXT("request " << i << ", " << name(request.problem.pulse)) {
+      const DesignResult designed = stillpoint::design::design(request);
+      RegionRequest region = region_of(request);
+      if (designed.finding) {
+        ++feasible;
+        region.f = designed.finding->point.f;
+        region.delta = designed.finding->point.delta;
+        const RegionAnswer found = answer(region);
+        BOOST_TEST(found.admissible.value());
+        BOOST_TEST(found.tolerance.value() >= request.limits.tolerance - 1e-12);
+        const auto of_design = least_delta(request.problem, *region.f);
+        BOOST_TEST((request.problem.criterion == Criterion::exact
+                        ? found.delta1_exact
+                        : found.delta1_published) == of_design);
+        BOOST_TEST(found.constraints.size() == designed.finding->constraints.size());
+      } else {
+        ++empty;
+      }
+      request.search.objective = Objective::robust;
+      check_same(answer(region), stillpoint::design::design(request));
+    }
+  }
+  BOOST_TEST(feasible > 40);
+  BOOST_TEST(empty > 20);
+}
+
+BOOST_AUTO_TEST_CASE(random_dampers_stand_as_their_own_motion_says) {
+  RandomSource random(20261124);
+  int inside = 0;
+  int outside = 0;
+  for (int i = 0; i < 150; ++i) {
+    PulseRequest request = random_request(random);
+    request.problem.criterion = Criterion::exact;
+    request.limits.tolerance = 0;
+    const RegionRequest task = region_of(request);
+    const RegionAnswer bounds = answer(task);
+    const double far = bounds.region.f3 * 1.3;
+    for (int j = 0; j < 8; ++j) {
+      const double f = random.uniform(0, far);
+      const double need = least_delta(request.problem, f).value_or(bounds.region.f3);
+      const double delta = need * random.uniform(0.5, 3);
+      if (near_an_edge(request, f, delta)) {
+        continue;
+      }
+      const bool truly = admissible(request, f, delta);
+      const RegionAnswer answered = at(task, f, delta);
+      BOOST_TEST(answered.admissible.value() == truly, name(request.problem.pulse)
+                                                           << ", request " << i << ", f = " << f
+                                                           << ", delta = " << delta);
+      BOOST_TEST(violated(answered).empty() == truly);
+      (truly ? inside : outside) += 1;
+    }
+  }
+  BOOST_TEST(inside > 100);
+  BOOST_TEST(outside > 100);
+}
+
+// Every pulse with every spring of the ranges: what one of them violates is not admissible.
+BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_counts) {
+  RegionRequest task = half_period(0.9);
+  task.pulse = Rectangle{0.55, 1};
+  task.pulse_ranges.k_low = 0.45;
+  // The weakest returns for f <= 0.225, and the peak of the strongest is 2 (0.55 - f).
+  const RegionAnswer bounds = answer(task);
+  const auto close = boost::test_tools::tolerance(1e-8);
+  BOOST_TEST(bounds.intervals.value().front().low == 0.1, close);
+  BOOST_TEST(bounds.intervals->front().high == 0.225, close);
+  BOOST_TEST((violated(at(task, 0.0999, 2)) == Names{"amplitude"}));
+  BOOST_TEST((violated(at(task, 0.2251, 2)) == Names{"return"}));
+  BOOST_TEST(violated(at(task, 0.5, 2)).contains("start"));
+  BOOST_TEST(at(task, 0.1625, 0.63).tolerance.value() == 0.0625 / 0.1625, close);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_names_its_field) {
+  const auto field_of = [](const RegionRequest& wrong) {
+    try {
+      static_cast<void>(answer(wrong));
+    } catch (const InputError& error) {
+      return std::string(error.field());
+    }
+    return std::string();
+  };
+  RegionRequest wrong = half_period();
+  BOOST_TEST(field_of(wrong).empty());
+  wrong.problem.arrivals = 2;
+  BOOST_TEST(field_of(wrong) == "arrivals");
+  wrong = half_period();
+  wrong.problem.residual = 0.1;
+  BOOST_TEST(field_of(wrong) == "pulse");
+  wrong = half_period();
+  wrong.delta = 1;
+  BOOST_TEST(field_of(wrong) == "f");
+  wrong.f = -1;
+  BOOST_TEST(field_of(wrong) == "f");
+  wrong = half_period(-1);
+  BOOST_TEST(field_of(wrong) == "beta");
+  wrong = half_period();
+  wrong.pulse = Rectangle{0, 1};
+  BOOST_TEST(field_of(wrong) == "k");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
