@@ -26,6 +26,7 @@ INPUTS = [
     ("design", {"v0": 1, "p": 1, "beta": 0.9, "catalogue": "parts.csv"}),
     ("design", {"record": [str(RECORD)], "period": 2.8, "max_displacement": "400mm",
                 "search_f": "0:0.2", "search_delta_m": "0:50mm"}),
+    ("region", {"pulse": "half-sine", "k": 0.5, "lambda_": 20, "p": 1, "beta": 0.05, "f": 0.01}),
     ("region", {"v0": 1.0, "p": 1.0, "beta": 0.9}),  # without settings
     ("region", {"v0": 1.0, "p": 1.0, "beta": 0.5}),  # the same, empty
     ("region", {"v0": 1, "p": 1, "beta": 0.8, "f": 0.3, "delta": 0.4}),
@@ -137,6 +138,6 @@ def test_help_names_every_option(command):
     function = getattr(stillpoint, command)
     keywords = [name for name, _, _ in stillpoint.options(command)]
     assert [*inspect.signature(function).parameters] == ["scene", *keywords]
-    assert ("lambda_" in keywords) == (command not in ("region", "spectrum"))
+    assert ("lambda_" in keywords) == (command != "spectrum")
     for keyword in keywords:
         assert f"\n{keyword} " in inspect.getdoc(function)
