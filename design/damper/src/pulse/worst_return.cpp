@@ -218,8 +218,10 @@ double WorstReturn::need_between(double low, double high, Criterion criterion) c
 bool WorstReturn::need_falls(double low, double high, Criterion criterion) const {
   const auto from = std::ranges::lower_bound(samples_, low, {}, &FirstReturn::f);
   const auto to = std::ranges::upper_bound(samples_, high, {}, &FirstReturn::f);
-  const auto need = [criterion](const FirstReturn& now) { return now.need(criterion); };
-  return is_single() && std::ranges::is_sorted(from, to, std::ranges::greater(), need);
+  const auto needs_more = [criterion](const FirstReturn& one, const FirstReturn& other) {
+    return one.need(criterion) > other.need(criterion);
+  };
+  return is_single() && std::is_sorted(from, to, needs_more);
 }
 
 /// No need at f is larger: of one pulse and spring the samples have the local maxima.
