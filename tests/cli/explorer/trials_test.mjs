@@ -134,7 +134,9 @@ test("dragged out of the frame, the damper stays on its edge", () =>
       assert.ok(at.x > plot.x - 2 && at.x < plot.x + plot.width + 2, JSON.stringify(at));
       assert.ok(at.y > plot.y - 2 && at.y < plot.y + plot.height + 2, JSON.stringify(at));
       const { f, delta } = await numbers(page);
-      assert.ok(f >= 0 && delta >= 0);
+      const most = Number((await page.getAttribute("#region svg", "data-x"))?.split(" ")[1]);
+      assert.ok(f >= 0 && f <= most && delta >= 0, `${f} ${delta} ${most}`);
+      assert.equal(await notice(page), "");
       // Let go outside, it is let go.
       await page.mouse.move(plot.x + 50, plot.y + 50);
       await settle(page);
