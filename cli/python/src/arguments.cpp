@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
+#include "input/record.hpp"
 #include "options/scene.hpp"
 #include "values.hpp"
 
@@ -10,6 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace stillpoint::python {
 
@@ -137,8 +141,10 @@ py::list options(const std::string& command) {
 }
 
 void warn_of_doubts(const Settings& settings, Command command) {
-  for (const std::string& doubt : cli::doubts(settings, command)) {
-    if (PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0) {
+  std::vector<std::string> warnings = cli::doubts(settings, command);
+  std::ranges::move(cli::left_out_files(settings), std::back_inserter(warnings));
+  for (const std::string& warning : warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
       throw py::error_already_set();
     }
   }

@@ -17,7 +17,8 @@ namespace stillpoint::python {
 /// Of each option of a command its keyword, its type in a stub and its help.
 [[nodiscard]] pybind11::list options(const std::string& command);
 
-/// A UserWarning for each value that is absurd beside the others.
+/// A UserWarning for each value that is absurd beside the others, and for each file of a folder
+/// that is no record.
 void warn_of_doubts(const cli::Settings& settings, cli::Command command);
 
 /// What the program would make of a scene (a path, a dict or None) and flags of these names. None
