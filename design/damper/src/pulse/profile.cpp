@@ -2,6 +2,7 @@
 #include "pulse/profile.hpp"
 
 #include "pulse/closed_return.hpp"
+#include "pulse/edge.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/forced_motion.hpp>

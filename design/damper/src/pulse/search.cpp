@@ -5,6 +5,7 @@
 
 #include "pulse/search.hpp"
 
+#include "pulse/edge.hpp"
 #include "search/nlopt_fence.hpp"
 #include "search/objectives.hpp"
 #include "search/run.hpp"

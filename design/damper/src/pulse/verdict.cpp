@@ -20,7 +20,7 @@ FirstReturn last_return(const PulseRegion& region) {
 }
 
 /// A task with some of its requirements alone.
-bool feasible(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
+bool leaves_any(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
   if (!beta) {
     problem.beta = HUGE_VAL;
   }
@@ -61,7 +61,7 @@ Conflict conflict_of(const PulseRegion& region, const PulseProblem& problem, con
   const auto fits = [&](Limits some, bool beta = true) {
     some.tolerance = limits.tolerance;
     some.shape = limits.shape;
-    return feasible(region, problem, some, beta);
+    return leaves_any(region, problem, some, beta);
   };
   const auto& acceleration_max = limits.acceleration_max;
   if (!fits({})) {
