@@ -12,6 +12,11 @@
 
 namespace stillpoint::design {
 
+/// No f closer to k is looked at. A full sine returns up to k, where nothing moves; there its two
+/// slips are (1 - f)^2/lambda^2 long and cancel but for (p/lambda)^2 of them, so that closer to k
+/// rounding would decide how fast the mass comes back.
+inline constexpr double nearest_to_k = 1 - 1e-4;
+
 /// One run of the pulse with that f, in units of k and p; the pulse in its own.
 [[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
 
