@@ -3,8 +3,7 @@
 
 #include "pulse/profile.hpp"
 
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/design_result.hpp>
 
 namespace stillpoint::design {
 

@@ -8,7 +8,7 @@
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/search.hpp>
 
 #include <cmath>

@@ -3,8 +3,6 @@
 
 #include "unit_problem.hpp"
 
-#include <stillpoint/design/search.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
