@@ -119,7 +119,7 @@ std::string documentation(Command command, std::string_view about) {
 
 py::list options(const std::string& command) {
   py::list all;
-  const std::optional<Command> known = cli::parse_command(command);
+  const std::optional<Command> known = parse<Command>(command);
   for (const Option& option : cli::options()) {
     if (known && takes(*known, option)) {
       all.append(py::make_tuple(keyword_of(option), type_of(option, *known), help_of(option)));

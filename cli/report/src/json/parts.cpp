@@ -113,7 +113,7 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
       {"f4", number(region.f4)},
       {"f_lower", number(region.f_lower)},
       {"f_upper", number(region.f_upper)},
-      {"delta2", number(std::isinf(region.delta2) ? std::nullopt : std::optional(region.delta2))},
+      {"delta2", number(region.delta2)},
       {"beta_min", number(region.beta_min)},
       {"by", verdict.intervals ? ordered_json("forced_motion") : ordered_json(nullptr)},
       {"intervals", intervals_json(verdict.intervals)},

@@ -42,7 +42,6 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
   }
   edges.f1 = problem.beta * problem.p * problem.p;
   edges.f3 = last.f * region.f_unit();
-  edges.delta2 = HUGE_VAL;
   edges.beta_min = least_peak * region.length_unit();
   if (within) {
     edges.feasible = true;

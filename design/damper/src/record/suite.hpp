@@ -69,7 +69,7 @@ class Suite {
 
   std::vector<Excitation> loads_;
   Combine combine_;
-  double hold_;
+  std::optional<double> hold_;
   Surface surface_;
 };
 

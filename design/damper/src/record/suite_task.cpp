@@ -7,36 +7,18 @@
 
 namespace stillpoint::design {
 
-namespace {
-
-constexpr Names objectives(
-    std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
-                                          {SuiteObjective::amplitude, "amplitude"},
-                                          {SuiteObjective::residual, "residual"}}));
-
-constexpr Names combines(std::to_array<Named<Combine>>({{Combine::max, "max"},
-                                                        {Combine::mean, "mean"}}));
-
-}  // namespace
-
-std::string_view name(SuiteObjective objective) noexcept {
-  return objectives.name(objective);
-}
-std::optional<SuiteObjective> parse_suite_objective(std::string_view name) noexcept {
-  return objectives.parse(name);
-}
-std::span<const std::string_view> suite_objective_names() {
-  return objectives.all();
+std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
+                                            {SuiteObjective::amplitude, "amplitude"},
+                                            {SuiteObjective::residual, "residual"}});
+  return rows;
 }
 
-std::string_view name(Combine combine) noexcept {
-  return combines.name(combine);
-}
-std::optional<Combine> parse_combine(std::string_view name) noexcept {
-  return combines.parse(name);
-}
-std::span<const std::string_view> combine_names() {
-  return combines.all();
+std::span<const Named<Combine>> enumerators(Combine) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<Combine>>({{Combine::max, "max"}, {Combine::mean, "mean"}});
+  return rows;
 }
 
 Record scaled(const SuiteRecord& record) {

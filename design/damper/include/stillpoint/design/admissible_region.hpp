@@ -32,7 +32,7 @@ struct Region {
   /// f <= f4 keeps S = sqrt(f^2 + p^2 V0^2) within acceleration_max; negative where p V0 alone is
   /// above that. Empty without the limit.
   std::optional<double> f4;
-  double delta2{0};
+  std::optional<double> delta2;  ///< empty under a pulse, which starts the mass whatever Delta is
   double beta_min{0};  ///< V0/(sqrt(2) p), condition (10); the least double that is feasible
   /// The interval of feasible f within every limit, for the middle of the tolerance box. Empty if
   /// not feasible. The lower end itself is excluded where it comes from Delta (Delta1 < Delta is

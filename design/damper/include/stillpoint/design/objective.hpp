@@ -2,10 +2,10 @@
 #pragma once
 
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/names.hpp>
 
 #include <optional>
 #include <span>
-#include <string_view>
 
 namespace stillpoint::design {
 
@@ -18,12 +18,9 @@ enum class Objective {
   acceleration,  ///< least acceleration of the free motion, transmitted and relative: smallest f
 };
 
-/// "robust", "amplitude", "time" or "acceleration".
-[[nodiscard]] std::string_view name(Objective objective) noexcept;
-/// The objective of that name; empty where there is none.
-[[nodiscard]] std::optional<Objective> parse_objective(std::string_view name) noexcept;
-/// All of them, `robust` first.
-[[nodiscard]] std::span<const std::string_view> objective_names();
+/// "robust", "amplitude", "time", "acceleration", in this order.
+[[nodiscard]] std::span<const Named<Objective>> enumerators(Objective) noexcept;
+using stillpoint::name;
 
 /// The objective's value of a motion; empty for `robust`, which is none of a motion, and for the
 /// stop time of one that never stops.

@@ -5,9 +5,9 @@
 
 #include <stillpoint/design/objective.hpp>
 
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::design {
 
@@ -31,7 +31,7 @@ struct SearchRecord {
 };
 
 /// The NLopt algorithms to choose from.
-[[nodiscard]] std::span<const std::string_view> algorithm_names();
+[[nodiscard]] std::vector<std::string_view> algorithm_names();
 
 /// The version of NLopt that runs, for example "2.7.1".
 [[nodiscard]] std::string nlopt_version();

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace stillpoint::design {
@@ -18,16 +17,13 @@ namespace stillpoint::design {
 enum class SuiteObjective { acceleration, amplitude, residual };
 
 /// "acceleration", "amplitude" or "residual".
-[[nodiscard]] std::string_view name(SuiteObjective objective) noexcept;
-[[nodiscard]] std::optional<SuiteObjective> parse_suite_objective(std::string_view name) noexcept;
-[[nodiscard]] std::span<const std::string_view> suite_objective_names();
+[[nodiscard]] std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept;
+using stillpoint::name;
 
 /// What becomes of a figure that each record has.
 enum class Combine { max, mean };
 
-[[nodiscard]] std::string_view name(Combine combine) noexcept;
-[[nodiscard]] std::optional<Combine> parse_combine(std::string_view name) noexcept;
-[[nodiscard]] std::span<const std::string_view> combine_names();
+[[nodiscard]] std::span<const Named<Combine>> enumerators(Combine) noexcept;
 
 using records::SuiteRecord;
 
@@ -61,8 +57,8 @@ struct RecordDesignRequest {
   SuiteObjective objective{SuiteObjective::acceleration};
   std::optional<Combine> combine{};  ///< default: max below seven records, else mean
   SuiteLimits limits{};
-  double hold{std::numeric_limits<double>::infinity()};
-  std::optional<double> notch_width{};  ///< not beside a finite hold
+  std::optional<double> hold{};         ///< as that of Oscillator
+  std::optional<double> notch_width{};  ///< not beside a hold
   double tolerance{0.1};                ///< of f and delta, for the sensitivity; in [0, 1)
   std::int64_t scan_points{10'000};     ///< about so many; in [1, 1e8]
   int threads{0};                       ///< 0: all. No result depends on it
