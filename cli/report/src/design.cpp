@@ -83,7 +83,8 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     section.row("width", length_text(physical, *shape.width));
     section.row("friction inside", format("f + delta/width = {:.6g}", *friction));
   } else {
-    section.row("holds", format("f + hold = {:.4g} g at x = 0", finding.point.f + shape.hold.value()));
+    section.row("holds",
+                format("f + hold = {:.4g} g at x = 0", finding.point.f + shape.hold.value()));
     if (changes_nothing) {
       section.line("No load exceeds that while the mass is at rest there: nothing changes.");
       return;

@@ -172,7 +172,8 @@ Section& add_region(Document& document, const design::Region& region, const Phys
                                        *region.f4 < 0 ? "  (no f is small enough)" : ""));
   }
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
-  section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2.value())));
+  section.row("start",
+              format("delta <= delta2 = {}", length_text(physical, region.delta2.value())));
   section.row("smallest beta", length_text(physical, region.beta_min));
   if (region.feasible) {
     section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));

@@ -214,7 +214,8 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
     seen.add(area.outline);
   }
   Extent all = seen;
-  all.add({{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2.value() * unit}});
+  all.add(
+      {{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2.value() * unit}});
   constexpr double far = 1.6;  // farther out, a damper would flatten the region
   if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
     seen.add(tolerance_box);
