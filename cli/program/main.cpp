@@ -29,7 +29,7 @@ namespace {
 
 /// A scene may serve several commands; what this one does not use is said, not passed over.
 void note_unused(const Settings& scene, const Settings& settings, Command command) {
-  for (const auto& [option, value] : scene.values()) {
+  for (const auto& [option, entry] : scene.entries()) {
     if (!find_option(option)->serves(command) || !settings.has(option)) {
       remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }

@@ -27,17 +27,16 @@ namespace {
 /// The options that make the numbers, as a scene.
 std::string scene_of(const Settings& settings, Command command) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : settings.values()) {
+  for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
     const bool for_the_trajectory = (name == "t-end" || name == "end-time") &&
                                     !settings.has("excitation") && !settings.has("record");
     if (option.is_echoed() && option.serves(command) && !for_the_trajectory) {
-      const auto given = settings.with_unit(name);
       const std::vector<std::string> texts =
           option.repeats_in(command) ? settings.texts(name) : std::vector<std::string>();
-      scene[std::string(name)] = given              ? nlohmann::ordered_json(*given)
+      scene[std::string(name)] = entry.with_unit    ? nlohmann::ordered_json(*entry.with_unit)
                                  : texts.size() > 1 ? nlohmann::ordered_json(texts)
-                                                    : as_json(value);
+                                                    : as_json(entry.value);
     }
   }
   constexpr int indent = 2;
@@ -104,12 +103,12 @@ void link_explorer(const Settings& settings, figures::HtmlPage& page) {
     return;
   }
   std::vector<std::pair<std::string, std::string>> options;
-  for (const auto& [name, value] : settings.values()) {
+  for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
     if (option.traits.role == Role::input && option.serves(Command::design) &&
         option.traits.file == FileUse::none && name != "trade-off") {
-      const nlohmann::ordered_json plain = as_json(value);
-      options.emplace_back(name, settings.with_unit(name).value_or(
+      const nlohmann::ordered_json plain = as_json(entry.value);
+      options.emplace_back(name, entry.with_unit.value_or(
                                      plain.is_string()  ? plain.get<std::string>()
                                      : plain.is_array() ? plain[0].dump() + ":" + plain[1].dump()
                                                         : plain.dump()));

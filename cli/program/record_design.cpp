@@ -41,9 +41,8 @@ auto watched(const report::RecordDesignInput& input, const Work& work) {
 }
 
 ExitCode show(const report::RecordDesignReport& report, const Settings& settings, Output& output) {
-  warn_of_lock(report::lock_sentence(report));
-  finish(report, Command::design, settings, output);
-  return answers::exit_code(report);
+  remark(report::lock_sentence(report));
+  return finish(report, Command::design, settings, output);
 }
 
 ExitCode run_part(const Settings& settings, Output& output) {
@@ -78,20 +77,14 @@ ExitCode run_record_design(const Settings& settings, Output& output) {
 }
 
 ExitCode run_design_merge(const MergeFiles& files, const Settings& shown, Output& output) {
-  sweep::require_apart(files.output, files.parts);
+  sweep::require_apart({"output", files.output}, files.parts);
   const report::RecordScan scan = report::merged_record_scan(files.parts);
   Settings settings = record_design_settings(scan.label.task);
   settings.complete_with(shown);
   settings.set(*find_option("output"), files.output);
   require_files_apart(Command::design, settings, std::nullopt);
   if (const auto page = settings.text("html")) {
-    std::vector<sweep::NamedFile> read;
-    read.reserve(files.parts.size());
-    for (const std::string& part : files.parts) {
-      read.push_back({"part", part});
-    }
-    const std::vector<sweep::NamedFile> written{{"html", *page}};
-    sweep::require_apart(read, written);
+    sweep::require_apart({"html", *page}, files.parts);
   }
   const report::RecordDesignInput input = record_design_input(settings, scan);
   return show(

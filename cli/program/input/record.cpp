@@ -19,8 +19,9 @@ namespace {
 /// wrong.
 std::optional<double> record_time(const Settings& settings, std::string_view name,
                                   const records::RecordClock& clock) {
-  if (const auto given = settings.with_unit(name); given && clock.unit != "s") {
-    throw InputError(std::string(name), *given,
+  const auto given = settings.entries().find(name);
+  if (given != settings.entries().end() && given->second.with_unit && clock.unit != "s") {
+    throw InputError(std::string(name), *given->second.with_unit,
                      "must be a number without a unit: without physical input times are in tau");
   }
   return settings.number(name);
@@ -35,9 +36,7 @@ records::SuiteFiles suite_files(const Settings& settings) {
 records::RecordOptions record_options(const Settings& settings, const records::RecordClock& clock) {
   records::RecordOptions options;
   options.step = record_time(settings, "record-step", clock);
-  if (const auto units = settings.known("record-units")) {
-    options.units = records::parse_record_units(*units);
-  }
+  options.units = settings.named<records::RecordUnits>("record-units");
   options.gravity_m_per_s2 = settings.number("gravity").value_or(design::Scales().gravity_m_per_s2);
   options.clock = clock;
   return options;

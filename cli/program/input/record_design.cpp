@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -54,11 +53,11 @@ MotionInput suite_motion(const Settings& settings,
 
 design::SuiteObjective suite_objective(const Settings& settings) {
   const auto wanted = settings.text("objective");
-  const auto objective = design::parse_suite_objective(wanted.value_or("acceleration"));
+  const auto objective = parse<design::SuiteObjective>(wanted.value_or("acceleration"));
   if (!objective) {
     throw InputError(
         "objective", *wanted,
-        fmt::format("must be {} under records", listed(design::suite_objective_names())));
+        fmt::format("must be {} under records", listed(names<design::SuiteObjective>())));
   }
   return *objective;
 }
@@ -117,13 +116,11 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   }
   request.delta_max = point_friction(settings, "delta-max", "delta-max-m", start.physical);
   request.objective = suite_objective(settings);
-  if (const auto wanted = settings.known("combine")) {
-    request.combine = design::parse_combine(*wanted);
-  }
+  request.combine = settings.named<design::Combine>("combine");
   request.limits = {in_either(settings, "beta", "max-displacement", length, smallest_physical),
                     settings.number("acceleration-max"),
                     in_either(settings, "residual", "residual-m", length, 0)};
-  request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
+  request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
   request.scan_points = settings.count("scan-points", request.scan_points, 1, most_scan_points);

@@ -21,13 +21,6 @@
 
 namespace stillpoint::cli {
 
-struct SimulateInput {
-  SimulationRequest request;
-  std::optional<report::RecordOrigin> record;
-  std::optional<std::string> trajectory;  ///< the file
-  std::optional<design::PhysicalInput> physical;
-};
-
 /// Empty where not given. Throws InputError outside of 1 to 1e15.
 [[nodiscard]] std::optional<double> half_cycle_limit(const Settings& settings);
 
@@ -38,8 +31,8 @@ struct SimulateInput {
 /// records::FileError for a wrong file.
 [[nodiscard]] std::vector<design::Part> catalogue_input(
     const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
-[[nodiscard]] SimulateInput simulate_input(const Settings& settings);
-/// The request; the rest of the result is empty.
+/// What was asked; the answer in these two is empty.
+[[nodiscard]] report::MotionReport simulate_input(const Settings& settings);
 [[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
 
 /// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError where it

@@ -127,7 +127,7 @@ std::string documentation(Command command, std::string_view about) {
 
 py::list options(const std::string& command) {
   py::list all;
-  const std::optional<Command> known = cli::parse_command(command);
+  const std::optional<Command> known = parse<Command>(command);
   if (!known) {
     throw InputError("command", command, "must be design, region, simulate, spectrum or sweep");
   }

@@ -31,10 +31,10 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   records::RecordOptions options;
   options.step = step;
   if (units) {
-    options.units = records::parse_record_units(*units);
+    options.units = parse<records::RecordUnits>(*units);
     if (!options.units) {
       throw InputError("record-units", *units,
-                       "must be " + records::listed(records::record_unit_names()));
+                       "must be " + records::listed(names<records::RecordUnits>()));
     }
   }
   options.scale = scale;

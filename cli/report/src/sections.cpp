@@ -51,8 +51,8 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical) {
   const auto& [p, f, delta, hold] = request.oscillator;
   const Surface& surface = request.surface;
-  if (!std::isinf(hold)) {
-    section.row("notch", format("holds a load of up to f + {:.6g} g", hold));
+  if (hold) {
+    section.row("notch", format("holds a load of up to f + {:.6g} g", *hold));
   }
   if (surface.notch_width) {
     const double half = *surface.notch_width / 2;
@@ -172,7 +172,8 @@ Section& add_region(Document& document, const design::Region& region, const Phys
                                        *region.f4 < 0 ? "  (no f is small enough)" : ""));
   }
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
-  section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));
+  section.row("start",
+              format("delta <= delta2 = {}", length_text(physical, region.delta2.value())));
   section.row("smallest beta", length_text(physical, region.beta_min));
   if (region.feasible) {
     section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));

@@ -102,8 +102,8 @@ void add_damper(Document& document, const SpectrumReport& report) {
   Section& section = document.detail("Damper");
   section.row("f", digits(task.f));
   section.row("delta", length_shown(report.physical, task.delta));
-  if (std::isfinite(task.hold)) {
-    section.row("notch", format("holds {} besides f", acceleration_shown(task.hold)));
+  if (task.hold) {
+    section.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
   }
   if (task.notch_width) {
     section.row("notch", format("{} wide", length_shown(report.physical, *task.notch_width)));

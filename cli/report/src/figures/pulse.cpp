@@ -62,73 +62,93 @@ std::vector<FigurePoint> rectangle(double left, double right, double low, double
   return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 
-}  // namespace
-
-Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& units) {
-  const auto& [problem, limits, region, intervals, damper, mend] = drawn;
-  const double unit = units.length;
-  Figure figure;
-  figure.id = "region";
-  figure.title = region.feasible ? "Admissible region" : mend;
-  const auto box = damper ? tolerance_box(*damper, limits.shape, unit) : std::vector<FigurePoint>{};
-  double right = std::max(region.f3, intervals.empty() ? 0 : intervals.back().high);
-  for (const FigurePoint& corner : box) {
-    right = std::max(right, corner.x);
-  }
-  right *= headroom;
-  const LeastDelta least_delta = design::least_delta(problem);
-  FigureCurve curve = needs(least_delta, right, units);
-  double top = 0;
-  for (const auto& stroke : curve.strokes) {
-    for (const FigurePoint& at : stroke) {
-      top = std::max(top, at.y);
-    }
-  }
-  for (const FigurePoint& corner : box) {
-    top = std::max(top, corner.y);
-  }
-  top *= headroom;
-  figure.x = {"constant friction f", 0, right};
-  figure.y = {units.delta_label, 0, top};
-  figure.description = format(
-      "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
-      "above the curve stops it there. ",
-      region.f3);
-  figure.caption = intervals.empty() ? "No f returns and meets the limits."
-                   : limits.delta_max
-                       ? "A damper in the clear area is admissible."
-                       : "A damper in the clear area is admissible: nothing bounds Δ from "
-                         "above, because the mass starts from rest.";
-  const double cap = std::min(top, limits.delta_max.value_or(HUGE_VAL) * unit);
+/// The admissible islands, and beside each why its neighbours are not.
+void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastDelta& least_delta,
+                     const FigureUnits& units) {
+  const double right = figure.x.most;
+  const double top = figure.y.most;
+  const double cap = std::min(top, drawn.limits.delta_max.value_or(HUGE_VAL) * units.length);
   double from = 0;
-  for (const auto& interval : intervals) {
+  for (const auto& interval : drawn.intervals) {
     figure.areas.push_back(
-        {"admissible", beside_the_curve(least_delta, interval, cap, cap, unit), Ink::sky});
-    figure.areas.push_back({"notch too weak", beside_the_curve(least_delta, interval, cap, 0, unit),
+        {"admissible", beside_the_curve(least_delta, interval, cap, cap, units.length), Ink::sky});
+    figure.areas.push_back({"notch too weak",
+                            beside_the_curve(least_delta, interval, cap, 0, units.length),
                             Ink::grey, AreaLook::hatched});
     if (interval.low > from) {
-      figure.areas.push_back({from == 0 ? "too weak: exceeds " + units.length_words(problem.beta)
-                                        : "does not meet the limits",
+      figure.areas.push_back({from == 0
+                                  ? "too weak: exceeds " + units.length_words(drawn.problem.beta)
+                                  : "does not meet the limits",
                               rectangle(from, interval.low, 0, top), Ink::grey, AreaLook::hatched});
     }
     from = interval.high;
   }
-  figure.areas.push_back({intervals.empty() ? "not admissible" : "too strong",
+  figure.areas.push_back({drawn.intervals.empty() ? "not admissible" : "too strong",
                           rectangle(from, right, 0, top), Ink::grey, AreaLook::hatched});
   if (cap < top && from > 0) {
     figure.areas.push_back(
         {"above the largest Δ", rectangle(0, from, cap, top), Ink::amber, AreaLook::hatched});
   }
+}
+
+void add_pulse_damper(Figure& figure, const DrawnDamper& damper,
+                      const std::vector<FigurePoint>& box, const std::string& words,
+                      const FigureUnits& units) {
+  if (damper.tolerance > 0) {
+    figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
+  }
+  figure.marks.push_back(
+      {damper.name, {{damper.f, damper.delta * units.length}}, Shape::diamond, Ink::blue});
+  figure.description += format("{} at f = {:.4g}, Δ = {}, {}.", damper.name, damper.f,
+                               units.length_words(damper.delta), words);
+}
+
+double largest(const std::vector<FigurePoint>& points, double FigurePoint::*coordinate) {
+  double most = 0;
+  for (const FigurePoint& each : points) {
+    most = std::max(most, each.*coordinate);
+  }
+  return most;
+}
+
+double topmost(const FigureCurve& curve) {
+  double top = 0;
+  for (const auto& stroke : curve.strokes) {
+    top = std::max(top, largest(stroke, &FigurePoint::y));
+  }
+  return top;
+}
+
+}  // namespace
+
+Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& units) {
+  Figure figure;
+  figure.id = "region";
+  figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
+  const LeastDelta least_delta = design::least_delta(drawn.problem);
+  const std::optional<DrawnDamper>& damper = drawn.damper;
+  const auto box = damper ? tolerance_box(*damper, drawn.limits.shape, units.length)
+                          : std::vector<FigurePoint>{};
+  const double last = drawn.intervals.empty() ? 0 : drawn.intervals.back().high;
+  const double right = headroom * std::max({drawn.region.f3, last, largest(box, &FigurePoint::x)});
+  FigureCurve curve = needs(least_delta, right, units);
+  figure.x = {"constant friction f", 0, right};
+  figure.y = {units.delta_label, 0,
+              headroom * std::max(topmost(curve), largest(box, &FigurePoint::y))};
+  figure.description = format(
+      "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
+      "above the curve stops it there. ",
+      drawn.region.f3);
+  figure.caption = drawn.intervals.empty() ? "No f returns and meets the limits."
+                   : drawn.limits.delta_max
+                       ? "A damper in the clear area is admissible."
+                       : "A damper in the clear area is admissible: nothing bounds Δ from "
+                         "above, because the mass starts from rest.";
+  add_pulse_areas(figure, drawn, least_delta, units);
   figure.curves.push_back(std::move(curve));
   if (damper) {
-    const std::string words = tolerance_words(limits.shape, damper->tolerance);
-    if (damper->tolerance > 0) {
-      figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
-    }
-    figure.marks.push_back(
-        {damper->name, {{damper->f, damper->delta * unit}}, Shape::diamond, Ink::blue});
-    figure.description += format("{} at f = {:.4g}, Δ = {}, {}.", damper->name, damper->f,
-                                 units.length_words(damper->delta), words);
+    add_pulse_damper(figure, *damper, box, tolerance_words(drawn.limits.shape, damper->tolerance),
+                     units);
   }
   return figure;
 }

@@ -203,7 +203,7 @@ void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
   const Region region = design::admissible_region(problem);
   add_delta1(
       figure, [&](double /*f*/) { return problem; }, region.f3, units.length);
-  const double top = region.delta2 * units.length;
+  const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
     add_edge(figure, "returns up to f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
   }
@@ -227,7 +227,8 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
     seen.add(area.outline);
   }
   Extent all = seen;
-  all.add({{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2 * unit}});
+  all.add(
+      {{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2.value() * unit}});
   constexpr double far = 1.6;  // farther out, a damper would flatten the region
   if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
     seen.add(box);
@@ -247,7 +248,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
                     "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone "
                     "requires "
                     "f < {:.4g}. {}",
-                    span.first, span.last, units.length_words(region.delta2), region.f1,
+                    span.first, span.last, units.length_words(region.delta2.value()), region.f1,
                     region.feasible ? "" : "Nothing is left: no design is admissible. ");
   if (admissible.empty()) {
     figure.caption = "No damper is admissible: the forbidden sides meet.";

@@ -127,7 +127,7 @@ void add_limits(Figure& figure, const DrawnRegion& drawn, const FigureUnits& uni
     }
   };
   const double far = HUGE_VAL;
-  const double start = drawn.region.delta2 * units.length;
+  const double start = drawn.region.delta2.value() * units.length;
   double last = 0;  // f of the strips
   for (const FigureArea& strip : figure.areas) {
     last = std::max(last, std::ranges::max(strip.outline, {}, &FigurePoint::x).x);
