@@ -16,6 +16,7 @@
 #include "search/nlopt_fence.hpp"
 #include "way/way.hpp"
 
+#include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search_options.hpp>
 
 #include <vector>
