@@ -252,6 +252,10 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
                     region.feasible ? "" : "Nothing is left: no design is admissible. ");
   if (admissible.empty()) {
     figure.caption = "No damper is admissible: the forbidden sides meet.";
+  } else if (!region.feasible) {
+    figure.caption =
+        "The clear area is what the requirements leave without a tolerance; each hatched side says "
+        "what goes wrong there.";
   } else {
     figure.caption = several ? strips_caption(drawn.problem)
                              : "A damper in the clear area is admissible; each hatched side says "
