@@ -101,11 +101,12 @@ std::vector<Case> cases() {
   const auto parts = thousand_parts();
   // With k = 1 they would swing a mass without friction to 1.5 to 1.9.
   constexpr double most_of_free = 1.2;
-  const std::array<std::pair<const char*, design::Pulse>, 4> pulses{
+  const std::array<std::pair<const char*, design::Pulse>, 5> pulses{
       {{"half-sine, p/lambda 0.8", HalfSine{1, 1.25}},
        {"rectangle, p/lambda 0.8", Rectangle{1, 1.25}},
        {"full sine, p/lambda 0.8", FullSine{1, 1.25}},
-       {"half-sine, p/lambda 4", HalfSine{1, 0.25}}}};
+       {"half-sine, p/lambda 4", HalfSine{1, 0.25}},
+       {"full sine, p/lambda 4", FullSine{1, 0.25}}}};
   std::vector<Case> all;
   for (const Objective objective : objectives) {
     const SearchOptions options{.objective = objective};
@@ -147,6 +148,18 @@ std::vector<Case> cases() {
   }
   for (const auto& row : pulses) {
     const auto pulse = row.second;  // a lambda of C++20 in clang 14 does not capture a binding
+    all.push_back({fmt::format("mends, {}", row.first), [=](double beta) {
+                     // A tolerance of 90 % is more than any of them has.
+                     (void)design::mends(design::PulseProblem{pulse, 1, most_of_free * beta},
+                                         {.delta_max = 0.1, .tolerance = 0.9});
+                   }});
+    all.push_back(
+        {fmt::format("search, robust, k, lambda and p 0.9:1, {}", row.first), [=](double beta) {
+           design::PulseProblem task{pulse, 0.9, most_of_free * beta};
+           task.ranges = {0.9, 1.1 * design::angular_frequency(pulse)};
+           task.p_high = 1;
+           (void)design::search(design::PulseRegion(task, {}), {});
+         }});
     for (const Objective objective : objectives) {
       const SearchOptions options{.objective = objective};
       const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;

@@ -45,13 +45,13 @@ double impulse(const Pulse& pulse) {
 std::vector<double> first_grid(const Pulse& pulse) {
   constexpr double least = 1e-9;
   constexpr int small = 4;
-  constexpr int even = 32;
-  constexpr int large = 14;
+  constexpr int large = 10;
   const double scale = std::min(1.0, impulse(pulse));
   const bool both_ways = std::holds_alternative<FullSine>(pulse);
+  const int even = both_ways ? 24 : 32;
   const int last = both_ways ? even : even / 2;
   std::vector<double> grid;
-  grid.reserve(small + even + large);
+  grid.reserve(static_cast<std::size_t>(small + last + large));
   for (int i = 0; i < small; ++i) {
     grid.push_back(scale * least *
                    elementary::pow(1 / (even * least), static_cast<double>(i) / small));
