@@ -5,6 +5,9 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
 
 #include <numbers>
 
@@ -22,6 +25,10 @@ std::optional<double> record_time(const Settings& settings, std::string_view nam
                      "must be a number without a unit: without physical input times are in tau");
   }
   return settings.number(name);
+}
+
+records::SuiteFiles suite_files(const Settings& settings) {
+  return {settings.texts("record"), settings.text("records-list")};
 }
 
 }  // namespace
@@ -49,8 +56,17 @@ records::RecordScale record_scale(const Settings& settings, const records::Recor
 std::vector<records::SuiteRecord> read_suite(const Settings& settings,
                                              const records::RecordClock& clock,
                                              std::optional<double> p) {
-  return records::read_suite({settings.texts("record"), settings.text("records-list")},
-                             record_scale(settings, clock, p), record_options(settings, clock));
+  return records::read_suite(suite_files(settings), record_scale(settings, clock, p),
+                             record_options(settings, clock));
+}
+
+std::vector<std::string> left_out_files(const Settings& settings) {
+  std::vector<std::string> sentences;
+  for (const std::string& file : records::left_out_files(suite_files(settings))) {
+    sentences.push_back(fmt::format("record {}: is left out, for it begins with text",
+                                    records::shortened(file, records::longest_path)));
+  }
+  return sentences;
 }
 
 }  // namespace stillpoint::cli

@@ -40,12 +40,14 @@ std::string range_text(const Option& option, const nlohmann::json& value) {
   }
   const auto end = [&](const nlohmann::json& number) {
     if (!number.is_number() && !number.is_string()) {
-      throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+      throw InputError(std::string(option.name), value.dump(),
+                       "must be a number, or a range [LOW, HIGH]");
     }
     return number.is_string() ? number.get<std::string>() : fmt::format("{}", number.get<double>());
   };
   if (value.size() != 2) {
-    throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+    throw InputError(std::string(option.name), value.dump(),
+                     "must be a number, or a range [LOW, HIGH]");
   }
   return fmt::format("{}:{}", end(value[0]), end(value[1]));
 }
@@ -119,9 +121,11 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
       return axis(option, value, command);
     case OptionKind::number:
       if (!value.is_number()) {
-        throw wrong_type(option.traits.dimension == Dimension::none
-                             ? "a number"
-                             : "a number, or a text of a number with its unit");
+        throw wrong_type(fmt::format(
+            "a number{}{}",
+            option.traits.dimension == Dimension::none ? ""
+                                                       : ", or a text of a number with its unit",
+            option.takes_range_in(command) ? ", or a range [LOW, HIGH]" : ""));
       }
       return value.get<double>();
     case OptionKind::integer:
@@ -162,12 +166,12 @@ void set_key(Settings& settings, const std::string& key, const nlohmann::json& v
   const bool is_range = value.is_array() || is_text_of(value, ':');
   if (option->takes_range_in(command) && option->kind_in(command) == OptionKind::number &&
       is_range) {
-    return settings.set_number_or_range(*option, range_text(*option, value));
+    return settings.set_number(*option, range_text(*option, value), command);
   }
   const bool may_have_unit =
       option->traits.dimension != Dimension::none && option->kind_in(command) == OptionKind::number;
   if (may_have_unit && value.is_string() && has_unit(value.get<std::string>())) {
-    settings.set_number(*option, value.get<std::string>());
+    settings.set_number(*option, value.get<std::string>(), command);
   } else {
     settings.set(*option, typed(*option, value, command));
   }

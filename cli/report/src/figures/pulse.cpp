@@ -91,34 +91,38 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
   }
 }
 
-void add_pulse_damper(Figure& figure, const DrawnDamper& damper, const FigureUnits& units) {
-  const double r = damper.tolerance;
-  const double delta = damper.delta * units.length;
-  if (r > 0) {
+void add_pulse_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
+                      const FigureUnits& units) {
+  const std::string words = tolerance_words(shape, damper.tolerance);
+  if (damper.tolerance > 0) {
     figure.areas.push_back(
-        {format("tolerance ±{:.3g} %", 100 * r),
-         rectangle(damper.f * (1 - r), damper.f * (1 + r), delta * (1 - r), delta * (1 + r)),
-         Ink::blue, AreaLook::box});
+        {words, tolerance_box(damper, shape, units.length), Ink::blue, AreaLook::box});
   }
-  figure.marks.push_back({damper.name, {{damper.f, delta}}, Shape::diamond, Ink::blue});
-  figure.description += format("{} at f = {:.4g}, Δ = {}, tolerance ±{:.3g} %.", damper.name,
-                               damper.f, units.length_words(damper.delta), 100 * r);
+  figure.marks.push_back(
+      {damper.name, {{damper.f, damper.delta * units.length}}, Shape::diamond, Ink::blue});
+  figure.description += format("{} at f = {:.4g}, Δ = {}, {}.", damper.name, damper.f,
+                               units.length_words(damper.delta), words);
 }
 
-double rightmost(const DrawnPulseRegion& drawn) {
-  const double region =
-      std::max(drawn.region.f3, drawn.intervals.empty() ? 0 : drawn.intervals.back().high);
-  return drawn.damper ? std::max(region, drawn.damper->f * (1 + drawn.damper->tolerance)) : region;
-}
-
-double topmost(const FigureCurve& curve, const std::optional<DrawnDamper>& damper, double unit) {
-  double top = damper ? damper->delta * (1 + damper->tolerance) * unit : 0;
-  for (const auto& stroke : curve.strokes) {
-    for (const FigurePoint& at : stroke) {
-      top = std::max(top, at.y);
+/// The far corner of what is shown of f and Delta.
+FigurePoint far_corner(const DrawnPulseRegion& drawn, double unit) {
+  FigurePoint far{
+      std::max(drawn.region.f3, drawn.intervals.empty() ? 0 : drawn.intervals.back().high), 0};
+  if (drawn.damper) {
+    for (const FigurePoint& corner : tolerance_box(*drawn.damper, drawn.limits.shape, unit)) {
+      far = {std::max(far.x, corner.x), std::max(far.y, corner.y)};
     }
   }
-  return top;
+  return far;
+}
+
+double topmost(const FigureCurve& curve, double least) {
+  for (const auto& stroke : curve.strokes) {
+    for (const FigurePoint& at : stroke) {
+      least = std::max(least, at.y);
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -128,10 +132,11 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   figure.id = "region";
   figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
   const LeastDelta least_delta = design::least_delta(drawn.problem);
-  const double right = headroom * rightmost(drawn);
+  const FigurePoint far = far_corner(drawn, units.length);
+  const double right = headroom * far.x;
   FigureCurve curve = needs(least_delta, right, units);
   figure.x = {"constant friction f", 0, right};
-  figure.y = {units.delta_label, 0, headroom * topmost(curve, drawn.damper, units.length)};
+  figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y)};
   figure.description = format(
       "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
       "above the curve stops it there. ",
@@ -144,7 +149,7 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   add_pulse_areas(figure, drawn, least_delta, units);
   figure.curves.push_back(std::move(curve));
   if (drawn.damper) {
-    add_pulse_damper(figure, *drawn.damper, units);
+    add_pulse_damper(figure, *drawn.damper, drawn.limits.shape, units);
   }
   return figure;
 }

@@ -45,11 +45,13 @@ constexpr double last_reach = first_reach / 64;
 constexpr double shrinkage = 0.25;
 constexpr int most_zooms = 12;
 /// So many that a population does not crowd on one of two ridges too soon. One in eight still does
-/// (the last suite of docs/records-design.md), so that there are two.
+/// (the last suite of docs/records-design.md), so that there are two; the figures of many records
+/// together are smoother, and take longer.
 constexpr std::size_t kept_points = 600;
 constexpr std::size_t generation = 1000;
 constexpr int generations = 60;
 constexpr std::uint64_t populations = 2;
+constexpr std::size_t many_records = 7;
 constexpr std::int64_t fine_side = 1000;  ///< whose cell is the first step of the last descent
 /// Of a coordinate: a millionth of the range of f or delta is as good as none, if the objective is
 /// no more than a millionth worse without it.
@@ -335,10 +337,11 @@ class Search {
     found.push_back(best_);
     const std::vector<double> middle = best_.unit;
     std::vector<Ranked> ends;
-    for (std::uint64_t population = 0; population < populations; ++population) {
+    const std::uint64_t most = suite_.loads().size() < many_records ? populations : 1;
+    for (std::uint64_t population = 0; population < most; ++population) {
       SuiteOffspring offspring(population);
       std::vector<Ranked> kept = found;
-      for (int i = 0; i < generations && !watch_.stopped(); ++i) {
+      for (int i = 0; i < generations && !watch_.stopped() && !is_crowded(kept); ++i) {
         add_generation(kept, i < 2 ? offspring.about(middle, generation)
                                    : offspring.of(units_of(kept), generation));
       }
@@ -346,6 +349,17 @@ class Search {
       ends.push_back(kept.front());
     }
     return ends;
+  }
+
+  /// Whether all points are as good as the best: then nothing better comes of them.
+  static bool is_crowded(const std::vector<Ranked>& kept) {
+    if (kept.size() < kept_points) {
+      return false;
+    }
+    const SuiteRank& best = kept.front().rank;
+    const SuiteRank& last = kept.back().rank;
+    return last.off == best.off && last.value <= best.value * (1 + no_difference) &&
+           last.peak <= best.peak * (1 + no_difference);
   }
 
   void add_generation(std::vector<Ranked>& kept, const std::vector<std::vector<double>>& units) {
