@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -53,23 +54,14 @@ std::string shown(const report::Document& document, const Settings& settings) {
 }
 
 std::span<const std::string_view> figure_names(Command command) {
-  switch (command) {
-    case Command::design:
-      return report::all_design_figures();
-    case Command::region:
-      return report::region_figures;
-    case Command::simulate:
-      return report::motion_figures;
-    case Command::spectrum:
-      return report::spectrum_figure_names;
-    case Command::sweep:
-      return report::sweep_figures;
-    case Command::accuracy:
-    case Command::init:
-    case Command::explore:
-      break;
-  }
-  return {};
+  static const std::map<Command, std::span<const std::string_view>> names{
+      {Command::design, report::all_design_figures()},
+      {Command::region, report::region_figures},
+      {Command::simulate, report::motion_figures},
+      {Command::spectrum, report::spectrum_figure_names},
+      {Command::sweep, report::sweep_figures}};
+  const auto found = names.find(command);
+  return found == names.end() ? std::span<const std::string_view>() : found->second;
 }
 
 std::string svg_path(const std::string& directory, std::string_view figure) {

@@ -6,7 +6,6 @@
 #include "input/request.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
-#include "record_part.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/report/progress_words.hpp>
@@ -50,8 +49,10 @@ ExitCode run_part(const Settings& settings, Output& output) {
     throw UsageError("part and a page exclude each other: design merge writes the page");
   }
   const report::RecordDesignInput input = record_design_input(settings);
-  const auto found =
-      watched(input, [&](const auto& ask) { return record_part(settings, input, ask); });
+  const sweep::PartLabel wanted = record_part_label(settings, input.request);
+  const auto found = watched(input, [&](const auto& ask) {
+    return report::record_part(wanted, input.request, settings.flag("resume"), ask);
+  });
   if (!found) {
     throw Interrupted("interrupted: nothing is written");
   }

@@ -147,6 +147,14 @@ Settings record_design_settings(const std::string& identity) {
   return scene_settings(scene, Command::design);
 }
 
+sweep::PartLabel record_part_label(const Settings& settings,
+                                   const design::RecordDesignRequest& request) {
+  return {settings.text("output").value_or(""),
+          sweep::parse_part(*settings.text("part")),
+          record_design_identity(settings, request),
+          {design::scan_size(request), 0}};
+}
+
 report::RecordDesignInput record_design_input(const Settings& settings,
                                               const report::RecordScan& scan) {
   report::RecordDesignInput input = record_design_input(settings);

@@ -48,6 +48,10 @@ namespace stillpoint::cli {
                                                  const design::RecordDesignRequest& request);
 [[nodiscard]] Settings record_design_settings(const std::string& identity);
 
+/// What --part asks for, which must be resolved.
+[[nodiscard]] sweep::PartLabel record_part_label(const Settings& settings,
+                                                 const design::RecordDesignRequest& request);
+
 /// Of the design of which `scan` has the parts. Throws FileError as well where the records, or the
 /// version of the program, are no longer those of the parts.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings,

@@ -105,20 +105,13 @@ std::optional<Axis> Settings::axis(std::string_view name) const {
   return get<Axis>(name);
 }
 
-void Settings::set_number(const Option& option, std::string_view text) {
-  Entry& entry = entries_[option.name] = {parse_value(option, text)};
-  if (has_unit(text)) {
-    entry.with_unit = text;
-  }
-}
-
-void Settings::set_number_or_range(const Option& option, std::string_view text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) {
-    return set_number(option, text);
-  }
-  Entry& entry = entries_[option.name] = {range_value(option, text)};
-  if (has_unit(text.substr(0, colon)) || has_unit(text.substr(colon + 1))) {
+void Settings::set_number(const Option& option, std::string_view text, Command command) {
+  const std::size_t colon =
+      option.takes_range_in(command) ? text.find(':') : std::string_view::npos;
+  const bool is_range = colon != std::string_view::npos;
+  Entry& entry = entries_[option.name] =
+      is_range ? Entry{range_value(option, text)} : Entry{parse_value(option, text)};
+  if (has_unit(text.substr(0, colon)) || (is_range && has_unit(text.substr(colon + 1)))) {
     entry.with_unit = text;
   }
 }
@@ -128,8 +121,7 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
     case OptionKind::axis:
       return set(option, axis_value(option, text, command));
     case OptionKind::number:
-      return option.takes_range_in(command) ? set_number_or_range(option, text)
-                                            : set_number(option, text);
+      return set_number(option, text, command);
     case OptionKind::integer:
       return set(option, parse_integer(option.name, text));
     case OptionKind::text:

@@ -55,10 +55,9 @@ class Settings {
   };
 
   void set(const Option& option, Value value) { entries_[option.name].value = std::move(value); }
-  /// A number from its text, which may carry a unit. Throws InputError.
-  void set_number(const Option& option, std::string_view text);
-  /// The same for an option that takes a range as well.
-  void set_number_or_range(const Option& option, std::string_view text);
+  /// A number, or a range where the option takes one, from its text, which may carry units. Throws
+  /// InputError.
+  void set_number(const Option& option, std::string_view text, Command command);
   /// Of any kind but a flag, as the command line has it. Throws InputError.
   void set_text(const Option& option, const std::string& text, Command command);
   [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }

@@ -7,7 +7,6 @@
 #include "interruptible.hpp"
 #include "output.hpp"
 #include "parts.hpp"
-#include "record_part.hpp"
 #include "values.hpp"
 #include "written_files.hpp"
 
@@ -79,8 +78,10 @@ std::unique_ptr<Result> design_part(cli::Settings settings) {
   cli::resolve_part(settings);
   cli::require_files_apart(Command::design, settings, std::nullopt);
   const auto found = interruptible([&](const std::stop_token& stop) {
-    return cli::record_part(settings, cli::record_design_input(settings),
-                            [&](const auto& /*progress*/) { return !stop.stop_requested(); });
+    const report::RecordDesignInput input = cli::record_design_input(settings);
+    return report::record_part(cli::record_part_label(settings, input.request), input.request,
+                               settings.flag("resume"),
+                               [&](const auto& /*progress*/) { return !stop.stop_requested(); });
   });
   cli::Output output;
   write(*found, output);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "record_folder.hpp"
+#include <stillpoint/records/record_folder.hpp>
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
-#include <stillpoint/records/record_suite.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/text_file.hpp>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/records/record_suite.hpp>
 
-#include "record_folder.hpp"
-
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/record_folder.hpp>
 #include <stillpoint/records/record_list.hpp>
 
 #include <fmt/format.h>

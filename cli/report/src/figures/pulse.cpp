@@ -91,11 +91,12 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
   }
 }
 
-void add_pulse_damper(Figure& figure, const DrawnDamper& damper,
-                      const std::vector<FigurePoint>& box, const std::string& words,
+void add_pulse_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
                       const FigureUnits& units) {
+  const std::string words = tolerance_words(shape, damper.tolerance);
   if (damper.tolerance > 0) {
-    figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
+    figure.areas.push_back(
+        {words, tolerance_box(damper, shape, units.length), Ink::blue, AreaLook::box});
   }
   figure.marks.push_back(
       {damper.name, {{damper.f, damper.delta * units.length}}, Shape::diamond, Ink::blue});
@@ -103,20 +104,25 @@ void add_pulse_damper(Figure& figure, const DrawnDamper& damper,
                                units.length_words(damper.delta), words);
 }
 
-double largest(const std::vector<FigurePoint>& points, double FigurePoint::*coordinate) {
-  double most = 0;
-  for (const FigurePoint& each : points) {
-    most = std::max(most, each.*coordinate);
+/// The far corner of what is shown of f and Delta.
+FigurePoint far_corner(const DrawnPulseRegion& drawn, double unit) {
+  FigurePoint far{
+      std::max(drawn.region.f3, drawn.intervals.empty() ? 0 : drawn.intervals.back().high), 0};
+  if (drawn.damper) {
+    for (const FigurePoint& corner : tolerance_box(*drawn.damper, drawn.limits.shape, unit)) {
+      far = {std::max(far.x, corner.x), std::max(far.y, corner.y)};
+    }
   }
-  return most;
+  return far;
 }
 
-double topmost(const FigureCurve& curve) {
-  double top = 0;
+double topmost(const FigureCurve& curve, double least) {
   for (const auto& stroke : curve.strokes) {
-    top = std::max(top, largest(stroke, &FigurePoint::y));
+    for (const FigurePoint& at : stroke) {
+      least = std::max(least, at.y);
+    }
   }
-  return top;
+  return least;
 }
 
 }  // namespace
@@ -126,15 +132,11 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   figure.id = "region";
   figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
   const LeastDelta least_delta = design::least_delta(drawn.problem);
-  const std::optional<DrawnDamper>& damper = drawn.damper;
-  const auto box = damper ? tolerance_box(*damper, drawn.limits.shape, units.length)
-                          : std::vector<FigurePoint>{};
-  const double last = drawn.intervals.empty() ? 0 : drawn.intervals.back().high;
-  const double right = headroom * std::max({drawn.region.f3, last, largest(box, &FigurePoint::x)});
+  const FigurePoint far = far_corner(drawn, units.length);
+  const double right = headroom * far.x;
   FigureCurve curve = needs(least_delta, right, units);
   figure.x = {"constant friction f", 0, right};
-  figure.y = {units.delta_label, 0,
-              headroom * std::max(topmost(curve), largest(box, &FigurePoint::y))};
+  figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y)};
   figure.description = format(
       "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
       "above the curve stops it there. ",
@@ -146,9 +148,8 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
                          "above, because the mass starts from rest.";
   add_pulse_areas(figure, drawn, least_delta, units);
   figure.curves.push_back(std::move(curve));
-  if (damper) {
-    add_pulse_damper(figure, *damper, box, tolerance_words(drawn.limits.shape, damper->tolerance),
-                     units);
+  if (drawn.damper) {
+    add_pulse_damper(figure, *drawn.damper, drawn.limits.shape, units);
   }
   return figure;
 }

@@ -29,11 +29,6 @@ struct SuiteFiles {
 [[nodiscard]] std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& scale,
                                                   const RecordOptions& options);
 
-/// The records of a folder: the files whose names have the ending of one, in the order of their
-/// names, but for a .txt, .csv or .dat that is plain text. Of anything else the path itself. Throws
-/// FileError for a folder without any.
-[[nodiscard]] std::vector<std::string> record_files(const std::string& path);
-
 /// The files of the folders of a suite that were taken for plain text.
 [[nodiscard]] std::vector<std::string> left_out_files(const SuiteFiles& files);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/design/design_result.hpp>
+#include <stillpoint/design/region.hpp>
 
 #include <string>
 

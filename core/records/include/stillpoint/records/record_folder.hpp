@@ -15,4 +15,9 @@ struct FolderFiles {
 /// Empty where `path` is no folder.
 [[nodiscard]] FolderFiles folder_files(const std::string& path);
 
+/// The records of a folder: the files whose names have the ending of one, in the order of their
+/// names, but for a .txt, .csv or .dat that is plain text. Of anything else the path itself. Throws
+/// FileError for a folder without any.
+[[nodiscard]] std::vector<std::string> record_files(const std::string& path);
+
 }  // namespace stillpoint::records
