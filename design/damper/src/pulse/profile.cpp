@@ -62,6 +62,12 @@ std::vector<double> first_grid(const Pulse& pulse) {
   for (int i = 1; both_ways && scale < nearest_to_k && i <= large; ++i) {
     grid.push_back(scale * elementary::pow(nearest_to_k / scale, static_cast<double>(i) / large));
   }
+  // Under a long pulse the last swings before the return follow each other there.
+  constexpr double long_pulse = 1.0 / 4;
+  for (int i = 5; angular_frequency(pulse) < long_pulse && i < 2 * small; ++i) {
+    grid.push_back(scale * i / small / even);
+  }
+  std::ranges::sort(grid);
   return grid;
 }
 
