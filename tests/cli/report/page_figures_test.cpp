@@ -142,6 +142,7 @@ BOOST_AUTO_TEST_CASE(a_lack_of_tolerance_alone_leaves_a_clear_area_that_is_not_c
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
   BOOST_TEST(drawn.title == "No damper: tolerance must be at most 0.2221");
   BOOST_TEST(contains(drawn.caption, "without a tolerance"), drawn.caption);
+  BOOST_TEST(drawn.areas.front().name == "admissible without a tolerance");
 }
 
 BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_works_for) {

@@ -218,8 +218,10 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const auto& damper = drawn.damper;
   const RegionSpan span(drawn);
   const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
-  auto admissible = several ? strip_areas(drawn, units)
-                            : area_of("admissible", admissible_outline(drawn, span, unit));
+  auto admissible = several
+                        ? strip_areas(drawn, units)
+                        : area_of(region.feasible ? "admissible" : "admissible without a tolerance",
+                                  admissible_outline(drawn, span, unit));
   const design::BoxShape& shape = drawn.limits.shape;
   const auto box = damper ? tolerance_box(*damper, shape, unit) : std::vector<FigurePoint>{};
   Extent seen;
