@@ -25,7 +25,6 @@ const std::vector<Wrong> command_lines{
     {simulate("--trajectory - --json"), {"json and the trajectory", "standard output"}},
     {design("region"), {"region"}},
     {design("--betta 2"), {"--betta", "unknown option", "mean --beta?"}},
-    {{"design", "--v0"}, {"--v0 needs a value: --v0 V"}},
     {design("--frobnicate"), {"--frobnicate", "unknown"}},
     {design("--vv0=2"), {"--vv0=2", "mean --v0?"}},
     {design("-x"), {"-x", "unknown option"}},
