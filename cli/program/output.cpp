@@ -92,17 +92,22 @@ void prepare_page(const Settings& settings) {
 
 namespace {
 
+/// The page designs for a hit, without a catalogue. The front of a trade-off is left out there.
+bool is_for_the_explorer(const Settings& settings) {
+  return !designs_under_records(settings) && !settings.has("pulse") && !settings.has("catalogue");
+}
+
 /// Below the answer, where the page with the program in it is installed: the same task there.
 void link_explorer(const Settings& settings, figures::HtmlPage& page) {
   const auto explorer = report::installed_explorer();
-  if (!explorer || designs_under_records(settings)) {
+  if (!explorer || !is_for_the_explorer(settings)) {
     return;
   }
   std::vector<std::pair<std::string, std::string>> options;
   for (const auto& [name, value] : settings.values()) {
     const Option& option = *find_option(name);
     if (option.traits.role == Role::input && option.serves(Command::design) &&
-        option.traits.file == FileUse::none) {
+        option.traits.file == FileUse::none && name != "trade-off") {
       const nlohmann::ordered_json plain = as_json(value);
       options.emplace_back(name, settings.with_unit(name).value_or(
                                      plain.is_string()  ? plain.get<std::string>()

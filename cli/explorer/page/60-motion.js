@@ -58,7 +58,7 @@ class MotionView {
     const plot = new Plot(
       { least: 0, most: this.most, label: units.time_label },
       { least: bottom, most: top, label: units.length_label },
-      { width: 460, height: 350, left: 172, bottom: 42, name: this.words() },
+      { width: 450, height: 350, left: 172, bottom: 42, name: this.words() },
     );
     this.plot = plot;
     this.draw_limits(plot);

@@ -26,6 +26,7 @@ class HitsView {
         "aria-label": "velocity of the hit that is tried",
       }),
       make("div", { class: "ends", id: "hit-ends" }),
+      make("p", { id: "hit-key" }),
     );
     input("hit").addEventListener("input", () =>
       try_hit((Number(input("hit").value) / 2000) * this.most),
@@ -68,6 +69,18 @@ class HitsView {
     }
     this.designed = high ?? low;
     fill(el("hit-ends"), number(0, this.unit), number(this.most, this.unit));
+    fill(el("hit-key"), ...this.hits.map((hit, i) => this.key(hit, i)));
+  }
+
+  /** A part in words, also where it is too narrow for its name. @param {{ to: number, ends: string }} hit @param {number} i */
+  key({ to, ends }, i) {
+    const last = i + 1 === this.hits.length;
+    const limit = last ? (i > 0 ? ["beyond"] : []) : ["up to ", number(to, this.unit)];
+    return make(
+      "span",
+      { class: `key ink-${ends}` },
+      make("span", {}, `${ends_words[ends] ?? ends} `, ...limit),
+    );
   }
 
   /**
@@ -77,8 +90,7 @@ class HitsView {
   show(hit, motion, limit) {
     const value = hit ?? this.designed ?? 0;
     const slider = input("hit");
-    if (document.activeElement !== slider || hit === null)
-      slider.value = String(Math.round((2000 * value) / this.most));
+    write(slider, String(Math.round((2000 * value) / this.most)));
     /** @type {HTMLButtonElement} */ (el("design-hit")).disabled = hit === null;
     slider.setAttribute("aria-valuetext", words(value, this.unit, 4));
     const { response, physical } = motion;

@@ -165,10 +165,9 @@ function hit_rows({ report }) {
   return sheet_table(
     (hits ?? []).map((/** @type {any} */ hit, /** @type {number} */ i) => {
       const limits = physical?.hits[i] ?? hit;
-      const range = range_parts(
-        [limits[`from${suffix}`], limits[`to${suffix}`]],
-        physical ? "m/s" : "",
-      );
+      // The last one has no end but that of the figure.
+      const to = i + 1 < hits.length ? limits[`to${suffix}`] : null;
+      const range = range_parts([limits[`from${suffix}`], to], physical ? "m/s" : "");
       return [ends_words[hit.ends] ?? hit.ends, range];
     }),
   );
@@ -214,6 +213,13 @@ function plate_copy(id) {
   return plate;
 }
 
+/** A text that breaks between its words alone: browsers break after each hyphen too. @param {string} text @returns {Part[]} */
+function whole_words(text) {
+  return text
+    .split(/(\s+)/)
+    .map((word) => (word.trim() ? make("span", { class: "word" }, word) : word));
+}
+
 /** @param {Sheet} sheet */
 function draw_sheet(sheet) {
   const { options, chosen, admissible, command, link, version } = sheet;
@@ -254,7 +260,7 @@ function draw_sheet(sheet) {
       make("h2", {}, "Assumptions"),
       make("ul", {}, ...assumptions.map((text) => make("li", {}, text))),
       make("h2", {}, "The same with the program"),
-      make("pre", {}, command),
+      make("pre", {}, ...whole_words(command)),
       make("p", { class: "foot" }, `stillpoint ${version}, ${day}. State of the page: #${link}`),
     ),
   );

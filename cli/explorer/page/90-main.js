@@ -17,6 +17,10 @@ class Bench {
     this.frames = new Frames((level) => this.update(level));
     this.record_timer = 0;
     this.finished = false; // the change is one to go back from
+    /** @type {string | null} */
+    this.refusal = null; // what is wrong with the input
+    /** @type {string[]} */
+    this.doubts = []; // about it
     this.opened = false;
     this.source = ""; // the control that made the change
     this.last_source = "";
@@ -70,6 +74,7 @@ class Bench {
     );
     el("print").addEventListener("click", () => print());
     addEventListener("beforeprint", () => this.draw_sheet());
+    addEventListener("afterprint", () => this.try_hit(this.hit));
     addEventListener("popstate", () => this.open());
     el("task").addEventListener("submit", (event) => event.preventDefault());
     el("footer").textContent =
@@ -153,7 +158,8 @@ class Bench {
 
   /** @param {number} level */
   update(level) {
-    const message = this.ask(level);
+    if (this.refusal !== null) level = Level.task; // until it is mended, whatever changes
+    const message = (this.refusal = this.ask(level));
     if (this.finished) this.remember();
     this.finished = false;
     document.body.classList.remove("loading");
@@ -161,8 +167,13 @@ class Bench {
     const unknown = this.unknown?.length
       ? `The link holds what this page does not know: ${this.unknown.join(", ").slice(0, 200)}.`
       : "";
-    const notice = [message ?? "", unknown].filter(Boolean).join(". ");
+    const doubts = message === null ? this.doubts.map((text) => text.replace("--", "")) : [];
+    const notice = [message ?? "", ...doubts, unknown]
+      .filter(Boolean)
+      .join(". ")
+      .replaceAll("?. ", "? ");
     el("notice").hidden = notice === "";
+    el("notice").classList.toggle("doubt", message === null);
     if (el("notice").textContent !== notice) el("notice").textContent = notice;
     input("dimensionless").checked = !is_physical(this.options);
     if (level === Level.task || message) {
@@ -188,6 +199,7 @@ class Bench {
       if ("error" in region) return region.error;
       this.keep_damper(design.report);
       this.design = design.report;
+      this.doubts = design.doubts;
       this.figure = region.figures[0];
     }
     if (level >= Level.damper) {
@@ -295,7 +307,16 @@ class Bench {
   }
 
   show_nothing() {
-    const parts = ["motion", "phase", "energy", "cloud", "cloud-words", "hit-words", "lane"];
+    const parts = [
+      "motion",
+      "phase",
+      "energy",
+      "cloud",
+      "cloud-words",
+      "hit-words",
+      "hit-key",
+      "lane",
+    ];
     for (const id of [...parts, "record-figures", "record-answer"]) el(id).replaceChildren();
     this.motion_view.stop();
     this.motion_view.drawn = null;
@@ -343,14 +364,15 @@ class Bench {
     return `${judged}\n${run ? command_line("simulate", run) : ""}\n`;
   }
 
+  /** Of the design's hit, whichever is tried. */
   draw_sheet() {
+    const tried = this.hit;
+    this.try_hit(null);
     this.frames.finish();
-    if (!this.motion || !this.damper) {
-      fill(
-        el("sheet"),
-        make("h1", {}, "No damper"),
-        make("p", {}, el("verdict").textContent ?? ""),
-      );
+    this.hit = tried;
+    if (this.refusal !== null || !this.motion || !this.damper) {
+      const words = this.refusal ?? el("verdict").textContent ?? "";
+      fill(el("sheet"), make("h1", {}, "No damper"), make("p", {}, words));
       return;
     }
     draw_sheet({

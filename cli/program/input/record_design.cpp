@@ -6,8 +6,10 @@
 #include "options/scene.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/part_label.hpp>
 #include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
@@ -87,6 +89,9 @@ void require_options_for(const Settings& settings, DesignFor design) {
 
 report::RecordDesignInput record_design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::records);
+  if (settings.flag("resume") && !settings.has("part")) {
+    throw UsageError("resume is for a part of a design: give --part as well");
+  }
   const auto periods = search_range(settings, "search-period");
   const MotionInput start = suite_motion(settings, periods);
   report::RecordDesignInput input;
@@ -143,6 +148,18 @@ Settings record_design_settings(const std::string& identity) {
   scene.erase("version");
   scene.erase("record_digest");
   return scene_settings(scene, Command::design);
+}
+
+report::RecordDesignInput record_design_input(const Settings& settings,
+                                              const report::RecordScan& scan) {
+  report::RecordDesignInput input = record_design_input(settings);
+  sweep::PartLabel now = scan.label;
+  now.task = record_design_identity(settings, input.request);
+  if (const std::string differs = difference(scan.label, now); !differs.empty()) {
+    throw records::FileError({.kind = "part", .path = scan.label.path},
+                             "was made of other records, or by another version: " + differs);
+  }
+  return input;
 }
 
 }  // namespace stillpoint::cli

@@ -9,6 +9,7 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/record_scan.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
@@ -53,6 +54,11 @@ struct SimulateInput {
 [[nodiscard]] std::string record_design_identity(const Settings& settings,
                                                  const design::RecordDesignRequest& request);
 [[nodiscard]] Settings record_design_settings(const std::string& identity);
+
+/// Of the design of which `scan` has the parts. Throws FileError as well where the records, or the
+/// version of the program, are no longer those of the parts.
+[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings,
+                                                            const report::RecordScan& scan);
 
 /// UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);

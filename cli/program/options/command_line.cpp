@@ -207,6 +207,19 @@ std::vector<std::string> without_help_command(int argc, const char* const* argv)
   return words;
 }
 
+/// "--v0: 1 required V missing" as a sentence; anything else as it is.
+std::string in_words(const std::string& message) {
+  constexpr std::string_view wants = ": 1 required ";
+  constexpr std::string_view ends = " missing";
+  const std::size_t at = message.find(wants);
+  if (at == std::string::npos || !message.ends_with(ends)) {
+    return message;
+  }
+  const std::size_t from = at + wants.size();
+  return fmt::format("{} needs a value: {} {}", message.substr(0, at), message.substr(0, at),
+                     message.substr(from, message.size() - ends.size() - from));
+}
+
 }  // namespace
 
 std::span<const CommandHelp> all_commands() {
@@ -257,7 +270,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
                            : report::wrapped(app.help(), report::terminal_width());
     return invocation;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(records::shortened(error.what(), records::longest_path));
+    throw UsageError(records::shortened(in_words(error.what()), records::longest_path));
   }
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty()) {

@@ -40,12 +40,14 @@ std::string range_text(const Option& option, const nlohmann::json& value) {
   }
   const auto end = [&](const nlohmann::json& number) {
     if (!number.is_number() && !number.is_string()) {
-      throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+      throw InputError(std::string(option.name), value.dump(),
+                       "must be a number, or a range [LOW, HIGH]");
     }
     return number.is_string() ? number.get<std::string>() : fmt::format("{}", number.get<double>());
   };
   if (value.size() != 2) {
-    throw InputError(std::string(option.name), value.dump(), "must be a number, or [LOW, HIGH]");
+    throw InputError(std::string(option.name), value.dump(),
+                     "must be a number, or a range [LOW, HIGH]");
   }
   return fmt::format("{}:{}", end(value[0]), end(value[1]));
 }
@@ -119,9 +121,11 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
       return axis(option, value, command);
     case OptionKind::number:
       if (!value.is_number()) {
-        throw wrong_type(option.traits.dimension == Dimension::none
-                             ? "a number"
-                             : "a number, or a text of a number with its unit");
+        throw wrong_type(fmt::format(
+            "a number{}{}",
+            option.traits.dimension == Dimension::none ? ""
+                                                       : ", or a text of a number with its unit",
+            option.takes_range_in(command) ? ", or a range [LOW, HIGH]" : ""));
       }
       return value.get<double>();
     case OptionKind::integer:

@@ -7,8 +7,7 @@
 
 namespace stillpoint::python {
 
-/// Whether the command has the option in Python: files that show a report, and parts of designs,
-/// are the program's alone.
+/// Whether the command has the option in Python: files that show a report are the program's alone.
 [[nodiscard]] bool takes(cli::Command command, const cli::Option& option);
 
 /// What help() says: the signature as Python reads it, `about`, and the options in the order of

@@ -39,7 +39,7 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   }
   options.scale = scale;
   options.gravity_m_per_s2 = gravity;
-  const auto path = to_json("record", record).get<std::string>();
+  const auto path = to_path("record", record);
   records::RecordFile file = [&] {
     const py::gil_scoped_release released;
     return records::read_record(path, options);

@@ -304,7 +304,7 @@ Document document(const DesignReport& report) {
     add_region(document, report.result.region, physical);
   }
   if (!report.result.finding) {
-    add_emptiness(document, report.result, limits, physical);
+    add_emptiness(document, report.result, {limits, pulse, physical});
     if (report.catalogue) {
       add_parts(document, *report.catalogue, {problem, limits, physical});
     }

@@ -45,8 +45,7 @@ std::string range_digits(double low, double high) {
   return from == to && low < high ? interval_digits(low, high) : fmt::format("{} to {}", from, to);
 }
 
-std::string limit_digits(double value, bool upwards) {
-  constexpr int shown = 10;
+std::string limit_digits(double value, bool upwards, int shown) {
   const double last_digit = std::pow(10.0, std::floor(std::log10(value)) + 1 - shown);
   std::string text = fmt::format("{:.{}g}", value, shown);
   for (double nudge = 0.5; (upwards ? std::stod(text) < value : std::stod(text) > value);

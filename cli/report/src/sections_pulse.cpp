@@ -37,9 +37,11 @@ Section& add_pulse_region(Document& document, const design::RegionVerdict& verdi
     section.row("amplitude",
                 format("f >= {:.6g}{}", region.f2, region.f2 == 0 ? "  (does not bind)" : ""));
   }
-  section.row("return", format("f <= {:.6g}", region.f3));
+  const bool up_to_k = region.beta_min == 0;
+  section.row("return", format("f {} {:.6g}", up_to_k ? "<" : "<=", region.f3));
   section.row("start", "f below the peak load; nothing bounds delta, the mass starts from rest");
-  section.row("smallest beta", length_text(physical, region.beta_min));
+  section.row("smallest beta", up_to_k ? "none: with f just below the peak load it hardly moves"
+                                       : length_text(physical, region.beta_min));
   for (const auto& [low, high] : verdict.intervals.value()) {
     section.row("admissible f", range_digits(low, high));
   }

@@ -9,7 +9,8 @@ namespace stillpoint::report {
 
 std::string interval_text(const design::ServedInterval& interval) {
   if (!interval.high) {
-    return format("at least {}", limit_digits(interval.low, true));
+    constexpr int shown = 3;  // as of an interval
+    return format("at least {}", limit_digits(interval.low, true, shown));
   }
   constexpr double nothing = 1e-6;  // of the high end
   const std::string ends = interval_digits(interval.low, *interval.high);

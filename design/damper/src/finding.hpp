@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "pulse/profile.hpp"
+#include "pulse/first_return.hpp"
 
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/design/pulse.hpp>

@@ -144,6 +144,17 @@ std::pair<Quantity, std::string_view> column_of(std::string_view option, std::st
   throw wrong(option, text, "must begin with a column of numbers: " + names);
 }
 
+/// Of what follows the column.
+Axis edges_of(std::string_view option, std::string_view text, std::string_view rest) {
+  try {
+    return parse_axis(option, rest);
+  } catch (const InputError&) {
+    throw wrong(option, text,
+                "must be COLUMN:LOW:HIGH:BINS, COLUMN:LOW:HIGH:BINS:log with LOW > 0, or "
+                "COLUMN:EDGE,EDGE,...");
+  }
+}
+
 }  // namespace
 
 AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns,
@@ -151,7 +162,7 @@ AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns
   constexpr std::int64_t most_bins = 100'000;
   const std::string_view option = "histogram";
   const auto [column, rest] = column_of(option, text, columns, units);
-  const Axis asked = parse_axis(option, rest);
+  const Axis asked = edges_of(option, text, rest);
   const bool counted = asked.spacing().has_value();
   const std::int64_t bins = asked.size() - (counted ? 0 : 1);
   if (bins < 1 || bins > most_bins) {
@@ -177,14 +188,14 @@ AskedBest parse_best(std::string_view text, const std::vector<Quantity>& columns
   const auto [column, rest] = column_of(option, text, columns, units);
   const std::size_t colon = std::min(rest.find(':'), rest.size());
   const std::string_view order = rest.substr(colon);
-  if (!order.empty() && order != ":largest" && order != ":smallest") {
-    throw wrong(option, text, "must be COLUMN:K, COLUMN:K:smallest or COLUMN:K:largest");
+  const auto count = records::scan_integer(rest.substr(0, colon));
+  if (!count || (!order.empty() && order != ":largest" && order != ":smallest")) {
+    throw wrong(option, text, "must be COLUMN:ROWS, COLUMN:ROWS:smallest or COLUMN:ROWS:largest");
   }
-  const std::int64_t count = records::parse_integer(option, rest.substr(0, colon));
-  if (count < 1 || count > most_rows) {
+  if (*count < 1 || *count > most_rows) {
     throw wrong(option, text, fmt::format("must ask for 1 to {} rows", most_rows));
   }
-  return {column, count, order == ":largest"};
+  return {column, *count, order == ":largest"};
 }
 
 Reducer::Reducer(const SweepSpec& spec)

@@ -234,6 +234,7 @@ BOOST_AUTO_TEST_CASE(has_an_axis_around_values_that_are_all_the_same) {
     BOOST_TEST(axis.least < value);
     BOOST_TEST(axis.most > value);
   }
+  BOOST_TEST(axis_around("", 0, 0).most == 1);
 }
 
 BOOST_AUTO_TEST_CASE(map_is_a_png) {

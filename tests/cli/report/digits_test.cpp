@@ -66,6 +66,8 @@ BOOST_AUTO_TEST_CASE(a_printed_limit_is_on_the_safe_side) {
   BOOST_TEST(limit_digits(0.5, true) == "0.5");
   BOOST_TEST(limit_digits(1.0 / 3, true) == "0.3333333334");
   BOOST_TEST(limit_digits(1.0 / 3, false) == "0.3333333333");
+  BOOST_TEST(limit_digits(1 / 1.1, true, 3) == "0.91");  // 0.909090...
+  BOOST_TEST(limit_digits(1 / 1.1, false, 3) == "0.909");
 }
 
 BOOST_AUTO_TEST_CASE(counts_are_whole_as_long_as_they_are_exact) {

@@ -70,9 +70,10 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   Figure figure;
   figure.id = "region";
   figure.title = region.feasible ? "Admissible region" : mend;
+  const auto box = damper ? tolerance_box(*damper, limits.shape, unit) : std::vector<FigurePoint>{};
   double right = std::max(region.f3, intervals.empty() ? 0 : intervals.back().high);
-  if (damper) {
-    right = std::max(right, damper->f * (1 + damper->tolerance));
+  for (const FigurePoint& corner : box) {
+    right = std::max(right, corner.x);
   }
   right *= headroom;
   const LeastDelta least_delta = design::least_delta(problem);
@@ -83,8 +84,8 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       top = std::max(top, at.y);
     }
   }
-  if (damper) {
-    top = std::max(top, damper->delta * (1 + damper->tolerance) * unit);
+  for (const FigurePoint& corner : box) {
+    top = std::max(top, corner.y);
   }
   top *= headroom;
   figure.x = {"constant friction f", 0, right};
@@ -120,17 +121,14 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
   }
   figure.curves.push_back(std::move(curve));
   if (damper) {
-    const double r = damper->tolerance;
-    const double delta = damper->delta * unit;
-    if (r > 0) {
-      figure.areas.push_back(
-          {format("tolerance ±{:.3g} %", 100 * r),
-           rectangle(damper->f * (1 - r), damper->f * (1 + r), delta * (1 - r), delta * (1 + r)),
-           Ink::blue, AreaLook::box});
+    const std::string words = tolerance_words(limits.shape, damper->tolerance);
+    if (damper->tolerance > 0) {
+      figure.areas.push_back({words, box, Ink::blue, AreaLook::box});
     }
-    figure.marks.push_back({damper->name, {{damper->f, delta}}, Shape::diamond, Ink::blue});
-    figure.description += format("{} at f = {:.4g}, Δ = {}, tolerance ±{:.3g} %.", damper->name,
-                                 damper->f, units.length_words(damper->delta), 100 * r);
+    figure.marks.push_back(
+        {damper->name, {{damper->f, damper->delta * unit}}, Shape::diamond, Ink::blue});
+    figure.description += format("{} at f = {:.4g}, Δ = {}, {}.", damper->name, damper->f,
+                                 units.length_words(damper->delta), words);
   }
   return figure;
 }

@@ -4,7 +4,9 @@
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 // | here   | means                                                                 |
@@ -21,11 +23,21 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double crest = 1.5 * pi;  // of a full sine's second half
 
+/// 1/n, from n = 1.
+constexpr std::array reciprocal{0.0,     1.0,     1.0 / 2, 1.0 / 3, 1.0 / 4,
+                                1.0 / 5, 1.0 / 6, 1.0 / 7, 1.0 / 8};
+
 struct Moving {
   double y{0};
   double v{0};
   double a{0};  ///< v'
   double j{0};  ///< v''
+};
+
+/// A moment of a slide.
+struct Moment {
+  double h{0};
+  Moving motion;
 };
 
 /// (62): a slide from rest under sin(psi + lambda h), about c.
@@ -55,6 +67,8 @@ class SineSlide {
     now.j = lambda_ * cosine - now.v;
     return now;
   }
+  /// The same by Taylor's series where h is near the last moment that was not.
+  [[nodiscard]] Moving near(double h, Moment& last) const;
   [[nodiscard]] double time_to(double psi) const { return (psi - psi_) / lambda_; }
   [[nodiscard]] double phase(double h) const { return psi_ + lambda_ * h; }
 
@@ -89,17 +103,34 @@ class SineSlide {
   double y_;
 };
 
-/// A moment of a slide.
-struct Moment {
-  double h{0};
-  Moving motion;
-};
-
-/// A short time later, by Taylor: d^4 is nothing.
-Moment advanced(const Moment& from, double d) {
-  const auto& [y, v, a, j] = from.motion;
-  return {from.h + d,
-          {y + d * (v + d * (a / 2 + d * j / 6)), v + d * (a + d * j / 2), a + d * j, j}};
+/// Eight terms, good to a rounding within 1/16 of 1 and of 1/lambda. The load and its slope are
+/// those of the motion: sin psi = a - c + y, lambda cos psi = j + v. A full sine that is short leaves
+/// a small difference of speeds, which has no digit to spare.
+Moving SineSlide::near(double h, Moment& last) const {
+  constexpr double part = 1.0 / 16;
+  const double d = h - last.h;
+  constexpr double short_sine = 100;
+  if (!(std::abs(d) * std::max(1.0, lambda_) <= part && lambda_ <= short_sine)) {
+    last = {h, at(h)};
+    return last.motion;
+  }
+  constexpr std::size_t terms = 8;
+  const auto& [y, v, a, j] = last.motion;
+  std::array<double, terms + 2> rate{y, v, a, j};
+  std::array<double, 2> load{a - c_ + y, j + v};
+  for (std::size_t n = 2; n + 2 < rate.size(); ++n) {
+    load[n % 2] *= -lambda_ * lambda_;
+    rate[n + 2] = load[n % 2] - rate[n];
+  }
+  const auto sum = [&](std::size_t first, std::size_t count) {
+    double value = 0;
+    for (std::size_t n = count; n > 0; --n) {
+      value = d * reciprocal[n] * (rate[first + n] + value);
+    }
+    return rate[first] + value;
+  };
+  constexpr std::size_t steer = 4;  // a and j only say where to look next
+  return {sum(0, terms), sum(1, terms), sum(2, steer), sum(3, steer)};
 }
 
 struct Taylor {
@@ -130,17 +161,20 @@ Moment zero(const SineSlide& slide, double positive, const Moment& not_positive,
             const Figure& figure) {
   double other = not_positive.h;
   Moment now = not_positive;
+  Moment last = not_positive;
   for (int i = 0; i < most_steps; ++i) {
     const Taylor here = figure(now.motion);
     const double step = halley_step(here);
     // Halley's step is short where the slope vanishes as well.
     if (std::abs(here.value) <= last_step * now.h * std::abs(here.slope)) {
-      return advanced(now, step);
+      now.h += step;
+      now.motion = slide.near(now.h, last);
+      return now;
     }
     (here.value > 0 ? positive : other) = now.h;
     const double next = now.h + step;
     now.h = (next - positive) * (next - other) < 0 ? next : positive + (other - positive) / 2;
-    now.motion = slide.at(now.h);
+    now.motion = slide.near(now.h, last);
   }
   return now;
 }
@@ -165,6 +199,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
   double from = 0;
   double step = pi;
   Moment now;
+  Moment known{-HUGE_VAL, {}};
   for (const double quarter : {pi / 2, crest, 2 * pi}) {
     const double end = slide.time_to(std::min(quarter, last));
     const bool driven = (quarter == crest) != outwards;
@@ -175,7 +210,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
         step = pi / 2;  // at most pi; where it mostly turns
         break;
       }
-      now = {to, slide.at(to)};
+      now = {to, slide.near(to, known)};
       const Taylor here = speed(now.motion);
       const double u = here.value;
       if (!outwards && now.motion.y <= 0 && u >= 0) {
@@ -185,12 +220,14 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
         return turned_or_arrived(zero(slide, from, now, speed));
       }
       from = to;
-      step = elementary::atan2(u, -here.slope);
-      if (is_near(here, step)) {
+      // The next zero of u'' + u = 0 is no farther than Newton's step.
+      if (here.slope < 0 && is_near(here, -u / here.slope)) {
         step = halley_step(here);
         if (step <= last_step * to) {
-          return turned_or_arrived(advanced(now, step));
+          return turned_or_arrived({to + step, slide.near(to + step, known)});
         }
+      } else {
+        step = elementary::atan2(u, -here.slope);
       }
     }
   }
@@ -202,9 +239,9 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
 }
 
 /// The motion so far, and how it goes on when the load is over.
-class Outcome {
+class MotionSoFar {
  public:
-  explicit Outcome(double f) { motion_.f = f; }
+  explicit MotionSoFar(double f) { motion_.f = f; }
 
   void turn(double y) {
     motion_.turns += 1;
@@ -262,7 +299,7 @@ class Outcome {
 
 /// Half-swings about 1 - f outwards and 1 + f inwards, each of the length pi.
 FirstReturn under_rectangle(double lambda, double f) {
-  Outcome outcome(f);
+  MotionSoFar so_far(f);
   const double ends = pi / lambda;
   double from = 0;  // of a half-swing
   double y = 0;
@@ -273,14 +310,14 @@ FirstReturn under_rectangle(double lambda, double f) {
     if (h <= pi) {
       const auto [half, half_cosine] = elementary::sin_cos(h / 2);
       const Moving now{y + 2 * (centre - y) * half * half, 2 * (centre - y) * half * half_cosine};
-      return outwards ? outcome.free_outwards(now, ends) : outcome.free_inwards(now, ends);
+      return outwards ? so_far.free_outwards(now, ends) : so_far.free_inwards(now, ends);
     }
     y = 2 * centre - y;
     from += pi;
-    outcome.turn(y);
+    so_far.turn(y);
     outwards = !outwards;
     if ((outwards ? 1 - y : y - 1) <= f) {  // held until the load ends
-      return outcome.free_from(y, ends);
+      return so_far.free_from(y, ends);
     }
   }
 }
@@ -291,10 +328,11 @@ struct Release {
   bool outwards;
 };
 
-/// Of a mass that has turned at y; empty if it is held for ever.
-std::optional<Release> release_of(double f, double y, double psi, double last) {
+/// Of a mass that has turned at y; empty if it is held for ever. If it had hardly moved, it was on
+/// the edge of being held, where rounding would let it set out again and again.
+std::optional<Release> release_of(double f, double y, double psi, double last, bool moved) {
   const double load = elementary::sin_cos(psi).sine;
-  if (std::abs(y - load) > f) {
+  if (moved && std::abs(y - load) > f) {
     return Release{psi, load > y};
   }
   if (psi < pi / 2 && y + f < 1) {
@@ -307,7 +345,7 @@ std::optional<Release> release_of(double f, double y, double psi, double last) {
 }
 
 std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
-  Outcome outcome(f);
+  MotionSoFar so_far(f);
   double y = 0;
   Release release{elementary::asin(f), true};
   // Of a pulse of a hundred natural periods. Rounding could hold a mass on the edge of a slide.
@@ -316,19 +354,20 @@ std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
     const SineSlide slide(lambda, release.psi, release.outwards ? -f : f, y);
     const auto [event, at] = slid(slide, release.outwards, last);
     if (event == SlideEvent::load_over) {
-      return release.outwards ? outcome.free_outwards(at.motion, last / lambda)
-                              : outcome.free_inwards(at.motion, last / lambda);
+      return release.outwards ? so_far.free_outwards(at.motion, last / lambda)
+                              : so_far.free_inwards(at.motion, last / lambda);
     }
     const double psi = slide.phase(at.h);
     if (event == SlideEvent::arrival) {
       const double load = psi < last - pi / 2 ? 1 : std::abs(elementary::sin_cos(psi).sine);
-      return outcome.arrival(-at.motion.v, psi / lambda, load);
+      return so_far.arrival(-at.motion.v, psi / lambda, load);
     }
     y = at.motion.y;
-    outcome.turn(y);
-    const auto next = release_of(f, y, psi, last);
+    so_far.turn(y);
+    constexpr double rounding = 1e-14;
+    const auto next = release_of(f, y, psi, last, psi - release.psi > rounding);
     if (!next) {
-      return outcome.rest(y);
+      return so_far.rest(y);
     }
     release = *next;
   }

@@ -2,9 +2,11 @@
 #pragma once
 
 // The first return under a pulse without a search for events: docs/theory.md section 16. In units
-// of k and p, as profile.hpp.
+// of k and p, as first_return.hpp.
 
-#include "pulse/profile.hpp"
+#include "pulse/first_return.hpp"
+
+#include <stillpoint/design/pulse.hpp>
 
 #include <optional>
 

@@ -2,6 +2,7 @@
 #include "pulse/profile.hpp"
 
 #include "pulse/closed_return.hpp"
+#include "pulse/edge.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/forced_motion.hpp>
@@ -46,7 +47,6 @@ std::vector<double> first_grid(const Pulse& pulse) {
   constexpr int small = 4;
   constexpr int even = 32;
   constexpr int large = 14;
-  constexpr double nearly = 1 - 1e-6;  // f = k moves nothing
   const double scale = std::min(1.0, impulse(pulse));
   const bool both_ways = std::holds_alternative<FullSine>(pulse);
   const int last = both_ways ? even : even / 2;
@@ -57,10 +57,10 @@ std::vector<double> first_grid(const Pulse& pulse) {
                    elementary::pow(1 / (even * least), static_cast<double>(i) / small));
   }
   for (int i = 1; i <= last; ++i) {
-    grid.push_back(std::min(nearly, scale * i / even));
+    grid.push_back(std::min(nearest_to_k, scale * i / even));
   }
-  for (int i = 1; both_ways && scale < nearly && i <= large; ++i) {
-    grid.push_back(scale * elementary::pow(nearly / scale, static_cast<double>(i) / large));
+  for (int i = 1; both_ways && scale < nearest_to_k && i <= large; ++i) {
+    grid.push_back(scale * elementary::pow(nearest_to_k / scale, static_cast<double>(i) / large));
   }
   return grid;
 }
@@ -143,11 +143,13 @@ void PulseProfile::add_changes(const FirstReturn& to, bool k_varies) {
       };
       last_not_negative(before.f, to.f, clearance);
     } else {
-      constexpr double near = 1.0 / 4096;
-      last_that_holds(before.f, to.f, same_at, near * (to.f - before.f));
-      const bool time_goes_on = (before.time <= last.time) == (after.time <= to.time);
-      if (!no_top_between(before, last, after, to) || (k_varies && !time_goes_on)) {
-        last_that_holds(last.f, after.f, same_at);
+      // Ever closer, until nothing that matters happens between the two.
+      for (const double near : {1.0 / 64, 1.0 / 4096, 0.0}) {
+        last_that_holds(last.f, after.f, same_at, near * (to.f - before.f));
+        const bool time_goes_on = (before.time <= last.time) == (after.time <= to.time);
+        if (no_top_between(before, last, after, to) && (time_goes_on || !k_varies)) {
+          break;
+        }
       }
     }
     if (last.f > before.f) {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/worst_return.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/pulse.hpp>
 
 #include <fmt/format.h>
-
-#include <memory>
 
 namespace stillpoint::design {
 
@@ -17,10 +13,6 @@ namespace {
 constexpr Names warning_names(
     std::to_array<Named<PulseWarning>>({{PulseWarning::pulse_not_short, "pulse_not_short"},
                                         {PulseWarning::friction_not_small, "friction_not_small"}}));
-
-}  // namespace
-
-namespace {
 
 void require_followed(double lambda, double p) {
   if (!(lambda <= fastest_pulse * p && p <= slowest_pulse * lambda)) {
@@ -79,22 +71,6 @@ std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f) {
         }
       },
       pulse);
-}
-
-std::optional<double> least_delta(const PulseProblem& problem, double f) {
-  return least_delta(problem)(f);
-}
-
-std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem) {
-  const auto worst = problem.has_ranges() ? std::make_shared<const WorstReturn>(problem) : nullptr;
-  return [problem, worst](double f) -> std::optional<double> {
-    const double k = peak_load(problem.pulse);
-    const FirstReturn motion =
-        worst ? worst->at(f / k) : first_return(problem.pulse, problem.p, f / k);
-    return motion.returns
-               ? std::optional(motion.need(problem.criterion) * (k / problem.p) * (k / problem.p))
-               : std::nullopt;
-  };
 }
 
 std::string_view name(PulseWarning warning) noexcept {

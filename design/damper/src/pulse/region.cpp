@@ -2,6 +2,7 @@
 #include "pulse/region.hpp"
 
 #include <stillpoint/core/elementary.hpp>
+#include "pulse/edge.hpp"
 
 #include <boost/math/tools/minima.hpp>
 

@@ -65,6 +65,7 @@ class PulseRegion {
   [[nodiscard]] double delta_unit() const { return length_ * k_; }
   [[nodiscard]] double length_unit() const { return length_; }
   [[nodiscard]] double asked() const { return asked_; }
+  [[nodiscard]] double delta_max() const { return delta_max_; }
 
   /// The sides of a box of f, and the f whose box has that low end.
   [[nodiscard]] double low_of(double f, double tolerance) const {

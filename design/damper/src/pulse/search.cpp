@@ -5,6 +5,7 @@
 
 #include "pulse/search.hpp"
 
+#include "pulse/edge.hpp"
 #include "search/nlopt_fence.hpp"
 #include "search/objectives.hpp"
 #include "search/run.hpp"
@@ -30,7 +31,6 @@ struct PulseTask {
   Objective objective;
   Island island;
   double most_use{1};  ///< of delta_max
-  mutable FirstReturn last{.f = -1};
 
   PulseTask(const PulseRegion& of, Objective what, const Island& whole)
       : region(of), objective(what), island(whole) {
@@ -47,14 +47,7 @@ struct PulseTask {
 
   [[nodiscard]] double cost(double f) const {
     return objective == Objective::robust ? -region.widest_box(island, f)
-                                          : objective_of(objective, at(f));
-  }
-  /// What it costs and whether it fits are asked for the same f by turns.
-  [[nodiscard]] const FirstReturn& at(double f) const {
-    if (last.f != f) {
-      last = region.at(f);
-    }
-    return last;
+                                          : objective_of(objective, region.at(f));
   }
   /// The tolerance asked for is there.
   [[nodiscard]] bool fits(double f) const { return room(f) >= 0; }
@@ -77,10 +70,6 @@ struct PulseBest {
   std::optional<double> f;
   double cost{HUGE_VAL};
 
-  void consider(const PulseTask& task, const FirstReturn& motion) {
-    task.last = motion;
-    consider(task, motion.f);
-  }
   void consider(const PulseTask& task, double f_new) {
     const double inside = std::clamp(f_new, task.island.low, task.island.high);
     if (std::isnan(inside) || !task.fits(inside)) {
@@ -136,20 +125,21 @@ std::vector<FirstReturn> looks_between(const PulseTask& task, double low, double
 PulseBest bracketed(const PulseTask& task) {
   PulseBest best;
   const double tolerance = task.region.asked();
-  const auto [low, high] = task.region.middles(task.island);
-  if (const auto box = task.region.box_in(task.island, tolerance)) {
-    best.consider(task, task.region.middle_of(*box, tolerance));
-  }
+  const auto box = task.region.box_in(task.island, tolerance);
   if (task.objective == Objective::robust) {
+    if (box) {
+      best.consider(task, task.region.middle_of(*box, tolerance));
+    }
     best.consider(task, middle_of_largest_box(task));
     return best;
   }
+  const auto [low, high] = task.region.middles(task.island);
   const std::vector<FirstReturn> looks = looks_between(task, low, high);
   const FirstReturn* before = nullptr;
   std::size_t at_best = 0;
   for (const FirstReturn& now : looks) {
     const double least = best.cost;
-    best.consider(task, now);
+    best.consider(task, now.f);
     at_best = best.cost < least ? static_cast<std::size_t>(&now - looks.data()) : at_best;
     if (before != nullptr && task.fits(now.f) != task.fits(before->f)) {
       // The end of what delta_max leaves.
@@ -158,6 +148,9 @@ PulseBest bracketed(const PulseTask& task) {
                                             [&](double f) { return task.room(f); }));
     }
     before = &now;
+  }
+  if (box) {
+    best.consider(task, task.region.middle_of(*box, tolerance));
   }
   const double left = looks[at_best == 0 ? 0 : at_best - 1].f;
   const double right = looks[std::min(at_best + 1, looks.size() - 1)].f;
@@ -175,26 +168,35 @@ PulseBest bracketed(const PulseTask& task) {
   return best;
 }
 
-/// The best f of the samples, a start for NLopt; the middle for `robust`, or where none fits.
+/// The best f of the samples and of the ends, a start for NLopt; the middle for `robust`, and some
+/// f that fits where that does not.
 double start_of(const PulseTask& task) {
   PulseBest best;
   if (task.objective != Objective::robust) {
+    const auto [low, high] = task.region.middles(task.island);
+    best.consider(task, low);
+    best.consider(task, high);
     for (const FirstReturn& now : task.region.profile()->samples()) {
       if (task.island.low <= now.f && now.f <= task.island.high) {
-        best.consider(task, now);
+        best.consider(task, now.f);
       }
     }
   }
-  return best.f.value_or(std::sqrt(task.island.low) * std::sqrt(task.island.high));
+  const double middle = std::sqrt(task.island.low) * std::sqrt(task.island.high);
+  if (best.f || task.fits(middle)) {
+    return best.f.value_or(middle);
+  }
+  const auto box = task.region.box_in(task.island, task.region.asked());
+  return box ? task.region.middle_of(*box, task.region.asked()) : middle;
 }
 
-/// By differences, one-sided at a bound of f.
+/// By the difference to a value nearby, above where that is within.
 template <class Value>
 double slope(const Value& value, double at, const Island& within) {
   constexpr double part = 1e-7;
-  const double low = std::max(within.low, at * (1 - part));
-  const double high = std::min(within.high, at * (1 + part));
-  return high > low ? (value(high) - value(low)) / (high - low) : 0;
+  const double above = at * (1 + part);
+  const double other = above <= within.high ? above : std::max(within.low, at * (1 - part));
+  return other != at ? (value(other) - value(at)) / (other - at) : 0;
 }
 
 /// x = f / high of the island and, for `robust`, t: the least -t or cost with
@@ -244,10 +246,15 @@ NloptProblem constrained(const PulseTask& task, double scale,
     store(gradient, 1 + up * box(x), up * x[0]);
     return x[0] * (1 + up * box(x)) - 1;
   });
+  if (std::isinf(task.region.delta_max())) {
+    return posed;
+  }
   const auto use = [=, &task](double f, double t) {
     const double box_low = std::clamp(f * (1 - down * t), low, high);
+    // It converges on the edge from outside.
+    constexpr double inset = 1e-9;
     return task.region.use_of_delta(box_low, std::clamp(f * (1 + up * t), box_low, high), t) -
-           task.most_use;
+           task.most_use * (1 - inset);
   };
   posed.constraints.emplace_back([=, &task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
     const double f = x[0] * high;
@@ -255,8 +262,11 @@ NloptProblem constrained(const PulseTask& task, double scale,
     if (gradient.size() > 0) {
       const auto by_f = [&](double now) { return use(now, t); };
       const auto by_t = [&](double now) { return use(f, now); };
+      constexpr double small = 1e-7;
       store(gradient, slope(by_f, f, task.island) * high,
-            t > 0 ? slope(by_t, t, {0, most}) : (by_t(1e-7) - by_t(0)) / 1e-7);
+            !robust ? 0
+            : t > 0 ? slope(by_t, t, {0, most})
+                    : (by_t(small) - by_t(0)) / small);
     }
     return use(f, t);
   });

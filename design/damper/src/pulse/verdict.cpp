@@ -20,7 +20,7 @@ FirstReturn last_return(const PulseRegion& region) {
 }
 
 /// A task with some of its requirements alone.
-bool feasible(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
+bool leaves_any(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
   if (!beta) {
     problem.beta = HUGE_VAL;
   }
@@ -41,9 +41,11 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
     }
   }
   edges.f1 = problem.beta * problem.p * problem.p;
-  edges.f3 = last.f * region.f_unit();
+  // What returns up to there does so up to k, and moves as little as you like.
+  const bool up_to_k = last.f >= nearest_to_k;
+  edges.f3 = (up_to_k ? 1 : last.f) * region.f_unit();
   edges.delta2 = HUGE_VAL;
-  edges.beta_min = least_peak * region.length_unit();
+  edges.beta_min = up_to_k ? 0 : least_peak * region.length_unit();
   if (within) {
     edges.feasible = true;
     const bool binds = weakest != nullptr && within->low > weakest->f * (1 + 1e-9);
@@ -61,7 +63,7 @@ Conflict conflict_of(const PulseRegion& region, const PulseProblem& problem, con
   const auto fits = [&](Limits some, bool beta = true) {
     some.tolerance = limits.tolerance;
     some.shape = limits.shape;
-    return feasible(region, problem, some, beta);
+    return leaves_any(region, problem, some, beta);
   };
   const auto& acceleration_max = limits.acceleration_max;
   if (!fits({})) {

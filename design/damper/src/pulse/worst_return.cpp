@@ -77,6 +77,7 @@ double top_of(const Placed& before, const Placed& now, const Placed& after) {
 WorstReturn::WorstReturn(const PulseProblem& problem)
     : criterion_(problem.criterion),
       weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
+  recent_.fill({.f = -1});
   add_cases(problem);
   add_samples();
 }
@@ -157,6 +158,21 @@ FirstReturn WorstReturn::worst_of(const Case& one, double f) const {
 }
 
 FirstReturn WorstReturn::at(double f) const {
+  const auto known = std::ranges::find(recent_, f, &FirstReturn::f);
+  if (known != recent_.end()) {
+    return *known;
+  }
+  const auto sample = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
+  if (sample != samples_.end() && sample->f == f) {
+    return *sample;
+  }
+  recent_[oldest_] = found_at(f);
+  const FirstReturn& found = recent_[oldest_];
+  oldest_ = (oldest_ + 1) % recent_.size();
+  return found;
+}
+
+FirstReturn WorstReturn::found_at(double f) const {
   FirstReturn worst = worst_of(cases_.front(), f);
   if (cases_.size() == 1) {
     return worst;

@@ -8,13 +8,15 @@
 
 #include <stillpoint/design/pulse.hpp>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace stillpoint::design {
 
 /// For one pulse and one spring it is their PulseProfile. Over ranges every figure of a motion is
-/// the largest of any pulse with any spring, and it returns if all do.
+/// the largest of any pulse with any spring, and it returns if all do. Searches ask for the same f
+/// again and again, so the last motions are kept: not for two threads at once.
 class WorstReturn {
  public:
   explicit WorstReturn(const PulseProblem& problem);
@@ -44,6 +46,7 @@ class WorstReturn {
   void add_cases(const PulseProblem& problem);
   void add_leg(const Pulse& unit, double lambda, double p, double to_lambda, double to_p);
   void add_samples();
+  [[nodiscard]] FirstReturn found_at(double f) const;
   [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;
   [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
   [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
@@ -55,6 +58,8 @@ class WorstReturn {
   std::vector<Case> cases_;
   std::size_t corner_{0};  ///< the case where p has reached its low end and lambda sets out
   std::vector<FirstReturn> samples_;
+  mutable std::array<FirstReturn, 8> recent_;
+  mutable std::size_t oldest_{0};
 };
 
 }  // namespace stillpoint::design

@@ -3,7 +3,7 @@
 
 // The objectives in the units of unit_problem.hpp, one row each in objectives.cpp.
 
-#include "pulse/profile.hpp"
+#include "pulse/first_return.hpp"
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/search_options.hpp>

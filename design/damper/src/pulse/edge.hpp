@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The last place where a requirement holds, between one where it does and one where it does not.
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+/// How close the ends of an interval are that holds an edge: a relative 1e-14, or 1e-18, which is
+/// nothing for an f/k as for a tolerance.
+inline double edge_width(double a, double b) {
+  constexpr double close = 1e-14;
+  constexpr double nothing = 1e-18;
+  return std::max(nothing, close * std::max(a, b));
+}
+
+/// Halves the interval to that width, or to `enough`; returns the end that holds.
+template <class Holds>
+double last_that_holds(double holds_at, double fails_at, const Holds& holds, double enough = 0) {
+  while (std::abs(fails_at - holds_at) > std::max(enough, edge_width(holds_at, fails_at))) {
+    const double middle = holds_at + (fails_at - holds_at) / 2;
+    (holds(middle) ? holds_at : fails_at) = middle;
+  }
+  return holds_at;
+}
+
+/// The same where what holds is that a function is >= 0, in a tenth of the steps where it is
+/// smooth: Chandrupatla's method, which bisects where the inverse parabola is not to be trusted.
+template <class Function>
+double last_not_negative(double holds_at, double fails_at, const Function& function) {
+  double a = fails_at;
+  double b = holds_at;
+  double at_a = function(a);
+  double at_b = function(b);
+  double part = 0.5;
+  constexpr int patience = 50;  // where the function jumps, halves are better than any parabola
+  for (int step = 0; std::abs(b - a) > edge_width(a, b); ++step) {
+    const double now = a + part * (b - a);
+    const double at_now = function(now);
+    double c = a;
+    double at_c = at_a;
+    if ((at_now >= 0) != (at_a >= 0)) {
+      c = b;
+      at_c = at_b;
+      b = a;
+      at_b = at_a;
+    }
+    a = now;
+    at_a = at_now;
+    const double place = (a - b) / (c - b);
+    const double value = (at_a - at_b) / (at_c - at_b);
+    const bool trusted = value * value < place && (1 - value) * (1 - value) < 1 - place;
+    const double least = edge_width(a, b) / 2 / std::abs(b - a);
+    part = trusted ? at_a / (at_b - at_a) * at_c / (at_b - at_c) +
+                         (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b)
+                   : 0.5;
+    part = least < 0.5 && step < patience ? std::clamp(part, least, 1 - least) : 0.5;
+  }
+  return at_a >= 0 ? a : b;
+}
+
+}  // namespace stillpoint::design

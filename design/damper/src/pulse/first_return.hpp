@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a pulse does with one f: a forced run, held at its first return by a notch that nothing
+// passes. In units of k and p: k = p = 1, so that f is f/k, a length is x p^2/k, Delta is
+// Delta p^2/k^2, time is p tau, and only lambda/p is left.
+
+#include <stillpoint/design/problem.hpp>
+
+namespace stillpoint::design {
+
+/// The motion from rest to its first return, or to its rest elsewhere.
+struct FirstReturn {
+  double f{0};
+  bool returns{false};  ///< to x = 0, where the notch holds it
+  double peak{0};
+  double speed{0};         ///< of the arrival
+  double time{0};          ///< of the arrival, since the start of the pulse
+  double acceleration{0};  ///< the largest transmitted, |W| after the arrival included
+  double turns{0};
+  /// Delta >= this stops it there: half the square of the speed, by the published criterion
+  /// f^2/(2 p^2) more, as for a hit.
+  double exact_need{0};
+  double published_need{0};
+  /// The square of the arrival speed; where the mass rests at |x| short of x = 0 the negative
+  /// |x| (|x| - 2 f) or a swing's like it. Smooth in f where the one becomes the other.
+  double clearance{0};
+
+  [[nodiscard]] double need(Criterion criterion) const {
+    return criterion == Criterion::exact ? exact_need : published_need;
+  }
+};
+
+}  // namespace stillpoint::design
