@@ -51,6 +51,9 @@ constexpr std::size_t kept_points = 150;
 constexpr std::size_t generation = 300;
 constexpr int most_generations = 250;
 constexpr std::uint64_t populations = 8;
+/// The figures of many records together are smoother, and take longer.
+constexpr std::size_t many_records = 7;
+constexpr std::uint64_t populations_of_many = 3;
 constexpr std::int64_t fine_side = 1000;  ///< whose cell is the first step of the last descent
 /// Of a coordinate: a millionth of the range of f or delta is as good as none, if the objective is
 /// no more than a millionth worse without it.
@@ -289,10 +292,14 @@ class Search {
     return best_.rank.off < before.off || best_.rank.value < before.value * (1 - no_difference);
   }
 
-  /// As `best`, but for rounding.
+  /// As `best`, but for rounding; the stroke decides between equal values.
   static bool as_good(const SuiteRank& rank, const SuiteRank& best) {
-    return rank.off <= best.off * (1 + no_difference) &&
-           (best.off > 0 || rank.value <= best.value * (1 + no_difference));
+    constexpr double same = 1 + no_difference;
+    if (best.off > 0) {
+      return rank.off <= best.off * same;
+    }
+    return rank.off <= 0 && (rank.value == best.value ? rank.peak <= best.peak * same
+                                                      : rank.value <= best.value * same);
   }
 
   /// The best of `found` that are apart.
@@ -342,7 +349,9 @@ class Search {
     found.push_back(best_);
     const std::vector<double> middle = best_.unit;
     std::vector<Ranked> ends;
-    for (std::uint64_t population = 0; population < populations; ++population) {
+    const std::uint64_t most =
+        suite_.loads().size() < many_records ? populations : populations_of_many;
+    for (std::uint64_t population = 0; population < most; ++population) {
       SuiteOffspring offspring(population);
       std::vector<Ranked> kept = found;
       bool settled = false;
