@@ -177,7 +177,7 @@ test("printed, it is a specification of two pages", () =>
     ]) {
       assert.ok(text.replaceAll("\u00a0", " ").includes(part), part);
     }
-    await page.emulateMedia({ media: "screen" });
+    await page.emulateMedia({ media: null });
     // Of the design's hit while another is tried, which stays; of none where the input is wrong.
     await page.fill("#hit", "500");
     await settle(page);
