@@ -41,8 +41,4 @@ double value_of(const SuiteFigures& figures, SuiteObjective which) {
   return figures.acceleration;
 }
 
-bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
-  return rank(figures, SuiteObjective::acceleration, limits).off == 0;
-}
-
 }  // namespace stillpoint::design
