@@ -6,7 +6,9 @@
 //
 // Each round measures every case once, and the shortest time of each counts, since other work of
 // the machine can only add to it. With CASE only those whose names contain it. A case is repeated
-// for beta from 0.8 to 1.2, so that no single task decides.
+// for beta from 0.8 to 1.2, so that no single task decides. "random" measures 600 random tasks of
+// each pulse, p/lambda from 0.02 to 5, and gives the median and nine tenths of those that have a
+// design.
 
 #include "pulse/search.hpp"
 
@@ -20,7 +22,9 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <random>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -101,11 +105,12 @@ std::vector<Case> cases() {
   const auto parts = thousand_parts();
   // With k = 1 they would swing a mass without friction to 1.5 to 1.9.
   constexpr double most_of_free = 1.2;
-  const std::array<std::pair<const char*, design::Pulse>, 4> pulses{
+  const std::array<std::pair<const char*, design::Pulse>, 5> pulses{
       {{"half-sine, p/lambda 0.8", HalfSine{1, 1.25}},
        {"rectangle, p/lambda 0.8", Rectangle{1, 1.25}},
        {"full sine, p/lambda 0.8", FullSine{1, 1.25}},
-       {"half-sine, p/lambda 4", HalfSine{1, 0.25}}}};
+       {"half-sine, p/lambda 4", HalfSine{1, 0.25}},
+       {"full sine, p/lambda 4", FullSine{1, 0.25}}}};
   std::vector<Case> all;
   for (const Objective objective : objectives) {
     const SearchOptions options{.objective = objective};
@@ -147,6 +152,18 @@ std::vector<Case> cases() {
   }
   for (const auto& row : pulses) {
     const auto pulse = row.second;  // a lambda of C++20 in clang 14 does not capture a binding
+    all.push_back({fmt::format("mends, {}", row.first), [=](double beta) {
+                     // A tolerance of 90 % is more than any of them has.
+                     (void)design::mends(design::PulseProblem{pulse, 1, most_of_free * beta},
+                                         {.delta_max = 0.1, .tolerance = 0.9});
+                   }});
+    all.push_back(
+        {fmt::format("search, robust, k, lambda and p 0.9:1, {}", row.first), [=](double beta) {
+           design::PulseProblem task{pulse, 0.9, most_of_free * beta};
+           task.ranges = {0.9, 1.1 * design::angular_frequency(pulse)};
+           task.p_high = 1;
+           (void)design::search(design::PulseRegion(task, {}), {});
+         }});
     for (const Objective objective : objectives) {
       const SearchOptions options{.objective = objective};
       const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
@@ -157,6 +174,62 @@ std::vector<Case> cases() {
     }
   }
   return all;
+}
+
+constexpr std::string_view random_name = "random";
+
+struct RandomTask {
+  design::PulseProblem problem;
+  Limits limits;
+  SearchOptions options;
+};
+
+RandomTask random_task(int kind, std::mt19937_64& engine) {
+  const auto uniform = [&](double low, double high) {
+    constexpr double unit = 0x1p-53;
+    return low + (high - low) * static_cast<double>(engine() >> 11) * unit;
+  };
+  const double lambda = std::exp(uniform(std::log(1.0 / 5), std::log(1 / 0.02)));
+  const std::array<design::Pulse, 3> pulses{HalfSine{1, lambda}, Rectangle{1, lambda},
+                                            FullSine{1, lambda}};
+  RandomTask task{{pulses[static_cast<std::size_t>(kind)]}, {}, {}};
+  const design::FirstReturn free = design::first_return(task.problem.pulse, 1, 1e-3);
+  task.problem.beta = uniform(0.35, 1.2) * free.peak;
+  task.problem.criterion = engine() % 2 == 0 ? Criterion::published : Criterion::exact;
+  task.limits.tolerance = engine() % 2 == 0 ? uniform(0, 0.3) : 0;
+  if (engine() % 4 == 0) {
+    task.limits.delta_max = uniform(0.2, 1.5) * free.exact_need;
+  }
+  task.options.objective = std::array{Objective::robust, Objective::amplitude, Objective::time,
+                                      Objective::acceleration}[engine() % 4];
+  return task;
+}
+
+void measure_random_pulses(int rounds) {
+  constexpr int count = 600;
+  constexpr unsigned seed = 20261122;
+  constexpr std::array names{"half-sines", "rectangles", "full sines"};
+  for (int kind = 0; kind < 3; ++kind) {
+    std::mt19937_64 engine(seed);
+    std::vector<double> microseconds;
+    for (int i = 0; i < count; ++i) {
+      const auto [problem, limits, options] = random_task(kind, engine);
+      double least = HUGE_VAL;
+      bool found = false;
+      for (int round = 0; round < rounds; ++round) {
+        const double begin = processor_time();
+        found = design::search(design::PulseRegion(problem, limits), options).has_value();
+        least = std::min(least, 1e6 * (processor_time() - begin));
+      }
+      if (found) {
+        microseconds.push_back(least);
+      }
+    }
+    std::ranges::sort(microseconds);
+    fmt::print("{} {}, {} designs: median {:.1f} us, nine tenths below {:.1f} us\n", random_name,
+               names[static_cast<std::size_t>(kind)], microseconds.size(),
+               microseconds[microseconds.size() / 2], microseconds[microseconds.size() * 9 / 10]);
+  }
 }
 
 }  // namespace
@@ -175,5 +248,8 @@ int main(int count, char** arguments) {
   }
   for (const auto& one : all) {
     fmt::print("{:<70}{:>10.1f} us\n", one.name, one.microseconds);
+  }
+  if (count <= 2 || arguments[2] == stillpoint::bench::random_name) {
+    stillpoint::bench::measure_random_pulses(rounds);
   }
 }

@@ -42,7 +42,11 @@ function wider(least, most, label) {
 function draw_phase({ t, x, v, limit }, units) {
   const most = Math.max(...x);
   const plot = new Plot(
-    wider(Math.min(...x, 0), most > 0.6 * limit ? Math.max(most, limit) : most, units.length_label),
+    wider(
+      Math.min(...x, 0),
+      most > 0.6 * limit || most === 0 ? Math.max(most, limit) : most,
+      units.length_label,
+    ),
     wider(Math.min(...v), Math.max(...v), units.velocity_label),
     { ...portrait, title: "Phase portrait", name: "Velocity against displacement." },
   );

@@ -214,7 +214,16 @@ class MotionView {
     el("clock").dataset.value = String(time);
   }
 
+  /** Nothing, and why. @param {Part[]} why */
+  draw_nothing(...why) {
+    this.stop();
+    this.drawn = null;
+    fill(el("motion"), ...why);
+    for (const id of ["phase", "energy"]) el(id).replaceChildren();
+  }
+
   play() {
+    if (!this.drawn) return;
     this.playing = true;
     el("play").textContent = "Pause";
     if (this.at >= 1) this.at = 0;

@@ -6,8 +6,11 @@ const ends_words = /** @type {Record<string, string>} */ ({
   held: "held",
   centred: "centred",
   off_centre: "off centre",
+  alternating: "centred and off centre by turns",
   too_far: "too far",
+  never_stops: "never stops",
 });
+const most_keys = 8; // there can be a hundred parts
 
 class HitsView {
   /** @param {(hit: number | null) => void} try_hit */
@@ -69,17 +72,22 @@ class HitsView {
     }
     this.designed = high ?? low;
     fill(el("hit-ends"), number(0, this.unit), number(this.most, this.unit));
-    fill(el("hit-key"), ...this.hits.map((hit, i) => this.key(hit, i)));
+    fill(el("hit-key"), ...this.keys());
   }
 
-  /** A part in words, also where it is too narrow for its name. @param {{ to: number, ends: string }} hit @param {number} i */
-  key({ to, ends }, i) {
-    const last = i + 1 === this.hits.length;
-    const limit = last ? (i > 0 ? ["beyond"] : []) : ["up to ", number(to, this.unit)];
-    return make(
-      "span",
-      { class: `key ink-${ends}` },
-      make("span", {}, `${ends_words[ends] ?? ends} `, ...limit),
+  /** The parts in words, also those that are too narrow for their names; of many, what there is. */
+  keys() {
+    const key = (/** @type {string} */ ends, /** @type {Part[]} */ ...limit) =>
+      make(
+        "span",
+        { class: `key ink-${ends}` },
+        make("span", {}, ends_words[ends] ?? ends, ...limit),
+      );
+    if (this.hits.length > most_keys)
+      return [...new Set(this.hits.map(({ ends }) => ends))].map((ends) => key(ends));
+    const last = this.hits.length - 1;
+    return this.hits.map(({ to, ends }, i) =>
+      i < last ? key(ends, " up to ", number(to, this.unit)) : key(ends, i > 0 ? " beyond" : ""),
     );
   }
 

@@ -5,6 +5,7 @@
 /** How much is drawn anew: another hit, another damper, another task. */
 const Level = { hit: 1, damper: 2, task: 3 };
 const points = 400; // of a motion
+const most_half_cycles = 2000; // that are drawn: each is as wide as a fifth of a pixel
 
 class Bench {
   /** @param {Engine} engine */
@@ -282,8 +283,10 @@ class Bench {
   }
 
   draw_cloud() {
-    if (this.motion && this.damper)
-      draw_cloud(this.engine, this.judged, this.damper, this.plain_motion());
+    if (!this.motion || !this.damper) return;
+    if (this.motion.response.half_cycles > most_half_cycles)
+      return ["cloud", "cloud-words"].forEach((id) => el(id).replaceChildren());
+    draw_cloud(this.engine, this.judged, this.damper, this.plain_motion());
   }
 
   /** The motion shown, dimensionless. @returns {Options} */
@@ -307,23 +310,18 @@ class Bench {
   }
 
   show_nothing() {
-    const parts = [
-      "motion",
-      "phase",
-      "energy",
-      "cloud",
-      "cloud-words",
-      "hit-words",
-      "hit-key",
-      "lane",
-    ];
+    const parts = ["cloud", "cloud-words", "hit-words", "hit-key", "lane"];
     for (const id of [...parts, "record-figures", "record-answer"]) el(id).replaceChildren();
-    this.motion_view.stop();
-    this.motion_view.drawn = null;
+    this.motion_view.draw_nothing();
   }
 
   draw_motion() {
     if (!this.motion) return;
+    const { half_cycles } = this.motion.response;
+    if (half_cycles > most_half_cycles)
+      return this.motion_view.draw_nothing(
+        make("p", {}, "It moves for ", number(half_cycles), " half-cycles, too many to draw."),
+      );
     const motion = this.engine.motion(this.plain_motion(), points);
     if ("error" in motion) return fill(el("motion"), motion.error);
     const { physical, input: run } = this.motion;

@@ -99,7 +99,7 @@ Doubles as_doubles(py::handle value, const char* name) {
   constexpr std::string_view kinds = "biufO";  // truths, whole numbers, floats, Python's own
   const py::array given = py::array::ensure(value);
   const bool numbers = given && kinds.find(given.dtype().kind()) != std::string_view::npos;
-  Doubles array = py::reinterpret_steal<Doubles>(py::handle());
+  auto array = py::reinterpret_steal<Doubles>(py::handle());
   if (numbers) {
     array = Doubles::ensure(given);
   }

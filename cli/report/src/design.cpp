@@ -6,6 +6,7 @@
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillpoint::report {
@@ -181,6 +182,15 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
+/// Of a notch: 20 mm, or 1, 2 or 5 times a power of ten where that is above a fifth of the peak.
+double example_width_m(double peak_m) {
+  constexpr double usual = 0.02;
+  const double most = peak_m / 5;
+  const double decade = std::pow(10, std::floor(std::log10(most)));
+  const double digit = most / decade;
+  return std::min(usual, decade * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1));
+}
+
 /// What the structure feels: outside the notch, and inside one that has a width.
 std::string felt(const design::Finding& finding, const Response& response,
                  const design::Limits& limits, const Physical& physical) {
@@ -193,7 +203,7 @@ std::string felt(const design::Finding& finding, const Response& response,
   if (!physical) {
     return format("{} outside the notch, f + delta/w inside one of width w", outside);
   }
-  constexpr double example_m = 0.02;
+  const double example_m = example_width_m(response.peak_amplitude * physical->scales.length_m);
   const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
                                                    example_m / physical->scales.length_m);
   return format("{} outside the notch; {:.3g} g inside one {} wide (f + delta/w)", outside, inside,

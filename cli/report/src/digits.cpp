@@ -30,8 +30,10 @@ std::string with_unit(double value, std::string_view unit) {
   const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
-      const bool unusual = unit == "m" && prefix.factor > 1;  // no kilometres
-      if (magnitude >= prefix.factor && !unusual) {
+      // Of lengths neither kilometres nor micrometres: those of one report compare at a glance.
+      const bool length = unit == "m";
+      const bool least = length && prefix.factor == 1e-3;
+      if ((magnitude >= prefix.factor || least) && !(length && prefix.factor > 1)) {
         return fmt::format("{:.5g} {}{}", value / prefix.factor, prefix.sign, unit);
       }
     }

@@ -43,7 +43,7 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
     section.row("friction force", with_unit(*force, "N"));
   }
   if (const auto energy = physical->scales.energy_per_passage_j(delta);
-      energy && std::isfinite(*energy)) {
+      energy && delta > 0 && std::isfinite(*energy)) {
     section.row("notch capacity", with_unit(*energy, "J") + " for a whole passage");
   }
 }
@@ -127,10 +127,11 @@ Section& add_problem(Document& document, const design::Problem& problem,
   }
   if (problem.p_high) {
     const double period = physical ? 2 * std::numbers::pi * physical->scales.time_s : 0;
-    section.row("springs", format("{} {:.6g} to {:.6g}{}", physical ? "periods in s" : "p",
-                                  physical ? period / *problem.p_high : problem.p,
-                                  physical ? period / problem.p : *problem.p_high,
-                                  problem.v0 != 0 ? "; the motion shown is the softest's" : ""));
+    section.row("springs",
+                format("{} {:.6g} to {:.6g}{}{}", physical ? "periods of" : "p",
+                       physical ? period / *problem.p_high : problem.p,
+                       physical ? period / problem.p : *problem.p_high, physical ? " s" : "",
+                       problem.v0 != 0 ? "; the motion shown is the softest's" : ""));
   }
   if (problem.residual) {
     section.row("residual",

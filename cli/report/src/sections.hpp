@@ -19,7 +19,7 @@
 namespace stillpoint::report {
 
 void add_physical_input(Section& section, const design::PhysicalInput& physical);
-/// Force and energy of a damper, where there is a mass.
+/// Force and energy of a damper, where there is a mass; energy where there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);

@@ -109,8 +109,9 @@ void add_emptiness(Document& document, const design::RegionVerdict& empty, const
   Section& section = document.section("What would make it feasible");
   if (joint) {
     section.line(format(
-        "No single change does: no damper has a tolerance above {}, whatever beta and the limits "
-        "are. The smallest changes of two inputs that do:",
+        "No single change makes it feasible: no damper has a tolerance above {}, whatever beta and "
+        "the limits are, and without a tolerance there is none either. Both of these changes "
+        "together make it feasible:",
         limit_digits(joint->largest_tolerance, false)));
   } else if (mends.empty()) {
     section.line("No change of a single input makes it feasible.");

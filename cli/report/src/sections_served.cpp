@@ -72,8 +72,10 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
   }
   section.row("secant stiffness", secant);
   if (lines->equivalent_damping) {
-    section.row("equiv. damping", format("{:.3g} % of critical, of a full cycle at this peak",
-                                         100 * *lines->equivalent_damping));
+    const double damping = 100 * *lines->equivalent_damping;
+    section.row("equiv. damping",
+                format("{} % of critical, of a full cycle at this peak",
+                       damping < 1000 ? format("{:.3g}", damping) : format("{:.0f}", damping)));
   }
   if (lines->energy_ratio && lines->residual_ratio) {
     section.row("re-centring", format("E_s/E_h = {:.3g} (EN 15129), d/d_rm = {:.3g} (EN 1998-2)",

@@ -27,6 +27,7 @@ class MotionWatcher {
   MotionWatcher& operator=(const MotionWatcher&) = delete;
   MotionWatcher(MotionWatcher&&) = delete;
   MotionWatcher& operator=(MotionWatcher&&) = delete;
+  virtual ~MotionWatcher() = default;
 
   virtual void event(EventKind kind, const ExactSum<double>& now, double u, double v) = 0;
   /// What goes on from `begin` to the next event.
@@ -34,9 +35,6 @@ class MotionWatcher {
                      const HarmonicPiece<double>& piece) = 0;
   virtual void piece(const ExactSum<double>& begin, int direction,
                      const LinearPiece<double>& piece) = 0;
-
- protected:
-  ~MotionWatcher() = default;
 };
 
 /// The state at tau = t_end, or where the motion ends before. The input must be valid.

@@ -207,6 +207,20 @@ test("400 pixels wide, no text is smaller than 11", () =>
     );
   }));
 
+test("every end of a hit has a name, and a motion without end is not drawn", () =>
+  with_page("v0=1&p=1&beta=0.8&f=0&delta=0", {}, async (page) => {
+    assert.equal(await bench.words(page, "#hit-key"), "never stops up to 0.8too far beyond");
+    assert.equal(await page.locator("#motion svg.figure").count(), 1);
+    await bench.go(page, "v0=1&p=1&beta=0.8&f=1e-5&delta=0");
+    assert.match(await bench.words(page, "#motion"), /^It moves for \d+ half-cycles, too many/);
+    assert.equal(await page.locator(":is(#motion, #phase, #cloud) svg.figure").count(), 0);
+    await page.click("#play");
+    assert.equal(await bench.words(page, "#play"), "Play");
+    await page.click("#release");
+    await settle(page);
+    assert.equal(await page.locator(":is(#motion, #phase, #cloud) svg.figure").count(), 3);
+  }));
+
 test("it moves, but not for those who asked for less motion", async () => {
   const moved = async (/** @type {"reduce" | "no-preference"} */ reducedMotion) => {
     /** @type {(string | null)[]} */

@@ -190,6 +190,17 @@ test("printed, it is a specification of two pages", () =>
     await type(page, "period", "soon");
     await page.pdf();
     assert.match(await words(page, "#sheet"), /^No damperperiod = "soon": must be/);
+    // Still two with a hundred ranges of hits, and with many options and conditions.
+    const options =
+      "criterion=exact&tolerance-f=0.05&f-max=0.03&delta-max-m=8mm&acceleration-max=0.2g&arrivals=4";
+    for (const state of [
+      `${isolator}&f=1e-5&delta=1e-5`,
+      `velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&mass=1200t&${options}&f=0.001&delta=0.002`,
+    ]) {
+      await go(page, state);
+      const long = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+      assert.equal(long.match(/\/Type\s*\/Page\b/g)?.length, 2, state);
+    }
   }));
 
 test("going back undoes, going forward does again", () =>

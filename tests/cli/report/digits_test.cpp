@@ -37,7 +37,8 @@ BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {
   BOOST_TEST(with_unit(3460, "N") == "3.46 kN");
   BOOST_TEST(with_unit(1, "s") == "1 s");
   BOOST_TEST(with_unit(2e-6, "J") == "2 uJ");
-  BOOST_TEST(with_unit(2e-7, "m") == "200 nm");
+  BOOST_TEST(with_unit(2e-7, "s") == "200 ns");
+  BOOST_TEST(with_unit(2e-7, "m") == "0.0002 mm");
   BOOST_TEST(with_unit(0.99999999e-3, "m") == "1 mm");  // not 1000 um
   BOOST_TEST(with_unit(999.9999, "N") == "1 kN");
 }

@@ -134,6 +134,17 @@ BOOST_AUTO_TEST_CASE(the_mend_of_a_task_in_metres_is_in_the_unit_of_the_figure) 
   BOOST_TEST(contains(page.report, "at least 126.0442843 mm"), page.report);
 }
 
+/// (f3 - f2)/(f3 + f2) = 0.2222 is the largest tolerance for beta = 0.8.
+BOOST_AUTO_TEST_CASE(a_lack_of_tolerance_alone_leaves_a_clear_area_that_is_not_called_admissible) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 0.8};
+  request.limits.tolerance = 0.4;
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
+  BOOST_TEST(drawn.title == "No damper: tolerance must be at most 0.2221");
+  BOOST_TEST(contains(drawn.caption, "without a tolerance"), drawn.caption);
+  BOOST_TEST(drawn.areas.front().name == "admissible without a tolerance");
+}
+
 BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_works_for) {
   const HtmlPage page = isolator();
   const Figure& drawn = figure(page, "hits");
@@ -215,6 +226,56 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_long_rest_is_a_line) {
     // A rest off x = 0 is within (f + k)/p^2.
     BOOST_TEST((at.x < 300 || std::abs(at.y) <= 0.011), at.y << " at " << at.x);
   }
+}
+
+/// |W| <= 0.05 < f. There is a limit of the axis although there is nothing to measure.
+BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_load) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.3, 0.4};
+  Harmonic load;
+  load.k = 0.05;
+  load.lambda = 3;
+  load.duration = 40;
+  request.excitation = load;
+  const HtmlPage drawn = page(MotionReport{request, simulate(request)});
+  const Figure& still = figure(drawn, "motion");
+  BOOST_TEST(still.caption == "The mass does not move.");
+  BOOST_TEST(still.x.most == 40);
+  BOOST_TEST(still.y.most > 1);
+  BOOST_TEST(still.y.least < -1);
+  BOOST_TEST(!has(still.curves, "without friction"));
+}
+
+/// The notch takes what is left of the speed at once, at the stop too: nothing is rounded off.
+BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
+  const Figure drawn = figure(motion({1, 0.3, 0.4}, HalfSine{0.05, 3}), "phase");
+  const auto jumps = std::ranges::find(drawn.curves, "jump at x = 0", &figures::FigureCurve::name);
+  BOOST_TEST_REQUIRE((jumps != drawn.curves.end()));
+  BOOST_TEST(jumps->strokes.back().front().y < -0.1);
+  BOOST_TEST(jumps->strokes.back().back().y == 0);
+  SimulationRequest zones;
+  zones.oscillator = {1, 0.1, 0};
+  zones.start = {0, 1};
+  zones.surface.zones = {{0.2, 0.3}, {0.5, 0.15}};
+  const HtmlPage without = page(MotionReport{zones, simulate(zones)});
+  BOOST_TEST(!has(figure(without, "phase").curves, "jump at x = 0"));
+}
+
+/// The record of 0.35 g moves the free mass a hundred times as far as the one with this notch.
+BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses_the_figure) {
+  Harmonic load;
+  load.k = 0.35;
+  load.lambda = 1;
+  load.duration = 20;
+  SimulationRequest request;
+  request.oscillator = {1, 0.345, 0};
+  request.excitation = load;
+  const auto drawn = [&] {
+    return figure(page(MotionReport{request, simulate(request)}), "motion");
+  };
+  BOOST_TEST(!has(drawn().curves, "without friction"));
+  request.oscillator.f = 0.1;
+  BOOST_TEST(has(drawn().curves, "without friction"));
 }
 
 /// Caught at its first return; the load lasts 40.

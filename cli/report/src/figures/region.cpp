@@ -218,8 +218,10 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const auto& damper = drawn.damper;
   const RegionSpan span(drawn);
   const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
-  auto admissible = several ? strip_areas(drawn, units)
-                            : area_of("admissible", admissible_outline(drawn, span, unit));
+  auto admissible = several
+                        ? strip_areas(drawn, units)
+                        : area_of(region.feasible ? "admissible" : "admissible without a tolerance",
+                                  admissible_outline(drawn, span, unit));
   const design::BoxShape& shape = drawn.limits.shape;
   const auto box = damper ? tolerance_box(*damper, shape, unit) : std::vector<FigurePoint>{};
   Extent seen;
@@ -252,6 +254,10 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
                     region.feasible ? "" : "Nothing is left: no design is admissible. ");
   if (admissible.empty()) {
     figure.caption = "No damper is admissible: the forbidden sides meet.";
+  } else if (!region.feasible) {
+    figure.caption =
+        "The clear area is what the requirements leave without a tolerance; each hatched side says "
+        "what goes wrong there.";
   } else {
     figure.caption = several ? strips_caption(drawn.problem)
                              : "A damper in the clear area is admissible; each hatched side says "

@@ -79,6 +79,9 @@ Ink strip_ink(std::int64_t arrival, std::int64_t own) {
   if (arrival == own) {
     return Ink::sky;
   }
+  if (arrival == 0) {
+    return Ink::amber;
+  }
   return arrival % 2 == 0 ? Ink::purple : Ink::green;
 }
 

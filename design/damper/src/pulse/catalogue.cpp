@@ -5,6 +5,7 @@
 
 #include "finding.hpp"
 #include "pulse/region.hpp"
+#include "pulse/search.hpp"
 #include "pulse/verdict.hpp"
 #include "ranking.hpp"
 #include "search/objectives.hpp"
@@ -160,12 +161,11 @@ Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> par
   for (const Part& part : parts) {
     rated.push_back(tried.emplace_back(trial.tried(part)).rated);
   }
-  const auto with_box = std::ranges::find_if(region.islands(), [&](const Island& island) {
-    return region.box_in(island, region.asked()).has_value();
-  });
+  // Of several intervals the one with the most tolerant damper, as `region` has it.
+  const auto most_tolerant = search(region, {});
   Choice choice{
       without_finding(request, region,
-                      with_box == region.islands().end() ? std::nullopt : std::optional(*with_box)),
+                      most_tolerant ? std::optional(most_tolerant->island) : std::nullopt),
       best_first(std::move(rated),
                  [&](const RatedPart& now) { return cost_under_pulse(trial, request, now); })};
   const RatedPart& best = choice.parts.front();

@@ -104,8 +104,8 @@ class SineSlide {
 };
 
 /// Eight terms, good to a rounding within 1/16 of 1 and of 1/lambda. The load and its slope are
-/// those of the motion: sin psi = a - c + y, lambda cos psi = j + v. A full sine that is short leaves
-/// a small difference of speeds, which has no digit to spare.
+/// those of the motion: sin psi = a - c + y, lambda cos psi = j + v. A full sine that is short
+/// leaves a small difference of speeds, which has no digit to spare.
 Moving SineSlide::near(double h, Moment& last) const {
   constexpr double part = 1.0 / 16;
   const double d = h - last.h;

@@ -45,13 +45,13 @@ double impulse(const Pulse& pulse) {
 std::vector<double> first_grid(const Pulse& pulse) {
   constexpr double least = 1e-9;
   constexpr int small = 4;
-  constexpr int even = 32;
-  constexpr int large = 14;
+  constexpr int large = 10;
   const double scale = std::min(1.0, impulse(pulse));
   const bool both_ways = std::holds_alternative<FullSine>(pulse);
+  const int even = both_ways ? 24 : 32;
   const int last = both_ways ? even : even / 2;
   std::vector<double> grid;
-  grid.reserve(small + even + large);
+  grid.reserve(static_cast<std::size_t>(small + last + large));
   for (int i = 0; i < small; ++i) {
     grid.push_back(scale * least *
                    elementary::pow(1 / (even * least), static_cast<double>(i) / small));
@@ -62,6 +62,12 @@ std::vector<double> first_grid(const Pulse& pulse) {
   for (int i = 1; both_ways && scale < nearest_to_k && i <= large; ++i) {
     grid.push_back(scale * elementary::pow(nearest_to_k / scale, static_cast<double>(i) / large));
   }
+  // Under a long pulse the last swings before the return follow each other there.
+  constexpr double long_pulse = 1.0 / 4;
+  for (int i = 5; angular_frequency(pulse) < long_pulse && i < 2 * small; ++i) {
+    grid.push_back(scale * i / small / even);
+  }
+  std::ranges::sort(grid);
   return grid;
 }
 

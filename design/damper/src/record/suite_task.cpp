@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "record/suite.hpp"
+
 #include <stillpoint/design/suite_task.hpp>
 
 #include <stillpoint/core/names.hpp>

@@ -207,7 +207,7 @@ const std::vector<Wrong> combinations{
     {"design --period 3 --velocity 1", {"max-displacement is missing"}},
     {physical(), {"period is missing", "stiffness"}},
     {physical("--stiffness 1e6"), {"mass is missing"}},
-    {"design --v0", {"v0", "missing"}},
+    {"design --v0", {"--v0 needs a value: --v0 V"}},
     {"design --v0 --p 1", {"v0"}},
     {"design --v0=", {"v0"}},
     {design("--velocity 2"), {"v0 and velocity", "exclude each other"}},

@@ -51,6 +51,7 @@ const std::vector<Wrong> scenes{
     scene(R"({"v0": "1", "p": 1, "beta": 1})", {"v0 = \"1\"", "a number"}),
     scene(R"({"v0": null, "p": 1, "beta": 1})", {"v0 = null", "a number"}),
     scene(R"({"v0": true, "p": 1, "beta": 1})", {"v0 = true", "a number"}),
+    scene(R"({"v0": {"low": 1}, "p": 1, "beta": 1})", {"a number, or a range [LOW, HIGH]"}),
     scene(R"({"v0": [1], "p": 1, "beta": 1})", {"v0 = [1]", "a number"}),
     scene("{" + good + R"(, "objective": 1})", {"objective = 1", "a text"}),
     scene("{" + good + R"(, "json": "yes"})", {"json = \"yes\"", "true or false"}),

@@ -13,7 +13,7 @@ namespace stillpoint::report {
 [[nodiscard]] std::string digits(double value);
 /// The same, or "none".
 [[nodiscard]] std::string digits(const std::optional<double>& value);
-/// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN".
+/// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN"; lengths in m or mm.
 [[nodiscard]] std::string with_unit(double value, std::string_view unit);
 /// "0.0158739 to 0.0323606" by `digits`, with more where both ends would read the same.
 [[nodiscard]] std::string range_digits(double low, double high);

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "pulse/search.hpp"
+#include "pulse_request.hpp"
+#include "pulse_scan.hpp"
+#include "random_pulse.hpp"
+#include "random_source.hpp"
+
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/design.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+BOOST_AUTO_TEST_SUITE(pulse_search_test)
+
+// NLopt's optimum under a pulse beside the one along f, which it has not seen.
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+
+/// LD_CCSAQ creeps along a constraint; the others agree to 1e-7.
+constexpr double creeping = 1e-3;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_optimum_that_brackets_find) {
+  for (const std::string_view algorithm : algorithm_names()) {
+    for (const Objective objective :
+         {Objective::robust, Objective::amplitude, Objective::time, Objective::acceleration}) {
+      PulseRequest request = request_of(HalfSine{0.5, 0.6}, 0.6, objective);
+      request.limits.tolerance = 0.05;
+      request.limits.delta_max = 0.1;
+      request.search.algorithm = algorithm;
+      request.search.max_evaluations = 2000;
+      const DesignResult result = stillpoint::design::design(request);
+      const PulseCheck& check = result.finding.value().pulse.value();
+      BOOST_TEST_CONTEXT(algorithm << " " << name(objective)) {
+        BOOST_TEST_REQUIRE(check.searched.has_value());
+        BOOST_TEST(*check.searched == check.bracketed.value(),
+                   boost::test_tools::tolerance(creeping));
+      }
+    }
+  }
+}
+
+// The f whose need is delta_max itself is the best that fits. After four rests two runs of it
+// differ by more than a last digit, and a design that left them no room would fail its own check.
+BOOST_AUTO_TEST_CASE(a_design_at_the_edge_of_delta_max_leaves_room_for_rounding) {
+  PulseRequest request;
+  request.problem = {FullSine{0.062063979677861654, 0.15618816201005284}, 0.67668106563338437,
+                     0.15814880463153116, Criterion::exact};
+  request.limits.f_max = 0.029968416646649516;
+  request.limits.delta_max = 0.0007687369087384583;
+  for (const Objective objective : {Objective::amplitude, Objective::acceleration}) {
+    request.search.objective = objective;
+    const DesignResult result = stillpoint::design::design(request);
+    BOOST_TEST(result.finding.value().cross_check.passed);
+    const auto& [f, delta, tolerance] = result.finding->point;
+    BOOST_TEST(delta <= *request.limits.delta_max);
+    BOOST_TEST(scanned(request, request.problem.pulse, request.problem.p, f).need <=
+               delta * (1 - 1e-10));
+  }
+}
+
+// A local search may end at another optimum, of which a pulse has several. What is found along f
+// is never the worse.
+BOOST_AUTO_TEST_CASE(random_tasks_have_one_optimum_by_both_ways) {
+  RandomSource random(20261123);
+  constexpr double close = 1e-4;
+  int both = 0;
+  int apart = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const PulseRequest request = random_request(random);
+    const auto optimum =
+        design::search(PulseRegion(request.problem, request.limits), request.search);
+    if (!optimum) {
+      continue;
+    }
+    ++both;
+    // Tolerances are compared as they are: they may be 0.
+    const double scale = request.search.objective == Objective::robust
+                             ? 1
+                             : std::max(optimum->searched, optimum->bracketed);
+    BOOST_TEST_CONTEXT("task " << i) {
+      BOOST_TEST(optimum->bracketed <= optimum->searched + close * scale);
+    }
+    apart += optimum->searched > optimum->bracketed + close * scale ? 1 : 0;
+  }
+  BOOST_TEST(both >= 1000);
+  BOOST_TEST(apart <= both / 200);
+}
+
+// The least acceleration is between the last sample, which is the end of the interval, and the one
+// before it.
+BOOST_AUTO_TEST_CASE(an_optimum_next_to_the_end_of_an_interval_is_found) {
+  PulseRequest request;
+  request.problem = {FullSine{2.04517, 1.3573529}, 4.74295, 0.11563612, Criterion::published};
+  request.search.objective = Objective::acceleration;
+  const PulseCheck check = stillpoint::design::design(request).finding.value().pulse.value();
+  double least = HUGE_VAL;
+  for (double f = 1.9; f < 2.045; f += 1e-4) {
+    least =
+        std::min(least, scanned(request, request.problem.pulse, request.problem.p, f).acceleration);
+  }
+  BOOST_TEST(check.bracketed.value() <= least);
+  BOOST_TEST(check.bracketed.value() == least, boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(check.searched.value() == least, boost::test_tools::tolerance(1e-5));
+}
+
+// Nothing moves at f = k, and what hardly moves cannot be checked.
+BOOST_AUTO_TEST_CASE(a_design_keeps_so_far_from_k_that_its_motion_is_known) {
+  PulseRequest request;
+  request.problem = {FullSine{0.350972, 1034.6095}, 5.0931, 1.1144844e-06, Criterion::published};
+  request.search.objective = Objective::time;
+  const DesignResult result = stillpoint::design::design(request);
+  BOOST_TEST(result.finding.value().cross_check.passed);
+  BOOST_TEST(result.finding->point.f == 0.9999 * 0.350972, boost::test_tools::tolerance(1e-8));
+  // A full sine returns up to there with any beta.
+  BOOST_TEST(result.region.beta_min == 0);
+  BOOST_TEST(result.region.f3 == 0.350972);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
