@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "record/suite.hpp"
-
 #include <stillpoint/design/suite_task.hpp>
 
 #include <stillpoint/core/names.hpp>
