@@ -64,18 +64,6 @@ std::optional<double> Settings::number(std::string_view name) const {
   return get<double>(name);
 }
 
-std::optional<Range> Settings::range(std::string_view name) const {
-  return get<Range>(name);
-}
-
-std::optional<std::int64_t> Settings::integer(std::string_view name) const {
-  return get<std::int64_t>(name);
-}
-
-std::optional<std::string> Settings::text(std::string_view name) const {
-  return get<std::string>(name);
-}
-
 std::vector<std::string> Settings::texts(std::string_view name) const {
   std::vector<std::string> list;
   if (const auto joined = text(name)) {
@@ -95,14 +83,6 @@ std::optional<std::string> Settings::known(std::string_view name) const {
     throw InputError(std::string(name), *wanted, fmt::format("must be {}", listed(values)));
   }
   return wanted;
-}
-
-bool Settings::flag(std::string_view name) const {
-  return get<bool>(name).value_or(false);
-}
-
-std::optional<Axis> Settings::axis(std::string_view name) const {
-  return get<Axis>(name);
 }
 
 void Settings::set_number(const Option& option, std::string_view text, Command command) {

@@ -63,17 +63,21 @@ class Settings {
   [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }
 
   /// A range; empty where not set or a number.
-  [[nodiscard]] std::optional<Range> range(std::string_view name) const;
+  [[nodiscard]] std::optional<Range> range(std::string_view name) const { return get<Range>(name); }
 
   /// The value of a number (of a range the end that stands for it), integer, text, flag or axis
   /// option; empty (false) where not set.
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
-  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view name) const;
-  [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
+  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view name) const {
+    return get<std::int64_t>(name);
+  }
+  [[nodiscard]] std::optional<std::string> text(std::string_view name) const {
+    return get<std::string>(name);
+  }
   /// What was given of an option that repeats, a text with one in each line.
   [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
-  [[nodiscard]] bool flag(std::string_view name) const;
-  [[nodiscard]] std::optional<Axis> axis(std::string_view name) const;
+  [[nodiscard]] bool flag(std::string_view name) const { return get<bool>(name).value_or(false); }
+  [[nodiscard]] std::optional<Axis> axis(std::string_view name) const { return get<Axis>(name); }
 
   /// A whole number within bounds. Throws InputError.
   [[nodiscard]] std::int64_t count(std::string_view name, std::int64_t fallback, std::int64_t least,

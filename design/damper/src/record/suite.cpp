@@ -146,4 +146,8 @@ SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const Suit
   return {std::min(off, never_rests), value_of(figures, objective), figures.peak};
 }
 
+bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
+  return rank(figures, SuiteObjective::acceleration, limits).off == 0;
+}
+
 }  // namespace stillpoint::design

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "record/suite.hpp"
-
 #include <stillpoint/design/suite_task.hpp>
 
 #include <stillpoint/core/names.hpp>
@@ -41,10 +39,6 @@ double value_of(const SuiteFigures& figures, SuiteObjective which) {
       break;
   }
   return figures.acceleration;
-}
-
-bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
-  return rank(figures, SuiteObjective::acceleration, limits).off == 0;
 }
 
 }  // namespace stillpoint::design
