@@ -1,25 +1,40 @@
-# stillpoint_room(NAME SOURCES FILE... [PUBLIC LIBRARY...] [PRIVATE LIBRARY...] [PRINTS]): a room of the house, the
-# static library stillpoint_NAME or stillpoint::NAME. Its headers stand in include/, what nobody else sees in src/,
-# from where its files name it: "way/room.hpp". It sees the rooms and packages that it names and no others. A room
-# that only PRINTS is compiled at -Os: it is smaller, and nobody waits for it. There GCC sees optionals without a value
-# read where they are not.
+# stillpoint_room(NAME SOURCES FILE... [SMALL FILE...] [PUBLIC LIBRARY...] [PRIVATE LIBRARY...] [PRINTS]): a room of the
+# house, the static library stillpoint_NAME or stillpoint::NAME. Its headers stand in include/, what nobody else sees
+# in src/, from where its files name it: "way/room.hpp". It sees the rooms and packages that it names and no others.
+# What nobody waits for is compiled at -Os: the files of SMALL, as the objects stillpoint_NAME_small, and all of a room
+# that only PRINTS. The program and the Python module are smaller by it.
 function(stillpoint_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg PRINTS "" "SOURCES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg PRINTS "" "SOURCES;SMALL;PUBLIC;PRIVATE")
   set(target stillpoint_${name})
+  set(parts ${target})
   if(STILLPOINT_LEFT_OUT)
     list(FILTER arg_SOURCES EXCLUDE REGEX "^(${STILLPOINT_LEFT_OUT})\\.cpp$")
+    list(FILTER arg_SMALL EXCLUDE REGEX "^(${STILLPOINT_LEFT_OUT})\\.cpp$")
   endif()
   add_library(${target} STATIC ${arg_SOURCES})
-  add_library(stillpoint::${name} ALIAS ${target})
-  target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE src)
-  target_link_libraries(${target}
-    PUBLIC ${arg_PUBLIC}
-    PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:stillpoint_build_flags>)
-  if(arg_PRINTS)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Os>
-      $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+  if(arg_SMALL)
+    list(APPEND parts ${target}_small)
+    add_library(${target}_small OBJECT ${arg_SMALL})
+    stillpoint_small(${target}_small)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_small>)
   endif()
+  if(arg_PRINTS)
+    stillpoint_small(${target})
+  endif()
+  add_library(stillpoint::${name} ALIAS ${target})
+  foreach(part IN LISTS parts)
+    target_include_directories(${part} PUBLIC
+      $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+      PRIVATE src)
+    target_link_libraries(${part}
+      PUBLIC ${arg_PUBLIC}
+      PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:stillpoint_build_flags>)
+  endforeach()
+endfunction()
+
+# Of a Release build. At -Os GCC sees optionals without a value read where they are not.
+function(stillpoint_small target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Os>
+    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 endfunction()

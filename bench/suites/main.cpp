@@ -124,7 +124,7 @@ void print_gains(const std::vector<NamedSuite>& all) {
       continue;  // another notch of the same suite, or a period that varies
     }
     RecordDesignRequest paper = suite;
-    paper.hold = std::numeric_limits<double>::infinity();
+    paper.hold = std::nullopt;
     paper.notch_width.reset();
     RecordDesignRequest none = paper;
     none.delta = SearchRange{0, 0};

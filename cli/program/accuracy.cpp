@@ -8,10 +8,10 @@
 namespace stillpoint::cli {
 
 ExitCode run_accuracy(const Settings& settings, Output& output) {
-  const SimulateInput input = simulate_input(settings);
-  const peers::Scene scene = peers::comparison_scene(input.request);
+  const report::MotionReport asked = simulate_input(settings);
+  const peers::Scene scene = peers::comparison_scene(asked.request);
   print_report(
-      report::AccuracyReport{input.request, peers::compare(scene), input.record, input.physical},
+      report::AccuracyReport{asked.request, peers::compare(scene), asked.record, asked.physical},
       settings, output);
   return exit_done;
 }

@@ -16,9 +16,9 @@ report::MotionReport motion_report(const Settings& settings, const GoOn& go_on) 
   if (settings.has("samples") || (!forced && (settings.has("t-end") || settings.has("end-time")))) {
     wanted.set(*find_option("trajectory"), std::string("-"));
   }
-  SimulateInput input = simulate_input(wanted);
-  Simulation motion = simulate(input.request, [&](double /*tau*/) { return go_on(); });
-  return {std::move(input.request), std::move(motion), std::move(input.record), input.physical};
+  report::MotionReport report = simulate_input(wanted);
+  report.answer = simulate(report.request, [&](double /*tau*/) { return go_on(); });
+  return report;
 }
 
 namespace {

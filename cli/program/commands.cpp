@@ -79,23 +79,18 @@ ExitCode run_design(const Settings& settings, Output& output) {
   if (designs_under_records(settings)) {
     return run_record_design(settings, output);
   }
-  const report::DesignReport report = answers::answer(design_input(settings));
-  finish(report, Command::design, settings, output);
-  return answers::exit_code(report);
+  return finish(answers::answer(design_input(settings)), Command::design, settings, output);
 }
 
 ExitCode run_region(const Settings& settings, Output& output) {
-  const report::RegionReport report = answers::answer(region_input(settings));
-  finish(report, Command::region, settings, output);
-  return answers::exit_code(report);
+  return finish(answers::answer(region_input(settings)), Command::region, settings, output);
 }
 
 ExitCode run_simulate(const Settings& settings, Output& output) {
-  const SimulateInput input = simulate_input(settings);
-  const report::MotionReport report{input.request, watched(input.request), input.record,
-                                    input.physical};
-  warn_of_lock(report::lock_sentence(report));
-  const std::optional<std::string>& trajectory = input.trajectory;
+  report::MotionReport report = simulate_input(settings);
+  report.answer = watched(report.request);
+  remark(report::lock_sentence(report));
+  const auto trajectory = settings.text("trajectory");
   if (trajectory) {
     const std::string rows = report::trajectory_csv(report.answer.trajectory, report.physical);
     if (*trajectory == "-") {
@@ -104,8 +99,7 @@ ExitCode run_simulate(const Settings& settings, Output& output) {
       output.write_file("trajectory", *trajectory, rows);
     }
   }
-  finish(report, Command::simulate, settings, output, trajectory != "-");
-  return exit_done;
+  return finish(report, Command::simulate, settings, output, trajectory != "-");
 }
 
 ExitCode run_spectrum(const Settings& settings, Output& output) {
@@ -115,7 +109,7 @@ ExitCode run_spectrum(const Settings& settings, Output& output) {
   }
   report::SpectrumReport report = spectrum_input(settings);
   report.result = watched(report.result.request);
-  warn_of_lock(report::lock_sentence(report));
+  remark(report::lock_sentence(report));
   if (table == "-") {
     output.print(report::spectrum_csv(report));
   } else if (table) {
@@ -123,8 +117,7 @@ ExitCode run_spectrum(const Settings& settings, Output& output) {
         "table", *table,
         table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report));
   }
-  finish(report, Command::spectrum, settings, output, table != "-");
-  return exit_done;
+  return finish(report, Command::spectrum, settings, output, table != "-");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "input/record.hpp"
 #include "input/request.hpp"
 #include "messages.hpp"
 #include "options/command_line.hpp"
@@ -14,8 +15,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +29,7 @@ namespace {
 
 /// A scene may serve several commands; what this one does not use is said, not passed over.
 void note_unused(const Settings& scene, const Settings& settings, Command command) {
-  for (const auto& [option, value] : scene.values()) {
+  for (const auto& [option, entry] : scene.entries()) {
     if (!find_option(option)->serves(command) || !settings.has(option)) {
       remark(fmt::format("note: {} in the scene is not used by {}", option, name(command)));
     }
@@ -90,9 +93,11 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
     require_files_apart(invocation.command, settings, invocation.scene);
     return run(invocation.command, settings, output);
   });
+  std::vector<std::string> warnings = doubts(settings, invocation.command);
+  std::ranges::move(left_out_files(settings), std::back_inserter(warnings));
   output.commit();
-  for (const std::string& doubt : doubts(settings, invocation.command)) {
-    remark(fmt::format("warning: {}", doubt));
+  for (const std::string& warning : warnings) {
+    remark(fmt::format("warning: {}", warning));
   }
   note_unused(scene, settings, invocation.command);
   if (opens) {

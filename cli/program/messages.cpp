@@ -29,14 +29,8 @@ void say(const std::string& text) {
 }
 
 void remark(const std::string& text) {
-  if (!silent) {
+  if (!silent && !text.empty()) {
     say(text);
-  }
-}
-
-void warn_of_lock(const std::string& sentence) {
-  if (!sentence.empty()) {
-    remark(sentence);
   }
 }
 

@@ -12,10 +12,7 @@ void hush();
 /// An error, on standard error, as one line.
 void say(const std::string& text);
 
-/// What is not an error: "note: ..." or "warning: ...". Not after hush.
+/// What is not an error: "note: ..." or "warning: ...". Not after hush, and nothing of no text.
 void remark(const std::string& text);
-
-/// A damper that is locked protects nothing: remarked too, where `sentence` says so.
-void warn_of_lock(const std::string& sentence);
 
 }  // namespace stillpoint::cli

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -27,17 +28,16 @@ namespace {
 /// The options that make the numbers, as a scene.
 std::string scene_of(const Settings& settings, Command command) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : settings.values()) {
+  for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
     const bool for_the_trajectory = (name == "t-end" || name == "end-time") &&
                                     !settings.has("excitation") && !settings.has("record");
     if (option.is_echoed() && option.serves(command) && !for_the_trajectory) {
-      const auto given = settings.with_unit(name);
       const std::vector<std::string> texts =
           option.repeats_in(command) ? settings.texts(name) : std::vector<std::string>();
-      scene[std::string(name)] = given              ? nlohmann::ordered_json(*given)
+      scene[std::string(name)] = entry.with_unit    ? nlohmann::ordered_json(*entry.with_unit)
                                  : texts.size() > 1 ? nlohmann::ordered_json(texts)
-                                                    : as_json(value);
+                                                    : as_json(entry.value);
     }
   }
   constexpr int indent = 2;
@@ -54,23 +54,14 @@ std::string shown(const report::Document& document, const Settings& settings) {
 }
 
 std::span<const std::string_view> figure_names(Command command) {
-  switch (command) {
-    case Command::design:
-      return report::all_design_figures();
-    case Command::region:
-      return report::region_figures;
-    case Command::simulate:
-      return report::motion_figures;
-    case Command::spectrum:
-      return report::spectrum_figure_names;
-    case Command::sweep:
-      return report::sweep_figures;
-    case Command::accuracy:
-    case Command::init:
-    case Command::explore:
-      break;
-  }
-  return {};
+  static const std::map<Command, std::span<const std::string_view>> names{
+      {Command::design, report::all_design_figures()},
+      {Command::region, report::region_figures},
+      {Command::simulate, report::motion_figures},
+      {Command::spectrum, report::spectrum_figure_names},
+      {Command::sweep, report::sweep_figures}};
+  const auto found = names.find(command);
+  return found == names.end() ? std::span<const std::string_view>() : found->second;
 }
 
 std::string svg_path(const std::string& directory, std::string_view figure) {
@@ -92,19 +83,24 @@ void prepare_page(const Settings& settings) {
 
 namespace {
 
+/// The page designs for a hit, without a catalogue. The front of a trade-off is left out there.
+bool is_for_the_explorer(const Settings& settings) {
+  return !designs_under_records(settings) && !settings.has("pulse") && !settings.has("catalogue");
+}
+
 /// Below the answer, where the page with the program in it is installed: the same task there.
 void link_explorer(const Settings& settings, figures::HtmlPage& page) {
   const auto explorer = report::installed_explorer();
-  if (!explorer || designs_under_records(settings)) {
+  if (!explorer || !is_for_the_explorer(settings)) {
     return;
   }
   std::vector<std::pair<std::string, std::string>> options;
-  for (const auto& [name, value] : settings.values()) {
+  for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
     if (option.traits.role == Role::input && option.serves(Command::design) &&
-        option.traits.file == FileUse::none) {
-      const nlohmann::ordered_json plain = as_json(value);
-      options.emplace_back(name, settings.with_unit(name).value_or(
+        option.traits.file == FileUse::none && name != "trade-off") {
+      const nlohmann::ordered_json plain = as_json(entry.value);
+      options.emplace_back(name, entry.with_unit.value_or(
                                      plain.is_string()  ? plain.get<std::string>()
                                      : plain.is_array() ? plain[0].dump() + ":" + plain[1].dump()
                                                         : plain.dump()));

@@ -3,6 +3,7 @@
 
 #include "options/settings.hpp"
 
+#include <stillpoint/answers/exit_code.hpp>
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
@@ -52,14 +53,16 @@ void prepare_page(const Settings& settings);
 /// they are asked for. Throws InputError and FileError.
 void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output);
 
-/// The page where it was asked for, and the report; where `print` is false only its file.
+/// The page where it was asked for, and the report; where `print` is false only its file. Returns
+/// the report's exit code.
 template <class Report>
-void finish(const Report& report, Command command, const Settings& settings, Output& output,
-            bool print = true) {
+answers::ExitCode finish(const Report& report, Command command, const Settings& settings,
+                         Output& output, bool print = true) {
   if (wants_page(settings)) {
     write_page(settings, command, page(report), output);
   }
   print_report(report, settings, output, print);
+  return answers::exit_code(report);
 }
 
 }  // namespace stillpoint::cli

@@ -8,13 +8,11 @@
 #include "progress.hpp"
 #include "written_files.hpp"
 
-#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/progress_words.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/record_scan.hpp>
 #include <stillpoint/sweep/files_apart.hpp>
 #include <stillpoint/sweep/merge.hpp>
-#include <stillpoint/sweep/part.hpp>
 
 #include <fmt/format.h>
 
@@ -42,9 +40,8 @@ auto watched(const report::RecordDesignInput& input, const Work& work) {
 }
 
 ExitCode show(const report::RecordDesignReport& report, const Settings& settings, Output& output) {
-  warn_of_lock(report::lock_sentence(report));
-  finish(report, Command::design, settings, output);
-  return answers::exit_code(report);
+  remark(report::lock_sentence(report));
+  return finish(report, Command::design, settings, output);
 }
 
 ExitCode run_part(const Settings& settings, Output& output) {
@@ -52,33 +49,19 @@ ExitCode run_part(const Settings& settings, Output& output) {
     throw UsageError("part and a page exclude each other: design merge writes the page");
   }
   const report::RecordDesignInput input = record_design_input(settings);
-  const std::int64_t dampers = design::scan_size(input.request);
-  const auto path = settings.text("output");
-  report::RecordScan scan{{path.value_or(""),
-                           sweep::parse_part(*settings.text("part")),
-                           record_design_identity(settings, input.request),
-                           {dampers, 0}},
-                          {}};
-  const auto [first, count] = range_of(scan.label.part, dampers);
-  auto found = path ? report::find_record_scan(scan.label) : std::nullopt;
-  const bool computed = !found || !settings.flag("resume");
-  if (computed) {
-    scan.figures = watched(input, [&, first = first, count = count](const auto& ask) {
-      return design::scan_part(input.request, first, count, ask);
-    });
-    if (std::ssize(scan.figures) < count) {
-      throw Interrupted("interrupted: nothing is written");
-    }
-  } else {
-    scan = *std::move(found);
+  const sweep::PartLabel wanted = record_part_label(settings, input.request);
+  const auto found = watched(input, [&](const auto& ask) {
+    return report::record_part(wanted, input.request, settings.flag("resume"), ask);
+  });
+  if (!found) {
+    throw Interrupted("interrupted: nothing is written");
   }
-  const std::string written = json(scan).dump() + "\n";
-  if (path && computed) {
-    output.write_file("output", *path, written);
-  }
-  output.print(path && !settings.flag("json")
-                   ? fmt::format("{}: {} of {} dampers\n", *path, count, dampers)
-                   : written);
+  write(*found, output);
+  const auto& [label, figures] = found->scan;
+  output.print(
+      label.path.empty() || settings.flag("json")
+          ? text(found->scan)
+          : fmt::format("{}: {} of {} dampers\n", label.path, figures.size(), label.whole.entries));
   return exit_done;
 }
 
@@ -88,9 +71,6 @@ ExitCode run_record_design(const Settings& settings, Output& output) {
   if (settings.has("part")) {
     return run_part(settings, output);
   }
-  if (settings.flag("resume")) {
-    throw UsageError("resume is for a part of a design: give --part as well");
-  }
   const report::RecordDesignInput input = record_design_input(settings);
   return show({watched(input, [&](const auto& ask) { return design::design(input.request, ask); }),
                input.physical},
@@ -98,28 +78,16 @@ ExitCode run_record_design(const Settings& settings, Output& output) {
 }
 
 ExitCode run_design_merge(const MergeFiles& files, const Settings& shown, Output& output) {
-  sweep::require_apart(files.output, files.parts);
+  sweep::require_apart({"output", files.output}, files.parts);
   const report::RecordScan scan = report::merged_record_scan(files.parts);
   Settings settings = record_design_settings(scan.label.task);
   settings.complete_with(shown);
   settings.set(*find_option("output"), files.output);
   require_files_apart(Command::design, settings, std::nullopt);
   if (const auto page = settings.text("html")) {
-    std::vector<sweep::NamedFile> read;
-    read.reserve(files.parts.size());
-    for (const std::string& part : files.parts) {
-      read.push_back({"part", part});
-    }
-    const std::vector<sweep::NamedFile> written{{"html", *page}};
-    sweep::require_apart(read, written);
+    sweep::require_apart({"html", *page}, files.parts);
   }
-  const report::RecordDesignInput input = record_design_input(settings);
-  sweep::PartLabel now = scan.label;
-  now.task = record_design_identity(settings, input.request);
-  if (const std::string differs = difference(scan.label, now); !differs.empty()) {
-    throw records::FileError({.kind = "part", .path = scan.label.path},
-                             "was made of other records, or by another version: " + differs);
-  }
+  const report::RecordDesignInput input = record_design_input(settings, scan);
   return show(
       {watched(input,
                [&](const auto& ask) { return design::design(input.request, scan.figures, ask); }),

@@ -29,35 +29,25 @@ std::vector<NamedFile> files(Command command, const Settings& settings, FileUse 
   return files;
 }
 
-std::vector<NamedFile> read_files(Command command, const Settings& settings,
-                                  const std::optional<std::string>& scene) {
-  std::vector<NamedFile> all = files(command, settings, FileUse::read);
-  if (scene) {
-    all.insert(all.begin(), {"scene", *scene});
-  }
-  return all;
-}
-
-std::vector<NamedFile> written_files(Command command, const Settings& settings) {
-  std::vector<NamedFile> all = files(command, settings, FileUse::written);
-  const auto output = settings.text("output");
-  if (command == Command::sweep && output) {
-    std::ranges::copy(sweep::part_files({"output", *output}), std::back_inserter(all));
-  }
-  for (const auto& [option, directory] : files(command, settings, FileUse::directory)) {
-    for (const std::string_view figure : figure_names(command)) {
-      all.push_back({option, svg_path(directory, figure)});
-    }
-  }
-  return all;
-}
-
 }  // namespace
 
 void require_files_apart(Command command, const Settings& settings,
                          const std::optional<std::string>& scene) {
-  std::ranges::for_each(files(command, settings, FileUse::written), sweep::require_not_swept);
-  sweep::require_apart(read_files(command, settings, scene), written_files(command, settings));
+  std::vector<NamedFile> read = files(command, settings, FileUse::read);
+  if (scene) {
+    read.insert(read.begin(), {"scene", *scene});
+  }
+  std::vector<NamedFile> written = files(command, settings, FileUse::written);
+  std::ranges::for_each(written, sweep::require_not_swept);
+  if (const auto output = settings.text("output"); output && command == Command::sweep) {
+    std::ranges::copy(sweep::part_files({"output", *output}), std::back_inserter(written));
+  }
+  for (const auto& [option, directory] : files(command, settings, FileUse::directory)) {
+    for (const std::string_view figure : figure_names(command)) {
+      written.push_back({option, svg_path(directory, figure)});
+    }
+  }
+  sweep::require_apart(read, written);
 }
 
 }  // namespace stillpoint::cli

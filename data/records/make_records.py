@@ -220,7 +220,7 @@ def csmip_file():
 
 
 def cosmos_file():
-    """An acceleration and a velocity. The fields touch."""
+    """An acceleration and a velocity. The fields touch, and the recorder had twice the steps."""
     acceleration = short_pulse()
     lines = []
     for name, values, unit in (("acceleration", acceleration, "cm/sec2(04)"),
@@ -235,7 +235,8 @@ def cosmos_file():
             " 100 Integer-header values follow on  10 lines, Format= (10I8)",
         ]
         reals = [-999.0] * 100
-        reals[33], reals[34] = SHORT_STEP, SHORT_COUNT * SHORT_STEP
+        reals[33], reals[34] = SHORT_STEP / 2, SHORT_COUNT * SHORT_STEP  # s, of the recorder
+        reals[61], reals[62] = 1000 * SHORT_STEP, SHORT_COUNT * SHORT_STEP  # ms and s, of the values
         lines += rows([-999] * 100, "8d", 10)
         lines += [" 100 Real-header values follow on  17 lines, Format= (6F13.6)"]
         lines += rows(reals, "13.6f", 6)

@@ -13,7 +13,7 @@ int main() {
     return 1;
   }
   std::cout << "f      " << region.f_lower.value() << " .. " << region.f_upper.value() << '\n'
-            << "delta  at most " << region.delta2 << ", at f = 0.26 above "
+            << "delta  at most " << region.delta2.value() << ", at f = 0.26 above "
             << *delta1(problem, 0.26) << "\n\n";
 
   for (const auto& row : constraints(problem, 0.26, 0.37)) {

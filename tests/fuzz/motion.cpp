@@ -176,8 +176,8 @@ void move_under_record(Numbers& numbers) {
     value = numbers.once_in(5) ? 0 : size * numbers.uniform(-1, 1);
   }
   const double v0 = numbers.once_in(2) ? size * numbers.uniform(-3, 3) : 0;
-  const double hold = numbers.once_in(2) ? size * numbers.power_of_ten(-1, 1)
-                                         : std::numeric_limits<double>::infinity();
+  const std::optional<double> hold =
+      numbers.once_in(2) ? std::optional(size * numbers.power_of_ten(-1, 1)) : std::nullopt;
   const Eigen::Index count = 1 + numbers.below(10);
   Eigen::ArrayXd p(count), f(count), delta(count);
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -89,17 +89,15 @@ void run_region(Settings settings) {
 }
 
 void run_simulate(const Settings& settings) {
-  SimulateInput input = simulate_input(settings);
-  SimulationRequest& request = input.request;
+  report::MotionReport report = simulate_input(settings);
+  SimulationRequest& request = report.request;
   request.half_cycle_limit =
       std::min(request.half_cycle_limit.value_or(HUGE_VAL), most_half_cycles);
   if (request.samples) {
     request.samples = std::min(*request.samples, most_samples);
   }
   int calls = 0;
-  const report::MotionReport report{request,
-                                    simulate(request, [&calls](double) { return ++calls < 3; }),
-                                    input.record, input.physical};
+  report.answer = simulate(request, [&calls](double) { return ++calls < 3; });
   if (!report.answer.cancelled) {
     static_cast<void>(report::trajectory_csv(report.answer.trajectory, report.physical));
     show(report, settings);
@@ -196,7 +194,7 @@ void run(Command command, const Settings& settings) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view text = text_of(data, size);
-  const auto command = parse_command(take(text, '\n'));
+  const auto command = parse<Command>(take(text, '\n'));
   if (!command) {
     return -1;  // not worth a place in the corpus
   }

@@ -31,7 +31,7 @@ struct ForcedScene {
   Scene<Real> motion;
   AnyExcitation<Real> excitation;
   Real t_end{1};
-  Real hold{std::numeric_limits<Real>::infinity()};
+  std::optional<Real> hold{};
   BasicSurface<Real> surface{};
 
   [[nodiscard]] BasicOscillator<Real> oscillator() const {
@@ -122,7 +122,7 @@ ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
     surface.zones.push_back({Wide(zone.to), Wide(zone.f)});
   }
   return {widened<Wide>(scene.motion), std::visit(Widen<Wide>(), scene.excitation),
-          Wide(scene.t_end), Wide(scene.hold), surface};
+          Wide(scene.t_end), scene.hold ? std::optional(Wide(*scene.hold)) : std::nullopt, surface};
 }
 
 /// So that a failing scene can be pasted into a test.
@@ -149,8 +149,13 @@ inline std::ostream& operator<<(std::ostream& out, const ForcedScene<double>& sc
     }
   };
   std::visit(Print{out}, scene.excitation);
-  out << ", t_end " << scene.t_end << ", hold " << scene.hold << ", width "
-      << scene.surface.notch_width.value_or(0) << ", zones";
+  out << ", t_end " << scene.t_end << ", hold ";
+  if (scene.hold) {
+    out << *scene.hold;
+  } else {
+    out << "any load";
+  }
+  out << ", width " << scene.surface.notch_width.value_or(0) << ", zones";
   for (const FrictionZone& zone : scene.surface.zones) {
     out << ' ' << zone.to << ':' << zone.f;
   }

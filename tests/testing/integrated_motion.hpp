@@ -101,7 +101,7 @@ class IntegratedMotion {
     v = scene_.v0;
     if (x == 0 && v != 0 && v * v < 2 * scene_.delta) {
       v = 0;
-      if (std::isinf(hold_)) {
+      if (!hold_) {
         return;
       }
     }
@@ -158,9 +158,9 @@ class IntegratedMotion {
   }
 
   [[nodiscard]] bool held(double t) const {
-    const bool notched = scene_.delta > 0 && x == 0 && !std::isinf(hold_);
+    const bool notched = scene_.delta > 0 && x == 0 && hold_;
     const double now = load(t);
-    return std::abs(now) <= friction_towards(now > 0 ? -1 : 1) + (notched ? hold_ : 0);
+    return std::abs(now) <= friction_towards(now > 0 ? -1 : 1) + (notched ? *hold_ : 0);
   }
 
   void rest(double end) {
@@ -247,7 +247,7 @@ class IntegratedMotion {
       return;
     }
     v = 0;
-    held_ = std::isinf(hold_);
+    held_ = !hold_;
     resting_ = true;
     rest_begin_ = t_;
   }
@@ -262,7 +262,7 @@ class IntegratedMotion {
   }
 
   Scene<> scene_;
-  double hold_;
+  std::optional<double> hold_;
   Surface surface_;
   std::vector<double> edges_{};
   double wall_{0};  ///< of the notch

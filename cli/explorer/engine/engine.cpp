@@ -96,7 +96,7 @@ ordered_json said_by(Command command, const Settings& settings, const json& want
 
 ordered_json run(const json& request) {
   const auto wanted = request.at("command").get<std::string>();
-  const Command command = parse_command(wanted).value_or(Command::init);
+  const Command command = parse<Command>(wanted).value_or(Command::init);
   const Settings settings = given(command, request.at("options"));
   ordered_json answer = said_by(command, settings, request.at("figures"));
   answer["doubts"] = doubts(settings, command);

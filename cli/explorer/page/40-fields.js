@@ -87,6 +87,7 @@ class Fields {
         id: `slide-${name}-${end}`,
         class: two ? `${end} two` : end,
         min: "0",
+        value: "0",
         max: name === "arrivals" ? String(field.most - field.least) : String(slider_steps),
         "aria-label": two ? `${label}, ${end === "low" ? "weakest" : "strongest"}` : label,
       });
@@ -147,10 +148,7 @@ class Fields {
   show_field(field, options, report) {
     const { name } = field;
     const text = input(`in-${name}`);
-    const written = [name, ...rivals(name)].find(
-      (key) => key in options && !notch_options.includes(key),
-    );
-    const own = name in options ? name : written;
+    const own = [name, ...rivals(name)].find((key) => key in options);
     const values = report ? field.read(report) : [];
     if (document.activeElement !== text || text.getAttribute("aria-invalid") !== "true") {
       write(text, own ? options[own] : name === "arrivals" ? "1" : "");
@@ -186,10 +184,12 @@ class Fields {
     );
   }
 
-  /** Of a field that no report gives back. @param {string | undefined} text */
-  number_of(text) {
-    const value = parseFloat(text ?? "");
-    return Number.isNaN(value) ? null : /mm$/.test(text ?? "") ? value / 1000 : value;
+  /** Of a field that no report gives back: in metres, or as it stands. @param {string | undefined} text */
+  number_of(text = "") {
+    const value = parseFloat(text);
+    if (Number.isNaN(value)) return null;
+    const in_one_metre = /** @type {Record<string, number>} */ ({ mm: 1000, cm: 100 });
+    return value / (in_one_metre[text.match(/[a-z]+$/)?.[0] ?? ""] ?? 1);
   }
 
   /** Where designs end, on the slider of the stroke. @param {number | null} least */

@@ -71,6 +71,7 @@ class RegionView {
     this.handle = null;
     this.frame = node && frame_of(node);
     if (!node || !this.frame) return;
+    node.setAttribute("role", "group"); // of an image, a screen reader would leave the handle out
     this.names = [...node.querySelectorAll(".plot .pin")].map((pin) => ({
       pin,
       at: (pin.getAttribute("transform") ?? "").match(/-?[\d.]+/g)?.map(Number) ?? [],

@@ -26,7 +26,7 @@
  * @property {number} energy_si in the SI unit
  */
 
-const portrait = { width: 460, height: 330, left: 60, bottom: 42 };
+const portrait = { width: 450, height: 330, left: 60, bottom: 42 };
 
 /** A little more than the range. @param {number} least @param {number} most @param {string} label */
 function wider(least, most, label) {
@@ -42,7 +42,11 @@ function wider(least, most, label) {
 function draw_phase({ t, x, v, limit }, units) {
   const most = Math.max(...x);
   const plot = new Plot(
-    wider(Math.min(...x, 0), most > 0.6 * limit ? Math.max(most, limit) : most, units.length_label),
+    wider(
+      Math.min(...x, 0),
+      most > 0.6 * limit || most === 0 ? Math.max(most, limit) : most,
+      units.length_label,
+    ),
     wider(Math.min(...v), Math.max(...v), units.velocity_label),
     { ...portrait, title: "Phase portrait", name: "Velocity against displacement." },
   );
@@ -113,7 +117,10 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
     plot.add(`curve ${look}`, line(upper));
   }
   const now = plot.add("now-line", `M0 0V${plot.height}`);
-  const took = with_friction[count] - left[count];
+  // The way is a sum over the instants, so its last digits are wrong: what is below a part in 10^12 is none.
+  const by_notch = all - with_friction[count];
+  const notch = by_notch > 1e-12 * all ? by_notch : 0;
+  const took = all - left[count] - notch;
   const key = (
     /** @type {string} */ ink,
     /** @type {string} */ name,
@@ -131,7 +138,7 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
       {},
       key("ink-left", "kinetic and spring", left[count]),
       key("ink-friction", "constant friction", took),
-      key("ink-notch", "notch", all - with_friction[count]),
+      key("ink-notch", "notch", notch),
     ),
   );
   return (time) => now.setAttribute("transform", `translate(${plot.across(time)} 0)`);

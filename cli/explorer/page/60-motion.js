@@ -58,7 +58,7 @@ class MotionView {
     const plot = new Plot(
       { least: 0, most: this.most, label: units.time_label },
       { least: bottom, most: top, label: units.length_label },
-      { width: 460, height: 350, left: 172, bottom: 42, name: this.words() },
+      { width: 450, height: 350, left: 172, bottom: 42, name: this.words() },
     );
     this.plot = plot;
     this.draw_limits(plot);
@@ -214,7 +214,16 @@ class MotionView {
     el("clock").dataset.value = String(time);
   }
 
+  /** Nothing, and why. @param {Part[]} why */
+  draw_nothing(...why) {
+    this.stop();
+    this.drawn = null;
+    fill(el("motion"), ...why);
+    for (const id of ["phase", "energy"]) el(id).replaceChildren();
+  }
+
   play() {
+    if (!this.drawn) return;
     this.playing = true;
     el("play").textContent = "Pause";
     if (this.at >= 1) this.at = 0;

@@ -6,8 +6,11 @@ const ends_words = /** @type {Record<string, string>} */ ({
   held: "held",
   centred: "centred",
   off_centre: "off centre",
+  alternating: "centred and off centre by turns",
   too_far: "too far",
+  never_stops: "never stops",
 });
+const most_keys = 8; // there can be a hundred parts
 
 class HitsView {
   /** @param {(hit: number | null) => void} try_hit */
@@ -26,6 +29,7 @@ class HitsView {
         "aria-label": "velocity of the hit that is tried",
       }),
       make("div", { class: "ends", id: "hit-ends" }),
+      make("p", { id: "hit-key" }),
     );
     input("hit").addEventListener("input", () =>
       try_hit((Number(input("hit").value) / 2000) * this.most),
@@ -68,6 +72,23 @@ class HitsView {
     }
     this.designed = high ?? low;
     fill(el("hit-ends"), number(0, this.unit), number(this.most, this.unit));
+    fill(el("hit-key"), ...this.keys());
+  }
+
+  /** The parts in words, also those that are too narrow for their names; of many, what there is. */
+  keys() {
+    const key = (/** @type {string} */ ends, /** @type {Part[]} */ ...limit) =>
+      make(
+        "span",
+        { class: `key ink-${ends}` },
+        make("span", {}, ends_words[ends] ?? ends, ...limit),
+      );
+    if (this.hits.length > most_keys)
+      return [...new Set(this.hits.map(({ ends }) => ends))].map((ends) => key(ends));
+    const last = this.hits.length - 1;
+    return this.hits.map(({ to, ends }, i) =>
+      i < last ? key(ends, " up to ", number(to, this.unit)) : key(ends, i > 0 ? " beyond" : ""),
+    );
   }
 
   /**
@@ -77,8 +98,7 @@ class HitsView {
   show(hit, motion, limit) {
     const value = hit ?? this.designed ?? 0;
     const slider = input("hit");
-    if (document.activeElement !== slider || hit === null)
-      slider.value = String(Math.round((2000 * value) / this.most));
+    write(slider, String(Math.round((2000 * value) / this.most)));
     /** @type {HTMLButtonElement} */ (el("design-hit")).disabled = hit === null;
     slider.setAttribute("aria-valuetext", words(value, this.unit, 4));
     const { response, physical } = motion;

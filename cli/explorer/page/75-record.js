@@ -111,7 +111,11 @@ class RecordView {
           "record-acceleration",
         ),
         fact(
-          locked === null || locked === undefined ? "not locked at the end" : "locked from",
+          locked !== null && locked !== undefined
+            ? "locked from"
+            : response.peak_amplitude === 0
+              ? "held all the time"
+              : "not locked at the end",
           number(locked, time),
           "record-locked",
         ),

@@ -46,7 +46,7 @@ function sheet_columns(head, rows) {
   );
 }
 
-/** @param {number[] | null | undefined} range @param {string} unit @returns {Part[] | null} */
+/** @param {(number | null)[] | null | undefined} range @param {string} unit @returns {Part[] | null} */
 function range_parts(range, unit) {
   if (!range) return null;
   const [low, high] = range;
@@ -158,18 +158,26 @@ function performance_rows({ report, motion }) {
   ]);
 }
 
-/** How hits of each strength end. @param {Sheet} sheet */
+/** How hits of each strength end; where that changes many times, between which strengths it does. @param {Sheet} sheet */
 function hit_rows({ report }) {
   const { physical, hits } = report;
   const suffix = physical ? "_m_per_s" : "";
+  /** @type {{ ends: string, from: number, to: number | null, count: number }[]} */
+  const rows = [];
+  (hits ?? []).forEach((/** @type {any} */ hit, /** @type {number} */ i) => {
+    const limits = physical?.hits[i] ?? hit;
+    const from = limits[`from${suffix}`];
+    // The last one has no end but that of the figure.
+    const to = i + 1 < hits.length ? limits[`to${suffix}`] : null;
+    const same = hits.length > most_keys && rows.find(({ ends }) => ends === hit.ends);
+    if (!same) rows.push({ ends: hit.ends, from, to, count: 1 });
+    else Object.assign(same, { to, count: same.count + 1 });
+  });
   return sheet_table(
-    (hits ?? []).map((/** @type {any} */ hit, /** @type {number} */ i) => {
-      const limits = physical?.hits[i] ?? hit;
-      const range = range_parts(
-        [limits[`from${suffix}`], limits[`to${suffix}`]],
-        physical ? "m/s" : "",
-      );
-      return [ends_words[hit.ends] ?? hit.ends, range];
+    rows.map(({ ends, from, to, count }) => {
+      const range = range_parts([from, to], physical ? "m/s" : "") ?? [];
+      const many = count > 1 ? [number(count), " ranges within "] : [];
+      return [ends_words[ends] ?? ends, [...many, ...range]];
     }),
   );
 }
@@ -214,6 +222,13 @@ function plate_copy(id) {
   return plate;
 }
 
+/** A text that breaks between its words alone: browsers break after each hyphen too. @param {string} text @returns {Part[]} */
+function whole_words(text) {
+  return text
+    .split(/(\s+)/)
+    .map((word) => (word.trim() ? make("span", { class: "word" }, word) : word));
+}
+
 /** @param {Sheet} sheet */
 function draw_sheet(sheet) {
   const { options, chosen, admissible, command, link, version } = sheet;
@@ -248,13 +263,17 @@ function draw_sheet(sheet) {
       "div",
       { class: "leaf" },
       make("h2", {}, "Task"),
-      sheet_table(task.map(([name, value]) => [name.replaceAll("-", " "), [value]])),
+      make(
+        "div",
+        { class: "task" },
+        sheet_table(task.map(([name, value]) => [name.replaceAll("-", " "), [value]])),
+      ),
       make("h2", {}, "Checks"),
       ...check_nodes(sheet),
       make("h2", {}, "Assumptions"),
       make("ul", {}, ...assumptions.map((text) => make("li", {}, text))),
       make("h2", {}, "The same with the program"),
-      make("pre", {}, command),
+      make("pre", {}, ...whole_words(command)),
       make("p", { class: "foot" }, `stillpoint ${version}, ${day}. State of the page: #${link}`),
     ),
   );

@@ -55,8 +55,11 @@ class Frames {
     if (!this.requested) document.body.classList.remove("drawing");
   }
 
-  /** Draws at once what was put off. */
+  /** Draws at once what was asked for and what was put off. */
   finish() {
+    const level = this.level;
+    this.level = 0;
+    if (level > 0) this.draw(level);
     for (const [part, { work }] of this.later) {
       this.later.delete(part);
       work();

@@ -5,6 +5,7 @@
 /** How much is drawn anew: another hit, another damper, another task. */
 const Level = { hit: 1, damper: 2, task: 3 };
 const points = 400; // of a motion
+const most_half_cycles = 2000; // that are drawn: each is as wide as a fifth of a pixel
 
 class Bench {
   /** @param {Engine} engine */
@@ -17,6 +18,10 @@ class Bench {
     this.frames = new Frames((level) => this.update(level));
     this.record_timer = 0;
     this.finished = false; // the change is one to go back from
+    /** @type {string | null} */
+    this.refusal = null; // what is wrong with the input
+    /** @type {string[]} */
+    this.doubts = []; // about it
     this.opened = false;
     this.source = ""; // the control that made the change
     this.last_source = "";
@@ -70,6 +75,7 @@ class Bench {
     );
     el("print").addEventListener("click", () => print());
     addEventListener("beforeprint", () => this.draw_sheet());
+    addEventListener("afterprint", () => this.try_hit(this.hit));
     addEventListener("popstate", () => this.open());
     el("task").addEventListener("submit", (event) => event.preventDefault());
     el("footer").textContent =
@@ -153,7 +159,8 @@ class Bench {
 
   /** @param {number} level */
   update(level) {
-    const message = this.ask(level);
+    if (this.refusal !== null) level = Level.task; // until it is mended, whatever changes
+    const message = (this.refusal = this.ask(level));
     if (this.finished) this.remember();
     this.finished = false;
     document.body.classList.remove("loading");
@@ -161,8 +168,13 @@ class Bench {
     const unknown = this.unknown?.length
       ? `The link holds what this page does not know: ${this.unknown.join(", ").slice(0, 200)}.`
       : "";
-    const notice = [message ?? "", unknown].filter(Boolean).join(". ");
+    const doubts = message === null ? this.doubts.map((text) => text.replace("--", "")) : [];
+    const notice = [message ?? "", ...doubts, unknown]
+      .filter(Boolean)
+      .join(". ")
+      .replaceAll("?. ", "? ");
     el("notice").hidden = notice === "";
+    el("notice").classList.toggle("doubt", message === null);
     if (el("notice").textContent !== notice) el("notice").textContent = notice;
     input("dimensionless").checked = !is_physical(this.options);
     if (level === Level.task || message) {
@@ -188,6 +200,7 @@ class Bench {
       if ("error" in region) return region.error;
       this.keep_damper(design.report);
       this.design = design.report;
+      this.doubts = design.doubts;
       this.figure = region.figures[0];
     }
     if (level >= Level.damper) {
@@ -270,8 +283,10 @@ class Bench {
   }
 
   draw_cloud() {
-    if (this.motion && this.damper)
-      draw_cloud(this.engine, this.judged, this.damper, this.plain_motion());
+    if (!this.motion || !this.damper) return;
+    if (this.motion.response.half_cycles > most_half_cycles)
+      return ["cloud", "cloud-words"].forEach((id) => el(id).replaceChildren());
+    draw_cloud(this.engine, this.judged, this.damper, this.plain_motion());
   }
 
   /** The motion shown, dimensionless. @returns {Options} */
@@ -295,14 +310,18 @@ class Bench {
   }
 
   show_nothing() {
-    const parts = ["motion", "phase", "energy", "cloud", "cloud-words", "hit-words", "lane"];
+    const parts = ["cloud", "cloud-words", "hit-words", "hit-key", "lane"];
     for (const id of [...parts, "record-figures", "record-answer"]) el(id).replaceChildren();
-    this.motion_view.stop();
-    this.motion_view.drawn = null;
+    this.motion_view.draw_nothing();
   }
 
   draw_motion() {
     if (!this.motion) return;
+    const { half_cycles } = this.motion.response;
+    if (half_cycles > most_half_cycles)
+      return this.motion_view.draw_nothing(
+        make("p", {}, "It moves for ", number(half_cycles), " half-cycles, too many to draw."),
+      );
     const motion = this.engine.motion(this.plain_motion(), points);
     if ("error" in motion) return fill(el("motion"), motion.error);
     const { physical, input: run } = this.motion;
@@ -343,14 +362,15 @@ class Bench {
     return `${judged}\n${run ? command_line("simulate", run) : ""}\n`;
   }
 
+  /** Of the design's hit, whichever is tried. */
   draw_sheet() {
+    const tried = this.hit;
+    this.try_hit(null);
     this.frames.finish();
-    if (!this.motion || !this.damper) {
-      fill(
-        el("sheet"),
-        make("h1", {}, "No damper"),
-        make("p", {}, el("verdict").textContent ?? ""),
-      );
+    this.hit = tried;
+    if (this.refusal !== null || !this.motion || !this.damper) {
+      const words = this.refusal ?? el("verdict").textContent ?? "";
+      fill(el("sheet"), make("h1", {}, "No damper"), make("p", {}, words));
       return;
     }
     draw_sheet({

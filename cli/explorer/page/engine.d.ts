@@ -15,6 +15,8 @@ interface Answer {
   exit: number;
   /** The JSON report. */
   report: any;
+  /** Values that are absurd together, each with what may have been meant. */
+  doubts: string[];
   figures: Figure[];
 }
 

@@ -91,7 +91,8 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
 FigureAxis axis_around(std::string label, double least, double most) {
   constexpr double margin = 0.06;
   const double span = most - least;
-  const double room = span > 0 ? margin * span : std::max(std::abs(most), 1e-300);
+  const double size = most != 0 ? std::max(std::abs(most), 1e-300) : 1;
+  const double room = span > 0 ? margin * span : size;
   return {std::move(label), least - room, most + room};
 }
 

@@ -269,10 +269,14 @@ void bind_units(std::string& text) {
   }
 }
 
-/// No line begins with the sign of "f >= 0.02".
+/// "f >= 0.02" and "f + delta/w" in one piece; of "delta > 2 delta2" what precedes the sign.
 void bind_bounds(std::string& text) {
-  for (const std::string_view sign : {" &gt;= ", " &lt;= "}) {
+  for (const std::string_view sign : {" &gt;= ", " &lt;= ", " &gt; ", " &lt; ", " + "}) {
     for (std::size_t i = text.find(sign); i != std::string::npos; i = text.find(sign, i + 1)) {
+      const std::size_t behind = i + sign.size();
+      if (sign == " + " || (behind < text.size() && is_digit(text[behind]))) {
+        text.replace(behind - 1, 1, no_break);
+      }
       text.replace(i, 1, no_break);
     }
   }
@@ -295,7 +299,7 @@ void bind_equations(std::string& text) {
   }
 }
 
-/// Browsers break "6.2e-09" and "1998-2" after the hyphen.
+/// Browsers break "6.2e-09" and "1998-2" after the hyphen, and "--delta-max" too.
 bool breaks_in_number(std::string_view word) {
   for (std::size_t i = 1; i + 1 < word.size(); ++i) {
     const bool exponent = i > 1 && word[i - 1] == 'e' && is_digit(word[i - 2]);
@@ -312,7 +316,7 @@ std::string with_whole_numbers(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, end);
-    const bool whole = word.size() <= longest && breaks_in_number(word);
+    const bool whole = word.size() <= longest && (word.starts_with("--") || breaks_in_number(word));
     result += whole ? fmt::format(R"(<span class="number">{}</span>)", word) : std::string(word);
     if (end < text.size()) {
       result += ' ';

@@ -41,7 +41,7 @@ body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color
 
 constexpr std::string_view print_style = R"(
 body{max-width:none;padding:0}.figures{grid-template-columns:1fr 1fr;gap:8px 20px}figcaption{font-size:12px}h2{margin-top:14px}.readout,details{display:none}
-pre{white-space:pre-wrap;overflow:visible;break-inside:avoid}section p{break-after:avoid}footer{break-before:avoid}.wide{overflow:visible}td,th{white-space:normal;padding:2px 5px}table{font-size:12px}
+pre{white-space:pre-wrap;overflow:visible;break-inside:avoid}section p{break-after:avoid}.wide+p{break-before:avoid;break-after:auto}footer{break-before:avoid}.wide{overflow:visible}td,th{white-space:normal;padding:2px 5px}table{font-size:12px}
 )";
 
 /// One figure, and those that belong below it, with plots that begin at the same place.

@@ -12,8 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace stillpoint::cli {
 
 namespace {
@@ -92,13 +90,11 @@ std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Ta
 
 /// What is not the paper's notch.
 std::optional<design::NotchShape> notch_shape(const Settings& settings, const Task& task) {
-  design::NotchShape shape{notch_width(settings, task.physical)};
-  shape.hold = settings.number("hold").value_or(shape.hold);
+  const design::NotchShape shape{notch_width(settings, task.physical), settings.number("hold")};
   const Oscillator oscillator{task.problem.p, 0, 0, shape.hold};
   require_valid(oscillator);
   require_valid(oscillator, Surface{shape.width, {}});
-  const bool asked_for = shape.width || std::isfinite(shape.hold);
-  return asked_for ? std::optional(shape) : std::nullopt;
+  return shape.width || shape.hold ? std::optional(shape) : std::nullopt;
 }
 
 }  // namespace
@@ -108,8 +104,7 @@ void shape_box(const Settings& settings, design::Limits& limits) {
 }
 
 design::Criterion criterion(const Settings& settings) {
-  const auto wanted = settings.known("criterion");
-  return wanted ? *design::parse_criterion(*wanted) : design::Problem().criterion;
+  return settings.named<design::Criterion>("criterion").value_or(design::Problem().criterion);
 }
 
 design::Objective objective(const Settings& settings) {
@@ -117,11 +112,11 @@ design::Objective objective(const Settings& settings) {
   if (!wanted) {
     return design::SearchOptions().objective;
   }
-  const auto objective = design::parse_objective(*wanted);
+  const auto objective = parse<design::Objective>(*wanted);
   if (!objective) {
     throw InputError("objective", *wanted,
-                     fmt::format("must be {}{}", listed(design::objective_names()),
-                                 design::parse_suite_objective(*wanted) ? " without records" : ""));
+                     fmt::format("must be {}{}", listed(names<design::Objective>()),
+                                 parse<design::SuiteObjective>(*wanted) ? " without records" : ""));
   }
   return *objective;
 }

@@ -18,7 +18,7 @@ namespace stillpoint::cli {
 namespace {
 
 /// The seconds of one tau; empty without physical input.
-std::optional<double> time_unit(const std::optional<design::PhysicalInput>& physical) {
+std::optional<double> time_unit(const Physical& physical) {
   return physical ? std::optional(physical->scales.time_s) : std::nullopt;
 }
 
@@ -101,9 +101,8 @@ std::optional<std::string> excitation_type(const Settings& settings) {
   return !type && settings.has("record") ? std::optional<std::string>("record") : type;
 }
 
-std::optional<ExcitationInput> excitation_input(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical,
-    std::optional<double> p) {
+std::optional<ExcitationInput> excitation_input(const Settings& settings, const Physical& physical,
+                                                std::optional<double> p) {
   const auto type = excitation_type(settings);
   const ExcitationKind* const kind = type ? find_excitation_kind(*type) : nullptr;
   refuse_others(settings, kind);
@@ -124,14 +123,13 @@ std::optional<ExcitationInput> excitation_input(
   return input;
 }
 
-std::optional<double> end_of_run(const Settings& settings,
-                                 const std::optional<design::PhysicalInput>& physical) {
+std::optional<double> end_of_run(const Settings& settings, const Physical& physical) {
   return in_either(settings, "t-end", "end-time", time_unit(physical).value_or(1),
                    smallest_physical);
 }
 
 std::optional<double> forced_end(const Settings& settings, const Excitation& excitation,
-                                 const std::optional<design::PhysicalInput>& physical) {
+                                 const Physical& physical) {
   const auto t_end = end_of_run(settings, physical);
   if (t_end) {
     require_within("t-end", *t_end, smallest_speed, largest_speed);
@@ -152,8 +150,7 @@ void require_no_pulse_options(const Settings& settings) {
   }
 }
 
-std::optional<design::Pulse> pulse_input(const Settings& settings,
-                                         const std::optional<design::PhysicalInput>& physical) {
+std::optional<design::Pulse> pulse_input(const Settings& settings, const Physical& physical) {
   const auto type = settings.known("pulse");
   if (type) {
     const ExcitationKind& kind = *find_excitation_kind(*type);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "input/motion.hpp"
 #include "options/settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
-#include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/report.hpp>
@@ -28,18 +28,17 @@ struct ExcitationInput {
 /// in seconds; `p` is that of the motion, empty where there are several.
 /// Throws UsageError for options that exclude each other, FileError for a wrong file and InputError
 /// for a wrong value.
-[[nodiscard]] std::optional<ExcitationInput> excitation_input(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical,
-    std::optional<double> p);
+[[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
+                                                              const Physical& physical,
+                                                              std::optional<double> p);
 
 /// --end-time or --t-end, in tau; empty where neither is given. Throws InputError.
-[[nodiscard]] std::optional<double> end_of_run(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+[[nodiscard]] std::optional<double> end_of_run(const Settings& settings, const Physical& physical);
 
 /// The same of a run under the excitation; empty: up to the end of the motion. Throws InputError.
-[[nodiscard]] std::optional<double> forced_end(
-    const Settings& settings, const Excitation& excitation,
-    const std::optional<design::PhysicalInput>& physical);
+[[nodiscard]] std::optional<double> forced_end(const Settings& settings,
+                                               const Excitation& excitation,
+                                               const Physical& physical);
 
 /// UsageError for an option of pulses where there is none.
 void require_no_pulse_options(const Settings& settings);
@@ -47,8 +46,8 @@ void require_no_pulse_options(const Settings& settings);
 /// The pulse that gives the initial velocity of a design, of ranges the strongest and longest;
 /// empty where none is asked for. Throws UsageError for its options without it, and InputError for
 /// a wrong value.
-[[nodiscard]] std::optional<design::Pulse> pulse_input(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+[[nodiscard]] std::optional<design::Pulse> pulse_input(const Settings& settings,
+                                                       const Physical& physical);
 /// The other ends of that pulse's ranges. Throws InputError.
 [[nodiscard]] design::PulseRanges pulse_ranges(const Settings& settings,
                                                const std::optional<design::Pulse>& pulse);

@@ -126,8 +126,7 @@ std::optional<double> in_either(const Settings& settings, std::string_view plain
 }
 
 std::optional<double> point_friction(const Settings& settings, std::string_view plain,
-                                     std::string_view metres,
-                                     const std::optional<design::PhysicalInput>& physical,
+                                     std::string_view metres, const Physical& physical,
                                      double least) {
   const auto value = settings.number(metres);
   if (!value) {

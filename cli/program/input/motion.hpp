@@ -16,6 +16,9 @@ namespace stillpoint::cli {
 using design::largest_physical;
 using design::smallest_physical;
 
+/// Empty for a task that is given without units.
+using Physical = std::optional<design::PhysicalInput>;
+
 /// v0, p and x0 of a motion, however they were given.
 struct MotionInput {
   double v0{0};
@@ -23,7 +26,7 @@ struct MotionInput {
   double x0{0};
   std::optional<double> v0_low{};  ///< these two of a range
   std::optional<double> p_high{};
-  std::optional<design::PhysicalInput> physical{};
+  Physical physical{};
 };
 
 /// Whether the task is given in metres and seconds. Throws UsageError for options that exclude each
@@ -40,24 +43,22 @@ struct MotionInput {
                                               const char* physical, double unit, double least);
 
 /// A point friction, which may be given in metres, then at least `least`. Empty where not given.
-[[nodiscard]] std::optional<double> point_friction(
-    const Settings& settings, std::string_view plain, std::string_view metres,
-    const std::optional<design::PhysicalInput>& physical, double least = 0);
+[[nodiscard]] std::optional<double> point_friction(const Settings& settings, std::string_view plain,
+                                                   std::string_view metres,
+                                                   const Physical& physical, double least = 0);
 
 /// "x:f,x:f,...", as a scene's list of { "to": x, "f": f } reads in one text.
 [[nodiscard]] std::string zones_text(const nlohmann::json& list);
 
 /// The width of the notch, which may be given in metres. Empty where not given.
-[[nodiscard]] std::optional<double> notch_width(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+[[nodiscard]] std::optional<double> notch_width(const Settings& settings, const Physical& physical);
 
 /// Edges are in metres with physical input. Throws InputError for a text that is not a list of
 /// zones.
-[[nodiscard]] std::vector<FrictionZone> friction_zones(
-    const Settings& settings, const std::optional<design::PhysicalInput>& physical);
+[[nodiscard]] std::vector<FrictionZone> friction_zones(const Settings& settings,
+                                                       const Physical& physical);
 
 /// What the mass slides on.
-[[nodiscard]] Surface surface_input(const Settings& settings,
-                                    const std::optional<design::PhysicalInput>& physical);
+[[nodiscard]] Surface surface_input(const Settings& settings, const Physical& physical);
 
 }  // namespace stillpoint::cli

@@ -5,6 +5,9 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
+#include <stillpoint/records/text.hpp>
+
+#include <fmt/format.h>
 
 #include <numbers>
 
@@ -16,11 +19,16 @@ namespace {
 /// wrong.
 std::optional<double> record_time(const Settings& settings, std::string_view name,
                                   const records::RecordClock& clock) {
-  if (const auto given = settings.with_unit(name); given && clock.unit != "s") {
-    throw InputError(std::string(name), *given,
+  const auto given = settings.entries().find(name);
+  if (given != settings.entries().end() && given->second.with_unit && clock.unit != "s") {
+    throw InputError(std::string(name), *given->second.with_unit,
                      "must be a number without a unit: without physical input times are in tau");
   }
   return settings.number(name);
+}
+
+records::SuiteFiles suite_files(const Settings& settings) {
+  return {settings.texts("record"), settings.text("records-list")};
 }
 
 }  // namespace
@@ -28,9 +36,7 @@ std::optional<double> record_time(const Settings& settings, std::string_view nam
 records::RecordOptions record_options(const Settings& settings, const records::RecordClock& clock) {
   records::RecordOptions options;
   options.step = record_time(settings, "record-step", clock);
-  if (const auto units = settings.known("record-units")) {
-    options.units = records::parse_record_units(*units);
-  }
+  options.units = settings.named<records::RecordUnits>("record-units");
   options.gravity_m_per_s2 = settings.number("gravity").value_or(design::Scales().gravity_m_per_s2);
   options.clock = clock;
   return options;
@@ -50,8 +56,17 @@ records::RecordScale record_scale(const Settings& settings, const records::Recor
 std::vector<records::SuiteRecord> read_suite(const Settings& settings,
                                              const records::RecordClock& clock,
                                              std::optional<double> p) {
-  return records::read_suite({settings.texts("record"), settings.text("records-list")},
-                             record_scale(settings, clock, p), record_options(settings, clock));
+  return records::read_suite(suite_files(settings), record_scale(settings, clock, p),
+                             record_options(settings, clock));
+}
+
+std::vector<std::string> left_out_files(const Settings& settings) {
+  std::vector<std::string> sentences;
+  for (const std::string& file : records::left_out_files(suite_files(settings))) {
+    sentences.push_back(fmt::format("record {}: is left out, for it begins with text",
+                                    records::shortened(file, records::longest_path)));
+  }
+  return sentences;
 }
 
 }  // namespace stillpoint::cli

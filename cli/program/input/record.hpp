@@ -6,6 +6,7 @@
 #include <stillpoint/records/record_suite.hpp>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace stillpoint::cli {
@@ -24,5 +25,8 @@ namespace stillpoint::cli {
 [[nodiscard]] std::vector<records::SuiteRecord> read_suite(const Settings& settings,
                                                            const records::RecordClock& clock,
                                                            std::optional<double> p);
+
+/// What a folder of records has beside them, a sentence each. Throws FileError.
+[[nodiscard]] std::vector<std::string> left_out_files(const Settings& settings);
 
 }  // namespace stillpoint::cli

@@ -6,14 +6,15 @@
 #include "options/scene.hpp"
 
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/version.hpp>
+#include <stillpoint/sweep/part_label.hpp>
 #include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <numbers>
 #include <string_view>
 
@@ -52,11 +53,11 @@ MotionInput suite_motion(const Settings& settings,
 
 design::SuiteObjective suite_objective(const Settings& settings) {
   const auto wanted = settings.text("objective");
-  const auto objective = design::parse_suite_objective(wanted.value_or("acceleration"));
+  const auto objective = parse<design::SuiteObjective>(wanted.value_or("acceleration"));
   if (!objective) {
     throw InputError(
         "objective", *wanted,
-        fmt::format("must be {} under records", listed(design::suite_objective_names())));
+        fmt::format("must be {} under records", listed(names<design::SuiteObjective>())));
   }
   return *objective;
 }
@@ -87,6 +88,9 @@ void require_options_for(const Settings& settings, DesignFor design) {
 
 report::RecordDesignInput record_design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::records);
+  if (settings.flag("resume") && !settings.has("part")) {
+    throw UsageError("resume is for a part of a design: give --part as well");
+  }
   const auto periods = search_range(settings, "search-period");
   const MotionInput start = suite_motion(settings, periods);
   report::RecordDesignInput input;
@@ -112,13 +116,11 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   }
   request.delta_max = point_friction(settings, "delta-max", "delta-max-m", start.physical);
   request.objective = suite_objective(settings);
-  if (const auto wanted = settings.known("combine")) {
-    request.combine = design::parse_combine(*wanted);
-  }
+  request.combine = settings.named<design::Combine>("combine");
   request.limits = {in_either(settings, "beta", "max-displacement", length, smallest_physical),
                     settings.number("acceleration-max"),
                     in_either(settings, "residual", "residual-m", length, 0)};
-  request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
+  request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
   request.scan_points = settings.count("scan-points", request.scan_points, 1, most_scan_points);
@@ -143,6 +145,26 @@ Settings record_design_settings(const std::string& identity) {
   scene.erase("version");
   scene.erase("record_digest");
   return scene_settings(scene, Command::design);
+}
+
+sweep::PartLabel record_part_label(const Settings& settings,
+                                   const design::RecordDesignRequest& request) {
+  return {settings.text("output").value_or(""),
+          sweep::parse_part(*settings.text("part")),
+          record_design_identity(settings, request),
+          {design::scan_size(request), 0}};
+}
+
+report::RecordDesignInput record_design_input(const Settings& settings,
+                                              const report::RecordScan& scan) {
+  report::RecordDesignInput input = record_design_input(settings);
+  sweep::PartLabel now = scan.label;
+  now.task = record_design_identity(settings, input.request);
+  if (const std::string differs = difference(scan.label, now); !differs.empty()) {
+    throw records::FileError({.kind = "part", .path = scan.label.path},
+                             "was made of other records, or by another version: " + differs);
+  }
+  return input;
 }
 
 }  // namespace stillpoint::cli

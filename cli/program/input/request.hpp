@@ -9,6 +9,7 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/report/record_design.hpp>
+#include <stillpoint/report/record_scan.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
@@ -20,13 +21,6 @@
 
 namespace stillpoint::cli {
 
-struct SimulateInput {
-  SimulationRequest request;
-  std::optional<report::RecordOrigin> record;
-  std::optional<std::string> trajectory;  ///< the file
-  std::optional<design::PhysicalInput> physical;
-};
-
 /// Empty where not given. Throws InputError outside of 1 to 1e15.
 [[nodiscard]] std::optional<double> half_cycle_limit(const Settings& settings);
 
@@ -37,8 +31,8 @@ struct SimulateInput {
 /// records::FileError for a wrong file.
 [[nodiscard]] std::vector<design::Part> catalogue_input(
     const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
-[[nodiscard]] SimulateInput simulate_input(const Settings& settings);
-/// The request; the rest of the result is empty.
+/// What was asked; the answer in these two is empty.
+[[nodiscard]] report::MotionReport simulate_input(const Settings& settings);
 [[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
 
 /// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError where it
@@ -53,6 +47,15 @@ struct SimulateInput {
 [[nodiscard]] std::string record_design_identity(const Settings& settings,
                                                  const design::RecordDesignRequest& request);
 [[nodiscard]] Settings record_design_settings(const std::string& identity);
+
+/// What --part asks for, which must be resolved.
+[[nodiscard]] sweep::PartLabel record_part_label(const Settings& settings,
+                                                 const design::RecordDesignRequest& request);
+
+/// Of the design of which `scan` has the parts. Throws FileError as well where the records, or the
+/// version of the program, are no longer those of the parts.
+[[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings,
+                                                            const report::RecordScan& scan);
 
 /// UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);

@@ -21,29 +21,26 @@ Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
   if (!delta) {
     throw InputError::missing("delta", "give --delta, the point friction (0 for none)");
   }
-  return {motion.p, f, *delta,
-          settings.number("hold").value_or(std::numeric_limits<double>::infinity())};
+  return {motion.p, f, *delta, settings.number("hold")};
 }
 
-void add_output(const Settings& settings, SimulateInput& input) {
-  input.request.max_half_cycles =
-      settings.count("max-half-cycles", input.request.max_half_cycles, 0, 100'000);
-  input.trajectory = settings.text("trajectory");
-  if (input.trajectory == "-" && settings.flag("json")) {
+void add_output(const Settings& settings, SimulationRequest& request) {
+  request.max_half_cycles = settings.count("max-half-cycles", request.max_half_cycles, 0, 100'000);
+  const auto trajectory = settings.text("trajectory");
+  if (trajectory == "-" && settings.flag("json")) {
     throw UsageError(
         "json and the trajectory would both go to standard output: give --trajectory FILE");
   }
   const std::int64_t samples = settings.count("samples", 1000, 2, 1'000'000);
-  if (input.trajectory) {
-    input.request.samples = samples;
+  if (trajectory) {
+    request.samples = samples;
   } else if (settings.has("samples")) {
     throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
   }
 }
 
 /// The end of a free motion is that of its trajectory.
-std::optional<double> free_end(const Settings& settings,
-                               const std::optional<design::PhysicalInput>& physical) {
+std::optional<double> free_end(const Settings& settings, const Physical& physical) {
   const auto t_end = end_of_run(settings, physical);
   if (t_end && !settings.has("trajectory")) {
     throw UsageError(fmt::format(
@@ -67,17 +64,17 @@ std::optional<double> half_cycle_limit(const Settings& settings) {
   return limit;
 }
 
-SimulateInput simulate_input(const Settings& settings) {
+report::MotionReport simulate_input(const Settings& settings) {
   // A motion needs a start, unless something shakes it out of rest.
   const bool from_rest = excitation_type(settings) || settings.has("k");
   const MotionInput motion = motion_input(settings, Command::simulate, from_rest);
-  SimulateInput input;
+  report::MotionReport input;
   SimulationRequest& request = input.request;
   input.physical = motion.physical;
   request.start = {motion.x0, motion.v0};
   request.oscillator = oscillator(settings, motion);
   request.half_cycle_limit = half_cycle_limit(settings);
-  add_output(settings, input);
+  add_output(settings, request);
   request.surface = surface_input(settings, motion.physical);
   require_valid(request.oscillator, request.start);
   require_valid(request.oscillator, request.surface);

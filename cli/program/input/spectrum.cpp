@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -56,10 +55,8 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
     throw InputError::missing("delta-m", "give --delta-m, the point friction in m");
   }
   request.delta = *delta;
-  if (const auto wanted = settings.known("combine")) {
-    request.combine = design::parse_combine(*wanted);
-  }
-  request.hold = settings.number("hold").value_or(std::numeric_limits<double>::infinity());
+  request.combine = settings.named<design::Combine>("combine");
+  request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, report.physical);
   request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
   if (!settings.has("record") && !settings.has("records-list")) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view zones_name = "friction-zones";
 
-double in_units(double value, const std::optional<design::PhysicalInput>& physical) {
+double in_units(double value, const Physical& physical) {
   return physical ? value / physical->scales.length_m : value;
 }
 
@@ -44,8 +44,7 @@ std::string zones_text(const nlohmann::json& list) {
   return text;
 }
 
-std::optional<double> notch_width(const Settings& settings,
-                                  const std::optional<design::PhysicalInput>& physical) {
+std::optional<double> notch_width(const Settings& settings, const Physical& physical) {
   if (const auto width = settings.number("notch-width-m")) {
     if (!(*width > 0)) {
       throw InputError("notch-width-m", *width, "must be a number greater than 0");
@@ -55,8 +54,7 @@ std::optional<double> notch_width(const Settings& settings,
   return settings.number("notch-width");
 }
 
-std::vector<FrictionZone> friction_zones(const Settings& settings,
-                                         const std::optional<design::PhysicalInput>& physical) {
+std::vector<FrictionZone> friction_zones(const Settings& settings, const Physical& physical) {
   std::vector<FrictionZone> zones;
   if (const auto text = settings.text(zones_name)) {
     zones = records::parse_zones(zones_name, physical ? Dimension::length : Dimension::none, *text);
@@ -67,8 +65,7 @@ std::vector<FrictionZone> friction_zones(const Settings& settings,
   return zones;
 }
 
-Surface surface_input(const Settings& settings,
-                      const std::optional<design::PhysicalInput>& physical) {
+Surface surface_input(const Settings& settings, const Physical& physical) {
   return {notch_width(settings, physical), friction_zones(settings, physical)};
 }
 

@@ -32,14 +32,9 @@ using sweep::SweepKind;
 using sweep::SweepSpec;
 using sweep::SweepUnits;
 
-std::optional<sweep::ListFormat> list_format(const Settings& settings) {
-  const auto wanted = settings.known("list-format");
-  return wanted ? sweep::parse_list_format(*wanted) : std::nullopt;
-}
-
 std::shared_ptr<sweep::List> open_list(const Settings& settings,
                                        const std::optional<SweepUnits>& units) {
-  const auto format = list_format(settings);
+  const auto format = settings.named<sweep::ListFormat>("list-format");
   if (const auto path = settings.text("list")) {
     return std::make_shared<sweep::List>(*path, format, units);
   }
@@ -59,7 +54,7 @@ std::optional<sweep::ListExtent> extent_of_list(const Settings& settings, const 
     throw UsageError(
         "part and a list on standard input exclude each other: the list is read twice");
   }
-  sweep::List whole(path, list_format(settings), spec.units);
+  sweep::List whole(path, spec.list->format(), spec.units);
   return read_to_end(whole);
 }
 
@@ -259,14 +254,10 @@ std::optional<sweep::AskedReduction> reduction(const Settings& settings, const S
     throw UsageError("format and reduce exclude each other: the report is JSON");
   }
   sweep::AskedReduction asked;
-  const auto histograms = settings.texts("histogram");
-  asked.histograms.reserve(histograms.size());
-  for (const std::string& bins : histograms) {
+  for (const std::string& bins : settings.texts("histogram")) {
     asked.histograms.push_back(sweep::parse_bins(bins, spec.columns, spec.units));
   }
-  const auto bests = settings.texts("best");
-  asked.best.reserve(bests.size());
-  for (const std::string& best : bests) {
+  for (const std::string& best : settings.texts("best")) {
     asked.best.push_back(sweep::parse_best(best, spec.columns, spec.units));
   }
   return asked;
@@ -276,11 +267,9 @@ sweep::RowFormat row_format(const Settings& settings) {
   if (settings.flag("reduce")) {
     return sweep::RowFormat::csv;
   }
-  if (const auto wanted = settings.known("format")) {
-    return *sweep::parse_row_format(*wanted);
-  }
-  return settings.text("output").value_or("").ends_with(".npy") ? sweep::RowFormat::npy
-                                                                : sweep::RowFormat::csv;
+  const bool npy = settings.text("output").value_or("").ends_with(".npy");
+  return settings.named<sweep::RowFormat>("format").value_or(npy ? sweep::RowFormat::npy
+                                                                 : sweep::RowFormat::csv);
 }
 
 }  // namespace

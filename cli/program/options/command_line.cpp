@@ -162,7 +162,7 @@ void refuse_beside_merge(const Invocation& invocation) {
   const auto is_wrong = [&](const auto& option) {
     return !design || std::ranges::find(shown, option.first) == shown.end();
   };
-  if (invocation.scene || std::ranges::any_of(invocation.flags.values(), is_wrong)) {
+  if (invocation.scene || std::ranges::any_of(invocation.flags.entries(), is_wrong)) {
     throw UsageError(fmt::format(
         "{} merge: takes OUT and the files of the parts, no scene{}", name(invocation.command),
         design ? fmt::format(", and of the options only {}", listed(shown)) : " and no options"));
@@ -170,19 +170,20 @@ void refuse_beside_merge(const Invocation& invocation) {
 }
 
 void require_command(const std::optional<std::string>& given) {
-  const std::span<const std::string_view> names = command_names();
-  std::vector<std::string_view> known(names.begin(), names.end());
+  const std::vector<std::string_view> commands = names<Command>();
+  std::vector<std::string_view> known = commands;
   known.emplace_back("help");
   const std::string word = given.value_or("");
   if (word.starts_with('-')) {
     throw UsageError(fmt::format("{}: an option comes after its command: {} (stillpoint --help)",
-                                 records::shortened(word, records::longest_word), listed(names)));
+                                 records::shortened(word, records::longest_word),
+                                 listed(commands)));
   }
-  if (std::ranges::find(names, word) == names.end()) {
+  if (std::ranges::find(commands, word) == commands.end()) {
     throw UsageError(fmt::format(
         "{}: must be {} (stillpoint --help){}",
         given ? "command " + records::shortened(word, records::longest_word) : "no command",
-        listed(names), suggestion(word, known)));
+        listed(commands), suggestion(word, known)));
   }
 }
 

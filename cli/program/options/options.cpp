@@ -51,23 +51,10 @@ constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
 
-constexpr Names names(std::to_array<Named<Command>>({{design, "design"},
-                                                     {region, "region"},
-                                                     {simulate, "simulate"},
-                                                     {spectrum, "spectrum"},
-                                                     {sweep, "sweep"},
-                                                     {accuracy, "accuracy"},
-                                                     {init, "init"},
-                                                     {explore, "explore"}}));
-
-std::vector<std::string_view> all_of(std::span<const std::string_view> list) {
-  return {list.begin(), list.end()};
-}
-
 /// Of a design for a hit, then what only one under records has.
 std::vector<std::string_view> all_objectives() {
-  std::vector<std::string_view> both = all_of(design::objective_names());
-  for (const std::string_view name : design::suite_objective_names()) {
+  std::vector<std::string_view> both = names<design::Objective>();
+  for (const std::string_view name : names<design::SuiteObjective>()) {
     if (std::ranges::find(both, name) == both.end()) {
       both.push_back(name);
     }
@@ -107,13 +94,6 @@ OptionTraits of(Load load, OptionTraits traits = {}) {
   traits.load = load;
   return traits;
 }
-/// Of `spectrum` the axis.
-OptionTraits period_axis() {
-  OptionTraits traits = axis_in_si(Rivals::stiffness, Dimension::time, RangeEnd::high);
-  traits.axis_of_spectrum = true;
-  return traits;
-}
-
 /// In `help`, {} stands for the values.
 std::vector<Option> rows() {
   return {
@@ -136,7 +116,12 @@ std::vector<Option> rows() {
           of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
       row("period", number, "S", physical,
           "natural period without friction in s; of spectrum LOW:HIGH:N", in_metres | spectrum,
-          period_axis()),
+          {.sweeps = true,
+           .axis_of_spectrum = true,
+           .rivals = Rivals::stiffness,
+           .units = si,
+           .dimension = Dimension::time,
+           .range = RangeEnd::high}),
       row("natural-frequency", number, "HZ", physical, "instead of the period, in Hz", in_metres,
           axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low)),
       row("stiffness", number, "N/M", physical, "instead of the period, in N/m; needs --mass",
@@ -169,7 +154,7 @@ std::vector<Option> rows() {
           "m or has a unit",
           of_excitations),
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
-          for_hits({.values = all_of(design::criterion_names()), .first_is_default = true})),
+          for_hits({.values = names<design::Criterion>(), .first_is_default = true})),
       row("arrivals", integer, "N", damper,
           "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1", of_designs,
           for_hits({.sweeps = true})),
@@ -208,7 +193,7 @@ std::vector<Option> rows() {
           {.values = all_objectives(), .first_is_default = true}),
       row("combine", text, "NAME", searching,
           "of the figures of all records: {}; default: max below seven records", of_suites,
-          under_records({.values = all_of(design::combine_names())})),
+          under_records({.values = names<design::Combine>()})),
       row("search-f", text, "LOW:HIGH", searching,
           "under records: where f is searched; default: from 0 to the largest load", design,
           under_records()),
@@ -223,7 +208,7 @@ std::vector<Option> rows() {
           "under records: scan about this many dampers before the searches; default 10000", design,
           under_records()),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
-          for_hits({.values = all_of(design::algorithm_names())})),
+          for_hits({.values = design::algorithm_names()})),
 
       row("excitation", text, "TYPE", shaking, "{}", of_excitations,
           {.values = excitation_names()}),
@@ -257,8 +242,7 @@ std::vector<Option> rows() {
           "CSV with the header file,scale: more records; file,peak and file,spectrum give targets",
           of_suites, under_records({.file = FileUse::read})),
       row("record-units", text, "UNITS", shaking, "{}", in_records,
-          of(Load::record,
-             {.values = all_of(records::record_unit_names()), .first_is_default = true})),
+          of(Load::record, {.values = names<records::RecordUnits>(), .first_is_default = true})),
       row("record-step", number, "DT", shaking,
           "between values that have no time column, in the unit of the times", in_records,
           of(Load::record, {.dimension = Dimension::time})),
@@ -288,10 +272,10 @@ std::vector<Option> rows() {
           {.role = Role::entries, .file = FileUse::read}),
       row("list-format", text, "NAME", sweeping,
           "{}; default: jsonl if the list begins with a brace, else csv", sweep,
-          {.role = Role::entries, .values = all_of(sweep::list_format_names())}),
+          {.role = Role::entries, .values = names<sweep::ListFormat>()}),
       row("format", text, "NAME", sweeping,
           "{}; default: npy if the output's name ends in .npy, else csv", sweep,
-          {.role = Role::content, .values = all_of(sweep::row_format_names())}),
+          {.role = Role::content, .values = names<sweep::RowFormat>()}),
       row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
           {.role = Role::output}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
@@ -349,7 +333,9 @@ std::vector<Option> rows() {
   };
 }
 
-const std::vector<Option>& table() {
+}  // namespace
+
+std::span<const Option> options() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all = rows();
     for (Option& option : all) {
@@ -366,22 +352,43 @@ const std::vector<Option>& table() {
   return table;
 }
 
-}  // namespace
-
-std::string_view name(Command command) noexcept {
-  return names.name(command);
+const Option* find_option(std::string_view name) {
+  const auto found = std::ranges::find(options(), name, &Option::name);
+  return found == options().end() ? nullptr : &*found;
 }
 
-std::optional<Command> parse_command(std::string_view name) noexcept {
-  return names.parse(name);
+std::vector<const Option*> physical_rivals(const Option& option) {
+  std::vector<const Option*> rivals;
+  for (const Option& other : options()) {
+    if (option.traits.rivals != Rivals::none && other.traits.rivals == option.traits.rivals &&
+        other.traits.dimension != Dimension::none) {
+      rivals.push_back(&other);
+    }
+  }
+  return rivals;
 }
 
-std::span<const std::string_view> command_names() {
-  return names.all();
+std::string suggestion(std::string_view wrong, std::optional<Command> command,
+                       std::string_view prefix) {
+  std::vector<std::string_view> known;
+  for (const Option& option : options()) {
+    if (!command || option.serves(*command)) {
+      known.push_back(option.name);
+    }
+  }
+  return records::suggestion(wrong, known, prefix);
 }
 
-std::span<const Option> options() {
-  return table();
+std::span<const Named<Command>> enumerators(Command) noexcept {
+  static constexpr auto rows = std::to_array<Named<Command>>({{design, "design"},
+                                                              {region, "region"},
+                                                              {simulate, "simulate"},
+                                                              {spectrum, "spectrum"},
+                                                              {sweep, "sweep"},
+                                                              {accuracy, "accuracy"},
+                                                              {init, "init"},
+                                                              {explore, "explore"}});
+  return rows;
 }
 
 }  // namespace stillpoint::cli

@@ -3,6 +3,7 @@
 
 #include "options/load.hpp"
 
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/axis.hpp>
@@ -17,9 +18,8 @@ namespace stillpoint::cli {
 
 enum class Command { design, region, simulate, spectrum, sweep, accuracy, init, explore };
 
-[[nodiscard]] std::string_view name(Command command) noexcept;
-[[nodiscard]] std::optional<Command> parse_command(std::string_view name) noexcept;
-[[nodiscard]] std::span<const std::string_view> command_names();
+[[nodiscard]] std::span<const Named<Command>> enumerators(Command) noexcept;
+using stillpoint::name;
 
 /// Some of the commands: design | sweep.
 class CommandSet {

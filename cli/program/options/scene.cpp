@@ -166,12 +166,12 @@ void set_key(Settings& settings, const std::string& key, const nlohmann::json& v
   const bool is_range = value.is_array() || is_text_of(value, ':');
   if (option->takes_range_in(command) && option->kind_in(command) == OptionKind::number &&
       is_range) {
-    return settings.set_number_or_range(*option, range_text(*option, value));
+    return settings.set_number(*option, range_text(*option, value), command);
   }
   const bool may_have_unit =
       option->traits.dimension != Dimension::none && option->kind_in(command) == OptionKind::number;
   if (may_have_unit && value.is_string() && has_unit(value.get<std::string>())) {
-    settings.set_number(*option, value.get<std::string>());
+    settings.set_number(*option, value.get<std::string>(), command);
   } else {
     settings.set(*option, typed(*option, value, command));
   }

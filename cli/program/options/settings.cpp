@@ -51,31 +51,21 @@ Axis axis_value(const Option& option, std::string_view text, Command command) {
                            option.takes_range_in(command) ? option.traits.range : RangeEnd::none);
 }
 
-template <class T>
-std::optional<T> Settings::get(std::string_view name) const {
-  const auto found = values_.find(name);
-  return found == values_.end() ? std::nullopt : std::optional<T>(std::get<T>(found->second));
-}
-
 std::optional<double> Settings::number(std::string_view name) const {
   if (const auto both = range(name)) {
     return find_option(name)->traits.range == RangeEnd::low ? both->low : both->high;
   }
-  if (const auto found = values_.find(name);
-      found != values_.end() && std::holds_alternative<Axis>(found->second)) {
-    const Axis& axis = std::get<Axis>(found->second);
-    if (axis.size() > 1 || axis.has_ranges()) {
-      throw InputError(std::string(name), axis.text(), "must be one number for motions");
+  if (const Axis* const axis = find<Axis>(name)) {
+    if (axis->size() > 1 || axis->has_ranges()) {
+      throw InputError(std::string(name), axis->text(), "must be one number for motions");
     }
-    return axis[0];
+    return (*axis)[0];
   }
   return get<double>(name);
 }
 
 std::optional<Range> Settings::range(std::string_view name) const {
-  const auto found = values_.find(name);
-  const Range* const both = found == values_.end() ? nullptr : std::get_if<Range>(&found->second);
-  return both == nullptr ? std::nullopt : std::optional(*both);
+  return get<Range>(name);
 }
 
 std::optional<std::int64_t> Settings::integer(std::string_view name) const {
@@ -115,21 +105,14 @@ std::optional<Axis> Settings::axis(std::string_view name) const {
   return get<Axis>(name);
 }
 
-void Settings::set_number(const Option& option, std::string_view text) {
-  values_[option.name] = parse_value(option, text);
-  if (has_unit(text)) {
-    with_units_[option.name] = text;
-  }
-}
-
-void Settings::set_number_or_range(const Option& option, std::string_view text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) {
-    return set_number(option, text);
-  }
-  values_[option.name] = range_value(option, text);
-  if (has_unit(text.substr(0, colon)) || has_unit(text.substr(colon + 1))) {
-    with_units_[option.name] = text;
+void Settings::set_number(const Option& option, std::string_view text, Command command) {
+  const std::size_t colon =
+      option.takes_range_in(command) ? text.find(':') : std::string_view::npos;
+  const bool is_range = colon != std::string_view::npos;
+  Entry& entry = entries_[option.name] =
+      is_range ? Entry{range_value(option, text)} : Entry{parse_value(option, text)};
+  if (has_unit(text.substr(0, colon)) || (is_range && has_unit(text.substr(colon + 1)))) {
+    entry.with_unit = text;
   }
 }
 
@@ -138,8 +121,7 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
     case OptionKind::axis:
       return set(option, axis_value(option, text, command));
     case OptionKind::number:
-      return option.takes_range_in(command) ? set_number_or_range(option, text)
-                                            : set_number(option, text);
+      return set_number(option, text, command);
     case OptionKind::integer:
       return set(option, parse_integer(option.name, text));
     case OptionKind::text:
@@ -147,11 +129,6 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
       break;
   }
   set(option, text);
-}
-
-std::optional<std::string> Settings::with_unit(std::string_view name) const {
-  const auto found = with_units_.find(name);
-  return found == with_units_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<records::FilePlace> Settings::place_of(std::string_view field) const {
@@ -170,31 +147,12 @@ std::optional<records::FilePlace> Settings::place_of(std::string_view field) con
   std::vector<const Option*> meant = physical_rivals(*option);
   meant.insert(meant.begin(), option);
   for (const Option* one : meant) {
-    if (const auto found = places_.find(one->name); found != places_.end()) {
-      return found->second;
+    if (const auto found = entries_.find(one->name);
+        found != entries_.end() && found->second.place) {
+      return found->second.place;
     }
   }
   return std::nullopt;
-}
-
-void Settings::drop(std::string_view name) {
-  values_.erase(name);
-  with_units_.erase(name);
-  places_.erase(name);
-}
-
-void Settings::complete_with(const Settings& other) {
-  for (const auto& [name, value] : other.values_) {
-    if (!values_.emplace(name, value).second) {
-      continue;
-    }
-    if (const auto given = other.with_units_.find(name); given != other.with_units_.end()) {
-      with_units_.insert(*given);
-    }
-    if (const auto place = other.places_.find(name); place != other.places_.end()) {
-      places_.insert(*place);
-    }
-  }
 }
 
 std::int64_t Settings::count(std::string_view name, std::int64_t fallback, std::int64_t least,
@@ -216,10 +174,10 @@ double Settings::required(std::string_view name, std::string_view hint) const {
 
 std::vector<std::string> doubts(const Settings& settings, Command command) {
   design::GivenValues given;
-  for (const auto& [option, value] : settings.values()) {
-    const double* const number = std::get_if<double>(&value);
+  for (const auto& [option, entry] : settings.entries()) {
+    const double* const number = std::get_if<double>(&entry.value);
     if (number != nullptr && find_option(option)->serves(command)) {
-      given[std::string(option)] = {*number, settings.with_unit(option).has_value()};
+      given[std::string(option)] = {*number, entry.with_unit.has_value()};
     }
   }
   std::vector<std::string> sentences;
@@ -248,12 +206,12 @@ nlohmann::ordered_json as_json(const Settings::Value& value) {
 
 nlohmann::ordered_json inputs(const Settings& settings, Command command) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : settings.values()) {
+  for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
     if (option.traits.role == Role::input && option.serves(command)) {
       scene[std::string(name)] = option.repeats_in(command)
                                      ? nlohmann::ordered_json(settings.texts(name))
-                                     : as_json(value);
+                                     : as_json(entry.value);
     }
   }
   return scene;

@@ -48,14 +48,19 @@ class Settings {
  public:
   using Value = std::variant<double, std::int64_t, bool, std::string, Axis, Range>;
 
-  void set(const Option& option, Value value) { values_[option.name] = std::move(value); }
-  /// A number from its text, which may carry a unit. Throws InputError.
-  void set_number(const Option& option, std::string_view text);
-  /// The same for an option that takes a range as well.
-  void set_number_or_range(const Option& option, std::string_view text);
+  struct Entry {
+    Value value;
+    std::optional<std::string> with_unit{};     ///< as given, if that was with a unit: "150mm"
+    std::optional<records::FilePlace> place{};  ///< in a scene
+  };
+
+  void set(const Option& option, Value value) { entries_[option.name].value = std::move(value); }
+  /// A number, or a range where the option takes one, from its text, which may carry units. Throws
+  /// InputError.
+  void set_number(const Option& option, std::string_view text, Command command);
   /// Of any kind but a flag, as the command line has it. Throws InputError.
   void set_text(const Option& option, const std::string& text, Command command);
-  [[nodiscard]] bool has(std::string_view name) const { return values_.contains(name); }
+  [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }
 
   /// A range; empty where not set or a number.
   [[nodiscard]] std::optional<Range> range(std::string_view name) const;
@@ -80,31 +85,43 @@ class Settings {
   /// A text that must be one of the option's values. Throws InputError.
   [[nodiscard]] std::optional<std::string> known(std::string_view name) const;
 
-  /// A number as it was given, if that was with a unit: "150mm".
-  [[nodiscard]] std::optional<std::string> with_unit(std::string_view name) const;
-
-  /// Where the value of an option stands in a scene.
-  void set_place(const Option& option, records::FilePlace place) {
-    places_.insert_or_assign(option.name, std::move(place));
+  /// The enumerator that a text names. Throws InputError.
+  template <class Enum>
+  [[nodiscard]] std::optional<Enum> named(std::string_view name) const {
+    const auto wanted = known(name);
+    return wanted ? parse<Enum>(*wanted) : std::nullopt;
   }
-  /// That of the value that an InputError about `field` means; empty where no scene has it.
+
+  void set_place(const Option& option, records::FilePlace place) {
+    entries_.at(option.name).place = std::move(place);
+  }
+  /// The place of the value that an InputError about `field` means; empty where no scene has it.
   [[nodiscard]] std::optional<records::FilePlace> place_of(std::string_view field) const;
 
-  void drop(std::string_view name);
+  void drop(std::string_view name) { entries_.erase(name); }
 
   /// Sets what `other` has and this does not have.
-  void complete_with(const Settings& other);
+  void complete_with(const Settings& other) {
+    entries_.insert(other.entries_.begin(), other.entries_.end());
+  }
 
   /// Everything that is set, by name.
-  [[nodiscard]] const std::map<std::string_view, Value>& values() const { return values_; }
+  [[nodiscard]] const std::map<std::string_view, Entry>& entries() const { return entries_; }
 
  private:
+  /// Null where it is not set, or has another type.
   template <class T>
-  [[nodiscard]] std::optional<T> get(std::string_view name) const;
+  [[nodiscard]] const T* find(std::string_view name) const {
+    const auto found = entries_.find(name);
+    return found == entries_.end() ? nullptr : std::get_if<T>(&found->second.value);
+  }
+  template <class T>
+  [[nodiscard]] std::optional<T> get(std::string_view name) const {
+    const T* const found = find<T>(name);
+    return found == nullptr ? std::nullopt : std::optional<T>(*found);
+  }
 
-  std::map<std::string_view, Value> values_;
-  std::map<std::string_view, std::string> with_units_;
-  std::map<std::string_view, records::FilePlace> places_;
+  std::map<std::string_view, Entry> entries_;
 };
 
 /// What `body` throws about the value of a scene says where that stands.

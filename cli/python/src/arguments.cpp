@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
+#include "input/record.hpp"
 #include "options/scene.hpp"
 #include "values.hpp"
+
+#include <stillpoint/core/input_error.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace stillpoint::python {
 
@@ -40,12 +46,12 @@ const Option& option_of(Command command, const std::string& keyword) {
 }
 
 Settings from_scene(Command command, const py::object& scene) {
-  Settings all;
-  if (py::isinstance<py::dict>(scene)) {
-    all = cli::scene_settings(to_json("scene", scene), command);
-  } else {
-    all = cli::read_scene(to_json("scene", scene).get<std::string>(), command);
+  const nlohmann::json given = to_json("scene", scene);
+  if (!given.is_object() && !given.is_string()) {
+    throw InputError("scene", py::repr(scene).cast<std::string>(), "must be a path or a dict");
   }
+  Settings all = given.is_object() ? cli::scene_settings(given, command)
+                                   : cli::read_scene(given.get<std::string>(), command);
   for (const Option& option : cli::options()) {
     if (option.traits.role == cli::Role::output && !takes(command, option)) {
       all.drop(option.name);
@@ -57,12 +63,12 @@ Settings from_scene(Command command, const py::object& scene) {
 }  // namespace
 
 bool takes(Command command, const Option& option) {
-  const bool of_rows =
-      command == Command::sweep && (option.name == "output" || option.name == "columns");
+  const bool of_rows = command == Command::sweep && option.name == "columns";
   const bool of_parts =
-      command == Command::design && (option.name == "part" || option.name == "resume");
-  return option.serves(command) && option.name != "title" && !of_parts &&
-         (option.traits.role != cli::Role::output || option.name == "samples" || of_rows);
+      option.name == "output" && (command == Command::sweep || command == Command::design);
+  return option.serves(command) && option.name != "title" &&
+         (option.traits.role != cli::Role::output || option.name == "samples" || of_rows ||
+          of_parts);
 }
 
 namespace {
@@ -90,10 +96,12 @@ std::string type_of(const Option& option, Command command) {
                                            : "str";
 }
 
-/// In Python a trajectory is an array, not a file.
-std::string help_of(const Option& option) {
+/// In Python a trajectory is an array, not a file, and so is a report.
+std::string help_of(const Option& option, Command command) {
   return option.name == "samples"
              ? "asks for the trajectory: evenly spaced instants besides every event"
+         : option.name == "output" && command == Command::design
+             ? "with part: the file of that part"
              : option.help;
 }
 
@@ -106,7 +114,7 @@ std::string documentation(Command command, std::string_view about) {
     if (takes(command, option)) {
       const std::string keyword = keyword_of(option);
       signature += fmt::format(", {}=None", keyword);
-      list += fmt::format("\n{:<21} {}", keyword, help_of(option));
+      list += fmt::format("\n{:<21} {}", keyword, help_of(option, command));
     }
   }
   return fmt::format(
@@ -119,18 +127,24 @@ std::string documentation(Command command, std::string_view about) {
 
 py::list options(const std::string& command) {
   py::list all;
-  const std::optional<Command> known = cli::parse_command(command);
+  const std::optional<Command> known = parse<Command>(command);
+  if (!known) {
+    throw InputError("command", command, "must be design, region, simulate, spectrum or sweep");
+  }
   for (const Option& option : cli::options()) {
-    if (known && takes(*known, option)) {
-      all.append(py::make_tuple(keyword_of(option), type_of(option, *known), help_of(option)));
+    if (takes(*known, option)) {
+      all.append(
+          py::make_tuple(keyword_of(option), type_of(option, *known), help_of(option, *known)));
     }
   }
   return all;
 }
 
 void warn_of_doubts(const Settings& settings, Command command) {
-  for (const std::string& doubt : cli::doubts(settings, command)) {
-    if (PyErr_WarnEx(PyExc_UserWarning, doubt.c_str(), 1) != 0) {
+  std::vector<std::string> warnings = cli::doubts(settings, command);
+  std::ranges::move(cli::left_out_files(settings), std::back_inserter(warnings));
+  for (const std::string& warning : warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
       throw py::error_already_set();
     }
   }
@@ -146,11 +160,14 @@ Settings settings(Command command, const py::object& scene, const py::dict& opti
     }
   }
   Settings flags = cli::scene_settings(given, command);
-  if (scene.is_none()) {
-    return flags;
+  Settings of_scene = scene.is_none() ? Settings() : from_scene(command, scene);
+  if (command == Command::design && !flags.has("part") && !of_scene.has("part")) {
+    if (flags.has("output")) {
+      throw cli::UsageError("output is for a part of a design: give part as well");
+    }
+    of_scene.drop("output");
   }
-  Settings of_scene = from_scene(command, scene);
-  return cli::scene_and_flags(command, flags, of_scene);
+  return scene.is_none() ? flags : cli::scene_and_flags(command, flags, of_scene);
 }
 
 }  // namespace stillpoint::python

@@ -7,8 +7,7 @@
 
 namespace stillpoint::python {
 
-/// Whether the command has the option in Python: files that show a report, and parts of designs,
-/// are the program's alone.
+/// Whether the command has the option in Python: files that show a report are the program's alone.
 [[nodiscard]] bool takes(cli::Command command, const cli::Option& option);
 
 /// What help() says: the signature as Python reads it, `about`, and the options in the order of
@@ -18,7 +17,8 @@ namespace stillpoint::python {
 /// Of each option of a command its keyword, its type in a stub and its help.
 [[nodiscard]] pybind11::list options(const std::string& command);
 
-/// A UserWarning for each value that is absurd beside the others.
+/// A UserWarning for each value that is absurd beside the others, and for each file of a folder
+/// that is no record.
 void warn_of_doubts(const cli::Settings& settings, cli::Command command);
 
 /// What the program would make of a scene (a path, a dict or None) and flags of these names. None

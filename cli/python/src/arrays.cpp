@@ -19,6 +19,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::python {
@@ -95,7 +96,13 @@ class Values {
 };
 
 Doubles as_doubles(py::handle value, const char* name) {
-  Doubles array = Doubles::ensure(value);
+  constexpr std::string_view kinds = "biufO";  // truths, whole numbers, floats, Python's own
+  const py::array given = py::array::ensure(value);
+  const bool numbers = given && kinds.find(given.dtype().kind()) != std::string_view::npos;
+  auto array = py::reinterpret_steal<Doubles>(py::handle());
+  if (numbers) {
+    array = Doubles::ensure(given);
+  }
   if (!array) {
     PyErr_Clear();
     throw ArgumentError(fmt::format("{}: must be a number or an array of numbers", name));

@@ -4,9 +4,11 @@
 
 #include "answer.hpp"
 #include "arguments.hpp"
+#include "input/request.hpp"
 #include "interruptible.hpp"
 #include "method.hpp"
 #include "parts.hpp"
+#include "record_parts.hpp"
 #include "result.hpp"
 #include "values.hpp"
 
@@ -80,7 +82,8 @@ struct Row {
 constexpr std::array rows{
     Row{Command::design,
         "Designs a damper: the admissible region, the search in it, its motion and its check; with "
-        "record, for a suite of acceleration records."},
+        "record, for a suite of acceleration records, which with part and output may be in parts; "
+        "merge joins them."},
     Row{Command::region,
         "The admissible region of f and delta, without a search; with f and delta, how this damper "
         "stands in it. With v0, p and beta alone, as floats, it takes less than a microsecond."},
@@ -138,6 +141,9 @@ PyObject* fast_region(PyObject* /*module*/, PyObject* const* values, Py_ssize_t 
 
 std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::dict& options) {
   const cli::Settings given = settings(row.command, scene, options);
+  if (row.command == Command::design && given.has("part") && cli::designs_under_records(given)) {
+    return with_places(given, [&] { return design_part(given); });
+  }
   std::unique_ptr<answers::Answer> found = interruptible([&](const std::stop_token& stop) {
     return with_places(given, [&] {
       return cli::answer(row.command, given, [&] { return !stop.stop_requested(); });
@@ -154,7 +160,9 @@ std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::d
 
 void add_commands(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(State, tau, x, v);
-  py::class_<Motion, Result>(module, "Motion", "What simulate found.")
+  py::class_<Motion, Result>(
+      module, "Motion",
+      "What simulate found: the fields of its report as attributes, and trajectory.")
       .def_property_readonly("trajectory", &Motion::trajectory,
                              "a structured array of tau, x and v, read-only; None where neither "
                              "samples nor the end of a free motion was given");

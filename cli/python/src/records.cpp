@@ -31,15 +31,15 @@ py::dict read_record(const py::object& record, const std::optional<std::string>&
   records::RecordOptions options;
   options.step = step;
   if (units) {
-    options.units = records::parse_record_units(*units);
+    options.units = parse<records::RecordUnits>(*units);
     if (!options.units) {
       throw InputError("record-units", *units,
-                       "must be " + records::listed(records::record_unit_names()));
+                       "must be " + records::listed(names<records::RecordUnits>()));
     }
   }
   options.scale = scale;
   options.gravity_m_per_s2 = gravity;
-  const auto path = to_json("record", record).get<std::string>();
+  const auto path = to_path("record", record);
   records::RecordFile file = [&] {
     const py::gil_scoped_release released;
     return records::read_record(path, options);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace stillpoint::python {
 
 namespace py = pybind11;
@@ -42,6 +44,14 @@ std::string Result::html() const {
             svg(figure, figures::Frame::alone) + "</div>\n";
   }
   return text + "</div>";
+}
+
+figures::HtmlPage Result::page_without_figures() const {
+  report::Document said = document();
+  figures::HtmlPage page;
+  page.title = std::move(said.title);
+  page.verdict = std::move(said.verdict);
+  return page;
 }
 
 void add_result(py::module_& module) {

@@ -35,6 +35,10 @@ class Result {
   [[nodiscard]] std::string one_line() const;
   [[nodiscard]] std::string html() const;
 
+ protected:
+  /// The verdict alone.
+  [[nodiscard]] figures::HtmlPage page_without_figures() const;
+
  private:
   pybind11::dict report_{pybind11::reinterpret_steal<pybind11::dict>(nullptr)};
 };

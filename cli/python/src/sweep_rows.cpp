@@ -76,16 +76,6 @@ class Sweep : public Result {
 
   [[nodiscard]] const py::object& table() const { return table_; }
 
- protected:
-  /// The verdict alone.
-  [[nodiscard]] figures::HtmlPage page_without_figures() const {
-    report::Document said = document();
-    figures::HtmlPage page;
-    page.title = std::move(said.title);
-    page.verdict = std::move(said.verdict);
-    return page;
-  }
-
  private:
   py::object table_;
 };
@@ -191,7 +181,8 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
 }  // namespace
 
 void add_sweep(py::module_& module) {
-  py::class_<Sweep, Result>(module, "Sweep", "What sweep found.")
+  py::class_<Sweep, Result>(module, "Sweep",
+                            "What sweep found: the fields of its report as attributes, and table.")
       .def_property_readonly("table", &Sweep::table,
                              "a structured array with a field for each column; None where the rows "
                              "went to a file, and with reduce");

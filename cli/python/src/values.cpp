@@ -31,6 +31,25 @@ json number(const std::string& field, py::handle value) {
                                : records::parse_number(field, py::str(value).cast<std::string>());
 }
 
+/// A file's name would end at a null character.
+json text(const std::string& field, py::handle value) {
+  Py_ssize_t size = 0;
+  const char* const bytes = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (bytes == nullptr) {
+    throw py::error_already_set();  // half of a surrogate pair
+  }
+  std::string text(bytes, static_cast<std::size_t>(size));
+  if (text.find('\0') != std::string::npos) {
+    throw InputError(field, py::repr(value).cast<std::string>(), "must not have a null character");
+  }
+  return text;
+}
+
+bool is_list(py::handle value) {
+  return PySequence_Check(value.ptr()) != 0 && !PyBytes_Check(value.ptr()) &&
+         !PyByteArray_Check(value.ptr());
+}
+
 json list(const std::string& field, py::handle values) {
   json all = json::array();
   for (const py::handle value : values) {
@@ -41,7 +60,7 @@ json list(const std::string& field, py::handle values) {
 
 json object(py::handle values) {
   json all = json::object();
-  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(values)) {
+  for (const auto& [key, value] : py::dict(py::reinterpret_borrow<py::object>(values))) {
     const auto name = py::str(key).cast<std::string>();
     all[name] = to_json(name, value);
   }
@@ -80,13 +99,10 @@ json to_json(const std::string& field, py::handle value) {
     return integer(field, value);
   }
   if (py::isinstance<py::str>(value)) {
-    return value.cast<std::string>();
+    return text(field, value);
   }
   if (py::isinstance<py::dict>(value)) {
     return object(value);
-  }
-  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
-    return list(field, value);
   }
   if (py::hasattr(value, "__fspath__")) {
     return to_json(field, value.attr("__fspath__")());
@@ -94,8 +110,22 @@ json to_json(const std::string& field, py::handle value) {
   if (py::hasattr(value, "tolist")) {  // an array of NumPy, or one of its numbers
     return to_json(field, value.attr("tolist")());
   }
+  if (py::hasattr(value, "keys")) {  // a mapping; a series of pandas, which has them too, is above
+    return object(value);
+  }
+  if (is_list(value)) {
+    return list(field, value);
+  }
   throw InputError(field, py::repr(value).cast<std::string>(),
                    "must be a number, a text or a list of them");
+}
+
+std::string to_path(const std::string& field, py::handle value) {
+  const json path = to_json(field, value);
+  if (!path.is_string()) {
+    throw InputError(field, py::repr(value).cast<std::string>(), "must be a path");
+  }
+  return path.get<std::string>();
 }
 
 py::dict fields() {

@@ -5,14 +5,18 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace stillpoint::python {
 
-/// A value of an option: None, a truth, a number, a text, a path, a list, a dict, or what NumPy has
-/// of these. Throws InputError that names `field` for anything else.
+/// A value of an option: None, a truth, a number, a text, a path, a sequence, a mapping, or what
+/// NumPy has of these. Throws InputError that names `field` for anything else.
 [[nodiscard]] nlohmann::json to_json(const std::string& field, pybind11::handle value);
+
+/// A str, or a path of the library. Throws InputError that names `field` for anything else.
+[[nodiscard]] std::string to_path(const std::string& field, pybind11::handle value);
 
 /// Objects become stillpoint.Fields.
 [[nodiscard]] pybind11::object to_python(const nlohmann::ordered_json& value);

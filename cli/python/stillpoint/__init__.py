@@ -29,9 +29,12 @@ class Fields(dict):
 
 from ._stillpoint import (  # noqa: E402
     InputError,
+    Motion,
     Result,
+    Sweep,
     __version__,
     design,
+    merge,
     motions,
     options,
     outcomes,
@@ -46,8 +49,11 @@ from ._stillpoint import (  # noqa: E402
 __all__ = [
     "Fields",
     "InputError",
+    "Motion",
     "Result",
+    "Sweep",
     "design",
+    "merge",
     "motions",
     "options",
     "outcomes",

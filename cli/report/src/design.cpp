@@ -6,6 +6,7 @@
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillpoint::report {
@@ -83,7 +84,8 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     section.row("width", length_text(physical, *shape.width));
     section.row("friction inside", format("f + delta/width = {:.6g}", *friction));
   } else {
-    section.row("holds", format("f + hold = {:.4g} g at x = 0", finding.point.f + shape.hold));
+    section.row("holds",
+                format("f + hold = {:.4g} g at x = 0", finding.point.f + shape.hold.value()));
     if (changes_nothing) {
       section.line("No load exceeds that while the mass is at rest there: nothing changes.");
       return;
@@ -180,6 +182,15 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
+/// Of a notch: 20 mm, or 1, 2 or 5 times a power of ten where that is above a fifth of the peak.
+double example_width_m(double peak_m) {
+  constexpr double usual = 0.02;
+  const double most = peak_m / 5;
+  const double decade = std::pow(10, std::floor(std::log10(most)));
+  const double digit = most / decade;
+  return std::min(usual, decade * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1));
+}
+
 /// What the structure feels: outside the notch, and inside one that has a width.
 std::string felt(const design::Finding& finding, const Response& response,
                  const design::Limits& limits, const Physical& physical) {
@@ -192,7 +203,7 @@ std::string felt(const design::Finding& finding, const Response& response,
   if (!physical) {
     return format("{} outside the notch, f + delta/w inside one of width w", outside);
   }
-  constexpr double example_m = 0.02;
+  const double example_m = example_width_m(response.peak_amplitude * physical->scales.length_m);
   const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
                                                    example_m / physical->scales.length_m);
   return format("{} outside the notch; {:.3g} g inside one {} wide (f + delta/w)", outside, inside,
@@ -281,39 +292,23 @@ Optimum optimum_of(const design::DesignResult& result) {
   return optimum;
 }
 
-Document document(const DesignReport& report) {
-  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
-  Physical physical = report.physical;
+namespace {
+
+/// A pulse is shown in place of the velocity to which it reduces.
+void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
+  const auto& [problem, limits, search, pulse, ranges] = request;
   design::Problem shown = problem;
-  if (pulse) {
-    shown.v0 = 0;
-    if (physical) {
-      physical->velocity_m_per_s = 0;
-    }
-  }
-  Document document;
-  document.title = "Damper design";
+  shown.v0 = pulse ? 0 : problem.v0;
   Section& task = add_problem(document, shown, limits, physical);
   if (pulse) {
     add_pulse(task, *pulse, ranges, physical);
   }
   task.row("objective", std::string(name(search.objective)));
-  if (pulse) {
-    add_pulse_region(document, report.result, physical);
-  } else {
-    add_region(document, report.result.region, physical);
-  }
-  if (!report.result.finding) {
-    add_emptiness(document, report.result, limits, physical);
-    if (report.catalogue) {
-      add_parts(document, *report.catalogue, {problem, limits, physical});
-    }
-    return document;
-  }
-  const design::Finding& finding = *report.result.finding;
-  document.verdict = verdict(report, physical);
-  document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
-  add_answer(document.answer, report.result, physical);
+}
+
+/// The choice among parts and the front, where they are asked for.
+void add_choices(Document& document, const DesignReport& report, const Physical& physical) {
+  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   if (report.catalogue) {
     document.answer.row("catalogue", how_many_fit(report.catalogue->parts));
     add_parts(document, *report.catalogue, {problem, limits, physical});
@@ -322,35 +317,75 @@ Document document(const DesignReport& report) {
     document.answer.row("trade-off", trade_off_words(*report.trade_off, physical));
     add_trade_off(document, *report.trade_off, physical);
   }
-  add_damper(document, report.result, physical);
-  add_constraints(document, finding.constraints, physical);
+}
+
+void add_motion(Document& document, const design::Finding& finding, double beta,
+                const Physical& physical) {
   if (finding.pulse) {
-    add_pulse_check(document, *finding.pulse, problem.beta, physical);
+    add_pulse_check(document, *finding.pulse, beta, physical);
     add_practice(document.detail("In practice"), finding.practice, physical);
-  } else {
-    Section& motion = document.detail("Motion");
-    add_response(motion, finding.response, physical);
-    motion.row("use of beta",
-               format("{:.4g} %", 100 * finding.response.peak_amplitude / problem.beta));
-    add_practice(motion, finding.practice, physical);
+    return;
   }
+  Section& motion = document.detail("Motion");
+  add_response(motion, finding.response, physical);
+  motion.row("use of beta", format("{:.4g} %", 100 * finding.response.peak_amplitude / beta));
+  add_practice(motion, finding.practice, physical);
+}
+
+void add_search(Document& document, const design::DesignResult& result) {
+  const design::SearchRecord& search = result.finding->search;
+  const design::Objective objective = result.request.search.objective;
+  Section& sought = document.detail("Search");
+  sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
+                     search.algorithm, search.status, search.evaluations,
+                     1e3 * search.wall_time_s));
+  const Optimum optimum = optimum_of(result);
+  if (optimum.along_f) {
+    sought.line(format("{} {}: {}; along f alone: {}",
+                       objective == design::Objective::robust ? "tolerance" : name(objective),
+                       result.request.pulse ? "by NLopt" : "of the design", digits(*optimum.found),
+                       digits(*optimum.along_f)));
+  }
+}
+
+}  // namespace
+
+Document document(const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  Physical physical = report.physical;
+  if (pulse && physical) {
+    physical->velocity_m_per_s = 0;
+  }
+  Document document;
+  document.title = "Damper design";
+  add_task(document, result.request, physical);
+  if (pulse) {
+    add_pulse_region(document, result, physical);
+  } else {
+    add_region(document, result.region, physical);
+  }
+  if (!result.finding) {
+    add_emptiness(document, result, {limits, pulse, physical});
+    if (report.catalogue) {
+      add_parts(document, *report.catalogue, {problem, limits, physical});
+    }
+    return document;
+  }
+  const design::Finding& finding = *result.finding;
+  document.verdict = verdict(report, physical);
+  document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
+  add_answer(document.answer, result, physical);
+  add_choices(document, report, physical);
+  add_damper(document, result, physical);
+  add_constraints(document, finding.constraints, physical);
+  add_motion(document, finding, problem.beta, physical);
   if (report.built_notch) {
     add_built_notch(document, *report.built_notch, finding, physical);
   }
   add_checks(document, finding.cross_check, physical);
-  if (report.catalogue) {
-    return document;  // without a search
-  }
-  Section& sought = document.detail("Search");
-  sought.line(format("NLopt {} {}: {} after {} evaluations, {:.2g} ms", design::nlopt_version(),
-                     finding.search.algorithm, finding.search.status, finding.search.evaluations,
-                     1e3 * finding.search.wall_time_s));
-  const Optimum optimum = optimum_of(report.result);
-  if (optimum.along_f) {
-    sought.line(format(
-        "{} {}: {}; along f alone: {}",
-        search.objective == design::Objective::robust ? "tolerance" : name(search.objective),
-        pulse ? "by NLopt" : "of the design", digits(*optimum.found), digits(*optimum.along_f)));
+  if (!report.catalogue) {  // which is chosen without a search
+    add_search(document, result);
   }
   return document;
 }

@@ -30,8 +30,10 @@ std::string with_unit(double value, std::string_view unit) {
   const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
-      const bool unusual = unit == "m" && prefix.factor > 1;  // no kilometres
-      if (magnitude >= prefix.factor && !unusual) {
+      // Of lengths neither kilometres nor micrometres: those of one report compare at a glance.
+      const bool length = unit == "m";
+      const bool least = length && prefix.factor == 1e-3;
+      if ((magnitude >= prefix.factor || least) && !(length && prefix.factor > 1)) {
         return fmt::format("{:.5g} {}{}", value / prefix.factor, prefix.sign, unit);
       }
     }
@@ -45,8 +47,7 @@ std::string range_digits(double low, double high) {
   return from == to && low < high ? interval_digits(low, high) : fmt::format("{} to {}", from, to);
 }
 
-std::string limit_digits(double value, bool upwards) {
-  constexpr int shown = 10;
+std::string limit_digits(double value, bool upwards, int shown) {
   const double last_digit = std::pow(10.0, std::floor(std::log10(value)) + 1 - shown);
   std::string text = fmt::format("{:.{}g}", value, shown);
   for (double nudge = 0.5; (upwards ? std::stod(text) < value : std::stod(text) > value);

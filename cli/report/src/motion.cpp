@@ -91,7 +91,7 @@ std::optional<double> caught_impulse(const MotionReport& report) {
   const Oscillator& oscillator = report.request.oscillator;
   const Start& start = report.request.start;
   // A load can free the mass from a notch that holds only so much.
-  const bool freed = report.answer.forced && std::isfinite(oscillator.hold) && start.x0 == 0 &&
+  const bool freed = report.answer.forced && oscillator.hold && start.x0 == 0 &&
                      !report.request.surface.notch_width &&
                      start.v0 * start.v0 < 2 * oscillator.delta;
   const bool caught = report.answer.response.outcome == Outcome::caught_at_start || freed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
 #include "figures/report_figures.hpp"
+#include "sections.hpp"
 
 #include <stillpoint/report/report.hpp>
 
@@ -31,47 +32,6 @@ HtmlPage page_of(const Document& document) {
           .footer = {}};
 }
 
-/// "max-displacement must be at least 0.127 m", rounded so that the value helps.
-std::string words_of(const design::Mend& mend, const Physical& physical) {
-  const auto words = [](std::string_view name, double value, bool upwards, std::string_view unit) {
-    const double place = std::pow(10, 3 - std::floor(std::log10(value)));  // four digits
-    const double safe = (upwards ? std::ceil(value * place) : std::floor(value * place)) / place;
-    return fmt::format("{} must be at {} {:.5g}{}{}", name, upwards ? "least" : "most", safe,
-                       unit.empty() ? "" : " ", unit);
-  };
-  if (physical) {
-    if (const auto now = physical_mend(*physical, mend)) {
-      return words(now->name, now->value, now->upwards, now->unit);
-    }
-  }
-  return words(mend.field, mend.value, mend.upwards, "");
-}
-
-/// Of several mends that of beta, which is the stroke.
-const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
-  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
-  return of_beta == mends.end() ? mends.front() : *of_beta;
-}
-
-/// "No damper: max-displacement must be at least 0.127 m", the title of the region's figure.
-std::string mend_title(const design::RegionVerdict& empty, const Physical& physical) {
-  return empty.mends.empty() ? "No damper is admissible"
-                             : "No damper: " + words_of(named_mend(empty.mends), physical);
-}
-
-/// What the verdict goes on with where nothing is admissible.
-std::string what_would_help(const design::RegionVerdict& empty, const Physical& physical) {
-  std::string all;
-  if (!empty.mends.empty()) {
-    all = words_of(named_mend(empty.mends), physical);
-  } else if (empty.joint_mend) {
-    for (const design::Mend& mend : empty.joint_mend->mends) {
-      all += (all.empty() ? "" : " and ") + words_of(mend, physical);
-    }
-  }
-  return all.empty() ? all : fmt::format(" To get one, {}.", all);
-}
-
 /// The design as its pulse moves it, from rest.
 DrawnMotion motion_under(const design::Finding& found, double beta) {
   const double p = found.pulse->p;
@@ -97,8 +57,9 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
                          {},
                          {}};
   if (!report.result.finding) {
-    drawn.mend = mend_title(report.result, report.physical);
-    page.verdict += what_would_help(report.result, report.physical);
+    const EmptyTask task{limits, pulse, report.physical};
+    drawn.mend = mend_title(report.result, task);
+    page.verdict += what_would_help(report.result, task);
     page.figures = {pulse_region_figure(drawn, units)};
     if (report.catalogue) {
       add_parts(page.figures.front(), *report.catalogue, units);
@@ -130,10 +91,10 @@ HtmlPage page(const DesignReport& report) {
     return pulse_page(std::move(page), report, units);
   }
   if (!report.result.finding) {
-    page.verdict += what_would_help(report.result, report.physical);
+    const EmptyTask task{limits, pulse, report.physical};
+    page.verdict += what_would_help(report.result, task);
     page.figures = {region_figure(
-        {problem, limits, report.result.region, {}, mend_title(report.result, report.physical)},
-        units)};
+        {problem, limits, report.result.region, {}, mend_title(report.result, task)}, units)};
     if (report.catalogue) {
       add_parts(page.figures.front(), *report.catalogue, units);
     }
@@ -169,7 +130,8 @@ std::vector<Figure> drawings(const RegionReport& report) {
     point = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
              answer.tolerance.value_or(0)};
   }
-  const std::string mend = answer.region.feasible ? "" : mend_title(answer, report.physical);
+  const std::string mend =
+      answer.region.feasible ? "" : mend_title(answer, {limits, pulse, report.physical});
   std::vector<Figure> figures{
       pulse ? pulse_region_figure({design::pulse_request(report.request).problem, limits,
                                    answer.region, *answer.intervals, point, mend},
@@ -187,7 +149,8 @@ std::vector<Figure> drawings(const RegionReport& report) {
 HtmlPage page(const RegionReport& report) {
   HtmlPage page = page_of(document(report));
   if (!report.answer.region.feasible) {
-    page.verdict += what_would_help(report.answer, report.physical);
+    page.verdict += what_would_help(report.answer,
+                                    {report.request.limits, report.request.pulse, report.physical});
   }
   page.figures = drawings(report);
   return page;

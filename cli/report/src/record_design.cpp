@@ -174,8 +174,8 @@ void add_task(Document& document, const RecordDesignReport& report) {
     section.row("acceleration",
                 format("at most {} transmitted", acceleration_shown(*task.limits.acceleration)));
   }
-  if (std::isfinite(task.hold)) {
-    section.row("notch", format("holds {} besides f", acceleration_shown(task.hold)));
+  if (task.hold) {
+    section.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
   }
   if (task.notch_width) {
     section.row("notch", format("{} wide", length_text(physical, *task.notch_width)));

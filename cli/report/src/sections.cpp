@@ -43,7 +43,7 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
     section.row("friction force", with_unit(*force, "N"));
   }
   if (const auto energy = physical->scales.energy_per_passage_j(delta);
-      energy && std::isfinite(*energy)) {
+      energy && delta > 0 && std::isfinite(*energy)) {
     section.row("notch capacity", with_unit(*energy, "J") + " for a whole passage");
   }
 }
@@ -51,8 +51,8 @@ void add_damper_physics(Section& section, const Physical& physical, double f, do
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical) {
   const auto& [p, f, delta, hold] = request.oscillator;
   const Surface& surface = request.surface;
-  if (!std::isinf(hold)) {
-    section.row("notch", format("holds a load of up to f + {:.6g} g", hold));
+  if (hold) {
+    section.row("notch", format("holds a load of up to f + {:.6g} g", *hold));
   }
   if (surface.notch_width) {
     const double half = *surface.notch_width / 2;
@@ -127,10 +127,11 @@ Section& add_problem(Document& document, const design::Problem& problem,
   }
   if (problem.p_high) {
     const double period = physical ? 2 * std::numbers::pi * physical->scales.time_s : 0;
-    section.row("springs", format("{} {:.6g} to {:.6g}{}", physical ? "periods in s" : "p",
-                                  physical ? period / *problem.p_high : problem.p,
-                                  physical ? period / problem.p : *problem.p_high,
-                                  problem.v0 != 0 ? "; the motion shown is the softest's" : ""));
+    section.row("springs",
+                format("{} {:.6g} to {:.6g}{}{}", physical ? "periods of" : "p",
+                       physical ? period / *problem.p_high : problem.p,
+                       physical ? period / problem.p : *problem.p_high, physical ? " s" : "",
+                       problem.v0 != 0 ? "; the motion shown is the softest's" : ""));
   }
   if (problem.residual) {
     section.row("residual",
@@ -172,87 +173,13 @@ Section& add_region(Document& document, const design::Region& region, const Phys
                                        *region.f4 < 0 ? "  (no f is small enough)" : ""));
   }
   section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
-  section.row("start", format("delta <= delta2 = {}", length_text(physical, region.delta2)));
+  section.row("start",
+              format("delta <= delta2 = {}", length_text(physical, region.delta2.value())));
   section.row("smallest beta", length_text(physical, region.beta_min));
   if (region.feasible) {
     section.row("feasible f", range_digits(*region.f_lower, *region.f_upper));
   }
   return section;
-}
-
-namespace {
-
-std::string bound(double value, bool upwards) {
-  return format("at {} {}", upwards ? "least" : "most", limit_digits(value, upwards));
-}
-
-/// "0.9 to 1.1 times f and 0.95 to 1.05 times delta": that of each side, as it can be asked for.
-std::string least_box(const design::BoxShape& shape, double tolerance) {
-  const auto factors = [&](double low, double high) {
-    return format("{} to {}", limit_digits(1 - tolerance * low, true),
-                  limit_digits(1 + tolerance * high, false));
-  };
-  return format("{} times f and {} times delta", factors(shape.f_low, shape.f_high),
-                factors(shape.delta_low, shape.delta_high));
-}
-
-/// "v0 at most 0.34"; of a physical input that one, in its unit.
-void add_mend(Section& section, const design::Mend& mend, const design::BoxShape& shape,
-              const Physical& physical) {
-  if (mend.field == "tolerance" && shape != design::BoxShape{}) {
-    section.row("tolerance", least_box(shape, mend.value));
-    return;
-  }
-  if (const auto now = physical ? physical_mend(*physical, mend) : std::nullopt) {
-    section.row(std::string(now->name),
-                format("{} {}   ({} {})", bound(now->value, now->upwards), now->unit, mend.field,
-                       bound(mend.value, mend.upwards)));
-  } else {
-    section.row(std::string(mend.field), bound(mend.value, mend.upwards));
-  }
-}
-
-/// " No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.275, delta = 0.4."
-std::string most_tolerant_text(const design::DesignPoint& most, const design::Limits& limits,
-                               const Physical& physical) {
-  const auto percent = [](double tolerance, int shown) {
-    return format("{:.{}g} %", 100 * tolerance, shown);
-  };
-  const int shown = percent(most.tolerance, 4) == percent(limits.tolerance, 4) ? 10 : 4;
-  const bool even = limits.shape == design::BoxShape{};
-  return format(" No damper has {}; the largest is {}, at f = {:.6g}, delta = {}.",
-                even ? "a tolerance of " + percent(limits.tolerance, shown)
-                     : "a box of " + box_text(limits, limits.tolerance),
-                even ? percent(most.tolerance, shown) : box_text(limits, most.tolerance), most.f,
-                length_text(physical, most.delta));
-}
-
-}  // namespace
-
-void add_emptiness(Document& document, const design::RegionVerdict& empty,
-                   const design::Limits& limits, const Physical& physical) {
-  const auto& [region, reason, mends, joint, most_tolerant, intervals] = empty;
-  document.verdict = format("No admissible design: {}.", reason);
-  if (most_tolerant) {
-    document.verdict += most_tolerant_text(*most_tolerant, limits, physical);
-  }
-  document.tone = Tone::bad;
-  Section& section = document.section("What would make it feasible");
-  if (joint) {
-    section.line(format(
-        "No single change makes it feasible: no damper has a tolerance above {}, whatever beta and "
-        "the limits are, and without a tolerance there is none either. Both of these changes "
-        "together make it feasible:",
-        limit_digits(joint->largest_tolerance, false)));
-  } else if (mends.empty()) {
-    section.line("No change of a single input makes it feasible.");
-  } else {
-    section.line(
-        "Changing any one of these makes it feasible; each value is the nearest that does:");
-  }
-  for (const design::Mend& mend : joint ? joint->mends : mends) {
-    add_mend(section, mend, limits.shape, physical);
-  }
 }
 
 bool stops_by_delta1(std::span<const design::Constraint> constraints) {

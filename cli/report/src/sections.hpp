@@ -19,7 +19,7 @@
 namespace stillpoint::report {
 
 void add_physical_input(Section& section, const design::PhysicalInput& physical);
-/// Force and energy of a damper, where there is a mass.
+/// Force and energy of a damper, where there is a mass; energy where there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
@@ -66,9 +66,19 @@ struct Optimum {
 };
 [[nodiscard]] Optimum optimum_of(const design::DesignResult& result);
 
+/// A task without an admissible damper.
+struct EmptyTask {
+  const design::Limits& limits;
+  const std::optional<design::Pulse>& pulse;
+  const Physical& physical;
+};
 /// Why there is no admissible design, which is the verdict, and what would make it feasible.
-void add_emptiness(Document& document, const design::RegionVerdict& empty,
-                   const design::Limits& limits, const Physical& physical);
+void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task);
+/// "No damper: max_displacement must be at least 168.8 mm", the title of the region's figure.
+[[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task);
+/// What the verdict of a page goes on with: " To get one, max_displacement must be ...".
+[[nodiscard]] std::string what_would_help(const design::RegionVerdict& empty,
+                                          const EmptyTask& task);
 /// Delta1 of the first arrival is what Delta is compared with: not for a damper that stops at a
 /// later one, nor where a rest off centre will do.
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);

@@ -156,8 +156,8 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
   Section& section = document.section("Trade-off of stroke, acceleration and tolerance");
   section.parts.emplace_back(std::move(table));
   if (step > 1) {
-    section.line(format("Every {} of {} dampers; --json lists them all.",
-                        step == 2 ? "second" : format("{}th", step), front.size()),
+    section.line(format("{} of {} dampers; --json lists them all.",
+                        (front.size() + step - 1) / step, front.size()),
                  Tone::faint);
   }
 }

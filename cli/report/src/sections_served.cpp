@@ -9,7 +9,8 @@ namespace stillpoint::report {
 
 std::string interval_text(const design::ServedInterval& interval) {
   if (!interval.high) {
-    return format("at least {}", limit_digits(interval.low, true));
+    constexpr int shown = 3;  // as of an interval
+    return format("at least {}", limit_digits(interval.low, true, shown));
   }
   constexpr double nothing = 1e-6;  // of the high end
   const std::string ends = interval_digits(interval.low, *interval.high);
@@ -71,8 +72,10 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
   }
   section.row("secant stiffness", secant);
   if (lines->equivalent_damping) {
-    section.row("equiv. damping", format("{:.3g} % of critical, of a full cycle at this peak",
-                                         100 * *lines->equivalent_damping));
+    const double damping = 100 * *lines->equivalent_damping;
+    section.row("equiv. damping",
+                format("{} % of critical, of a full cycle at this peak",
+                       damping < 1000 ? format("{:.3g}", damping) : format("{:.0f}", damping)));
   }
   if (lines->energy_ratio && lines->residual_ratio) {
     section.row("re-centring", format("E_s/E_h = {:.3g} (EN 15129), d/d_rm = {:.3g} (EN 1998-2)",

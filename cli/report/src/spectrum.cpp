@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace stillpoint::report {
 
@@ -38,27 +39,52 @@ std::string lock_words(const SpectrumReport& report) {
                           count, points.size(), acceleration_shown(most));
 }
 
-/// In the units of the figures.
+/// In the units of the figures. Without a notch there is nothing to compare with.
 Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoint>& points) {
   const FigureUnits units(report.physical);
+  const bool compared = report.result.request.delta > 0;
+  Table table{{"period, s"}, {}};
+  for (const std::string& name :
+       {std::string("acceleration"), std::string("peak"), std::string("residual")}) {
+    table.head.push_back(format("{}, {}", name, name == "acceleration" ? "g" : units.length_unit));
+    if (compared) {
+      table.head.push_back(name + " without");
+    }
+  }
   const auto number = [](double value) { return format("{:.5g}", value); };
   const auto residual = [&](const SpectrumFigures& one) {
     return one.residual ? number(*one.residual * units.length) : "none";
   };
-  Table table{{"period, s", "acceleration, g", "without", "peak, " + units.length_unit, "without",
-               "residual, " + units.length_unit, "without"},
-              {}};
   const std::size_t shown = std::min(points.size(), most_shown_periods);
   for (std::size_t row = 0; row < shown; ++row) {
     const std::size_t i = shown > 1 ? row * (points.size() - 1) / (shown - 1) : 0;
     const auto& [with_notch, without] = points[i];
-    table.rows.push_back(
-        {{number(2 * std::numbers::pi / report.result.request.p[i] * units.time),
-          number(with_notch.acceleration), number(without.acceleration),
-          number(with_notch.peak * units.length), number(without.peak * units.length),
-          residual(with_notch), residual(without)}});
+    std::vector<std::string> cells{
+        number(2 * std::numbers::pi / report.result.request.p[i] * units.time)};
+    const auto add = [&](std::string with_it, std::string without_it) {
+      cells.push_back(std::move(with_it));
+      if (compared) {
+        cells.push_back(std::move(without_it));
+      }
+    };
+    add(number(with_notch.acceleration), number(without.acceleration));
+    add(number(with_notch.peak * units.length), number(without.peak * units.length));
+    add(residual(with_notch), residual(without));
+    table.rows.push_back({std::move(cells)});
   }
   return table;
+}
+
+/// What the table of all records together shows.
+std::string heading(const SpectrumReport& report) {
+  const std::size_t count = report.result.records.size();
+  const bool compared = report.result.request.delta > 0;
+  if (count == 1) {
+    return compared ? "With the notch and without it" : "Friction alone";
+  }
+  return format("{} of {} records, {}",
+                *report.result.request.combine == design::Combine::max ? "Largest" : "Mean", count,
+                compared ? "with the notch and without it" : "friction alone");
 }
 
 void add_points(Section& section, const SpectrumReport& report,
@@ -76,8 +102,8 @@ void add_damper(Document& document, const SpectrumReport& report) {
   Section& section = document.detail("Damper");
   section.row("f", digits(task.f));
   section.row("delta", length_shown(report.physical, task.delta));
-  if (std::isfinite(task.hold)) {
-    section.row("notch", format("holds {} besides f", acceleration_shown(task.hold)));
+  if (task.hold) {
+    section.row("notch", format("holds {} besides f", acceleration_shown(*task.hold)));
   }
   if (task.notch_width) {
     section.row("notch", format("{} wide", length_shown(report.physical, *task.notch_width)));
@@ -100,11 +126,7 @@ Document document(const SpectrumReport& report) {
     document.answer.row("locked", locked);
   }
   const std::size_t count = result.records.size();
-  add_points(document.section(count == 1 ? "With the notch and without it"
-                              : *result.request.combine == design::Combine::max
-                                  ? format("Largest of {} records", count)
-                                  : format("Mean of {} records", count)),
-             report, result.combined);
+  add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
     const design::SuiteRecord& record = result.request.records[i];
     add_points(document.detail((record.scale == 1 ? "" : format("{:.4g} x ", record.scale)) +

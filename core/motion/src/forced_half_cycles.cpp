@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kernel/excitation_run.hpp"
-#include "kernel/forced_run.hpp"
-#include "kernel/on_surface.hpp"
+#include "watched_motion.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/half_cycles.hpp>
@@ -9,22 +7,20 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <variant>
+#include <utility>
 
 namespace stillpoint {
 
 namespace {
 
 /// Builds half-cycles from the events it sees.
-class HalfCycleCollector {
+class HalfCycleCollector final : public MotionWatcher {
  public:
-  static constexpr bool watches = true;
-
   /// `notch` is 2 delta at x = 0; empty where the notch has a width.
   HalfCycleCollector(double p, std::optional<double> notch, std::int64_t most)
       : p_(p), notch_(notch), most_(most) {}
 
-  void event(EventKind kind, const ExactSum<double>& now, double u, double v) {
+  void event(EventKind kind, const ExactSum<double>& now, double u, double v) override {
     const double tau = now.value() / p_;
     reach(tau, u);
     switch (kind) {
@@ -49,8 +45,10 @@ class HalfCycleCollector {
     }
   }
 
-  template <class Piece>
-  void piece(const ExactSum<double>& /*begin*/, int /*direction*/, const Piece& /*piece*/) {}
+  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
+             const HarmonicPiece<double>& /*piece*/) override {}
+  void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
+             const LinearPiece<double>& /*piece*/) override {}
 
   /// The half-cycle that is going on where the motion ends or is left.
   void finish(double tau, double u) {
@@ -63,7 +61,7 @@ class HalfCycleCollector {
   }
 
   [[nodiscard]] bool full() const { return static_cast<std::int64_t>(list_.size()) >= most_; }
-  [[nodiscard]] std::vector<HalfCycle>& list() { return list_; }
+  [[nodiscard]] std::vector<HalfCycle> take() { return std::move(list_); }
 
  private:
   void reach(double tau, double u) {
@@ -122,14 +120,13 @@ std::vector<HalfCycle> forced_half_cycles(const Oscillator& oscillator, const St
   const auto goes_on = [&](double tau) {
     return !collector.full() && asked.lasts([tau] { return tau; });
   };
-  return on_surface(oscillator, surface, start, collector, Patience{goes_on, 1}, [&](auto& run) {
-    std::visit([&](const auto& kind) { run_until(run, kind, t_end); }, excitation);
-    if (run.state().moved) {
-      collector.finish(run.state().now.value() / oscillator.p, run.state().u);
-      return collector.list();
-    }
-    return std::vector<HalfCycle>();
-  });
+  const ForcedState<double> state =
+      watched_motion(oscillator, surface, start, excitation, t_end, collector, {goes_on, 1});
+  if (!state.moved) {
+    return {};
+  }
+  collector.finish(state.now.value() / oscillator.p, state.u);
+  return collector.take();
 }
 
 }  // namespace stillpoint

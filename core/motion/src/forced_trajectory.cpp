@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "kernel/exact_sum.hpp"
-#include "kernel/excitation_run.hpp"
-#include "kernel/forced_run.hpp"
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/linear_piece.hpp"
-#include "kernel/on_surface.hpp"
 #include "sampling.hpp"
+#include "watched_motion.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -71,13 +69,11 @@ class ForcedTrajectory::Pieces {
 };
 
 /// Records what the run shows.
-class ForcedTrajectory::Watcher {
+class ForcedTrajectory::Watcher final : public MotionWatcher {
  public:
-  static constexpr bool watches = true;
-
   Watcher(ForcedTrajectory& path, Pieces& pieces) : path_(path), pieces_(pieces) {}
 
-  void event(EventKind kind, const ExactSum<double>& now, double u, double v) {
+  void event(EventKind kind, const ExactSum<double>& now, double u, double v) override {
     const Event event{kind,
                       {std::min(now.value() / pieces_.p(), path_.horizon_), u / pieces_.p(), v}};
     // Only the end of the excitation may show that a rest is final.
@@ -91,11 +87,13 @@ class ForcedTrajectory::Watcher {
     }
   }
 
-  void piece(const ExactSum<double>& begin, int direction, const HarmonicPiece<double>& piece) {
+  void piece(const ExactSum<double>& begin, int direction,
+             const HarmonicPiece<double>& piece) override {
     keep({begin, direction, piece.flow()});
   }
 
-  void piece(const ExactSum<double>& begin, int direction, const LinearPiece<double>& piece) {
+  void piece(const ExactSum<double>& begin, int direction,
+             const LinearPiece<double>& piece) override {
     keep({begin, direction, piece});
   }
 
@@ -117,11 +115,8 @@ ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& st
   pieces_ = pieces;
   Watcher watcher(*this, *pieces);
   constexpr int ask_every = 1024;
-  const ForcedState<double> state = on_surface(
-      oscillator, surface, start, watcher, Patience{limits.go_on, ask_every}, [&](auto& run) {
-        std::visit([&](const auto& kind) { run_until(run, kind, limits.horizon); }, excitation);
-        return run.state();
-      });
+  const ForcedState<double> state = watched_motion(
+      oscillator, surface, start, excitation, limits.horizon, watcher, {limits.go_on, ask_every});
   if (limits.to_rest && state.outcome && state.rest_begin.value() > 0) {
     horizon_ = state.rest_begin.value() / p;
     std::erase_if(events_, [this](const Event& event) { return event.state.tau > horizon_; });

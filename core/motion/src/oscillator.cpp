@@ -37,8 +37,8 @@ void require_valid(const Oscillator& oscillator) {
   require_within("p", oscillator.p, smallest_speed, largest_speed);
   require_friction("f", oscillator.f, oscillator.p);
   require_within("delta", oscillator.delta, 0, largest_square);
-  if (!std::isinf(oscillator.hold) || oscillator.hold < 0) {
-    require_friction("hold", oscillator.hold, oscillator.p);
+  if (oscillator.hold) {
+    require_friction("hold", *oscillator.hold, oscillator.p);
   }
 }
 

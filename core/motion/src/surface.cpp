@@ -39,8 +39,8 @@ void require_valid(const Oscillator& oscillator, const Surface& surface) {
   if (surface.notch_width) {
     const double width = *surface.notch_width;
     require_length("notch-width", width, p);
-    if (!std::isinf(oscillator.hold)) {
-      throw InputError("hold", oscillator.hold,
+    if (oscillator.hold) {
+      throw InputError("hold", *oscillator.hold,
                        "a notch with a width holds by its friction: give hold or notch-width");
     }
     const double wall = oscillator.delta / width;

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace stillpoint::records {
 
@@ -81,30 +82,22 @@ Header read_header(RecordReader& reader) {
       "no NPTS and DT up to here: a PEER record has a line such as NPTS= 2000, DT= .02 SEC");
 }
 
-std::size_t count_words(std::string_view line) {
-  std::size_t count = 0;
-  while (!take_word(line).empty()) {
-    ++count;
-  }
-  return count;
+/// The words of a line; numbers may touch.
+std::vector<std::string_view> words_in(const RecordReader& reader) {
+  return fields_of(reader.line(), 0);
 }
 
 /// How many values a line holds; 0 if it is blank or has a word that is not a number.
-std::size_t count_values(std::string_view line) {
-  const std::size_t count = count_words(line);
-  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-    if (!is_number(word)) {
-      return 0;
-    }
-  }
-  return count;
+std::size_t count_values(const RecordReader& reader) {
+  const auto words = words_in(reader);
+  return std::ranges::all_of(words, is_number) ? words.size() : 0;
 }
 
 /// Refuses more values than the header says: `surplus` in this line and those of the next lines.
 [[noreturn]] void refuse_surplus(RecordReader reader, const Header& header, std::size_t surplus) {
   const std::size_t first = reader.number();
-  while (reader.next() && (count_values(reader.line()) > 0 || trimmed(reader.line()).empty())) {
-    surplus += count_words(reader.line());
+  while (reader.next() && (count_values(reader) > 0 || trimmed(reader.line()).empty())) {
+    surplus += count_values(reader);
   }
   const std::size_t count = header.counts.count;
   reader.refuse(first, fmt::format("too many values: {}, but NPTS = {} in line {}", count + surplus,
@@ -118,7 +111,7 @@ void check_trailer(RecordReader& reader, const Header& header) {
     if (has_npts(reader.line())) {
       reader.refuse("a second record begins here: a file must hold one");
     }
-    const std::size_t surplus = count_values(reader.line());
+    const std::size_t surplus = count_values(reader);
     if (!is_text && surplus > 0) {
       refuse_surplus(reader, header, surplus);
     }
@@ -132,11 +125,12 @@ std::vector<double> read_values(RecordReader& reader, const Header& header) {
   // The header may promise more than the file holds: a value takes two bytes.
   values.reserve(std::min(count, reader.bytes_left() / 2 + 1));
   while (values.size() < count && reader.next()) {
-    std::string_view rest = reader.line();
-    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    const auto words = words_in(reader);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const std::string_view word = words[i];
       if (values.size() == count) {
         if (is_number(word)) {
-          refuse_surplus(reader, header, 1 + count_words(rest));
+          refuse_surplus(reader, header, words.size() - i);
         }
         break;  // a trailer that begins after the last value
       }

@@ -2,9 +2,12 @@
 
 // The COSMOS format, version 1.20 (.V2c; CESMD, USGS). Each block of acceleration, velocity or
 // displacement has its own headers: lines of text, whole numbers, reals and comments. The step is
-// the real number 34, in s, and the line above the values has the rest:
+// the real number 62, in ms, and the line above the values has the rest:
 //
 //     2000 acceleration pts, approx  20 secs, units=cm/sec2(04),Format=(8F10.5)
+//
+// Number 34 is the step of the recorder, in s. Processing may have changed it, so it counts only
+// where number 62 is not given.
 
 #include "acceleration_units.hpp"
 #include "channel.hpp"
@@ -14,7 +17,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace stillpoint::records {
 
@@ -26,22 +31,30 @@ bool has(const std::string& text, std::string_view part) {
 
 bool begins_cosmos_channel(std::string_view line) {
   const std::string text = upper_case(line);
-  return has(text, "ACCEL") && has(text, "PTS") && has(text, "UNITS=");
+  return has(text, "ACCEL") && (has(text, "PTS") || has(text, "POINTS")) && has(text, "UNITS=");
 }
 
 bool is_cosmos(RecordReader reader) {
   return reader.next() && has(upper_case(reader.line()), "(FORMAT V");
 }
 
-struct CosmosTime {
-  double step{0};
-  double length{0};     ///< of the record; not above 0: not given
-  std::size_t line{0};  ///< of both
+/// A value of the real header. Those that are unknown are not above 0, as a rule -999.
+struct RealValue {
+  std::size_t number{0};  ///< from 1
+  double value{0};
+  std::size_t line{0};
 };
 
-/// The real numbers 34 and 35 of the last header above `end`.
-CosmosTime cosmos_time(RecordReader start, const RecordReader& end) {
-  constexpr std::size_t step_number = 34;
+/// The step and the length in s, of the values or else of the recorder.
+struct CosmosTime {
+  RealValue step;
+  RealValue length;
+};
+
+/// These values of the last real header above `end`, in the order of their numbers.
+template <std::size_t Count>
+std::array<RealValue, Count> real_values(RecordReader start, const RecordReader& end,
+                                         const std::array<std::size_t, Count>& numbers) {
   std::optional<RecordReader> header;
   while (start.number() < end.number() && start.next()) {
     if (has(upper_case(start.line()), "REAL-HEADER VALUES")) {
@@ -49,35 +62,45 @@ CosmosTime cosmos_time(RecordReader start, const RecordReader& end) {
     }
   }
   if (!header) {
-    end.refuse("no Real-header values up to here: number 34 of them is the step");
+    end.refuse("no Real-header values up to here: number 62 or 34 of them is the step");
   }
   const std::size_t width = field_width(header->line());
-  CosmosTime time;
+  std::array<RealValue, Count> found;
+  std::size_t place = 0;
   std::size_t count = 0;
-  while (count <= step_number && header->next() && header->number() < end.number()) {
+  while (place < Count && header->next() && header->number() < end.number()) {
     for (const std::string_view field : fields_of(header->line(), width)) {
-      ++count;
-      if (count == step_number) {
-        time.step = header->parse_number(field);
-        time.line = header->number();
-      } else if (count == step_number + 1) {
-        time.length = header->parse_number(field);
+      if (++count == (place < Count ? numbers[place] : 0)) {
+        found[place] = {count, header->parse_number(field), header->number()};
+        ++place;
       }
     }
   }
-  if (count < step_number) {
-    end.refuse(fmt::format("only {} Real-header values up to here: number 34 is the step", count));
+  if (found.front().number == 0) {
+    end.refuse(
+        fmt::format("only {} Real-header values up to here: number 62 or 34 is the step", count));
   }
-  return time;
+  return found;
+}
+
+CosmosTime cosmos_time(const RecordReader& start, const RecordReader& end) {
+  const auto [raw_step, raw_length, step, length] =
+      real_values(start, end, std::array<std::size_t, 4>{34, 35, 62, 63});
+  constexpr double ms = 1000;
+  const bool is_given = step.value > 0;
+  return {is_given ? RealValue{step.number, step.value / ms, step.line} : raw_step,
+          is_given && length.value > 0 ? length : raw_length};
 }
 
 /// A factor of 1000 between s and ms must not slip through.
 void check_length(const RecordReader& reader, const CosmosTime& time, std::size_t count) {
-  const double length = static_cast<double>(count) * time.step;
-  if (time.length > 0 && std::abs(length - time.length) > time.length / 100 + time.step) {
-    reader.refuse(time.line, fmt::format("{} points of {} s, Real-header value 34, are {} s, but "
-                                         "value 35 says {} s",
-                                         count, time.step, length, time.length));
+  const auto& [step, length] = time;
+  const double taken = static_cast<double>(count) * step.value;
+  if (length.value > 0 && std::abs(taken - length.value) > length.value / 100 + step.value) {
+    reader.refuse(step.line,
+                  fmt::format("{} points of {} s, Real-header value {}, are {} s, but value {} "
+                              "says {} s",
+                              count, step.value, step.number, taken, length.number, length.value));
   }
 }
 
@@ -98,7 +121,9 @@ RecordFile read_cosmos(RecordReader& reader) {
                          reader.number(), field_width(reader.line())};
   const RecordUnits units = read_units(reader, cosmos_units(reader.line()));
   const CosmosTime time = cosmos_time(start, reader);
-  const double tau = reader.file_step(time.line, "Real-header value 34, the step,", time.step);
+  const double tau = reader.file_step(
+      time.step.line, fmt::format("Real-header value {}, the step,", time.step.number),
+      time.step.value);
   check_length(reader, time, block.count);
   reader.set_units(units, reader.number());
   const std::string description =

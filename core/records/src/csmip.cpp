@@ -19,14 +19,14 @@ namespace stillpoint::records {
 namespace {
 
 bool begins_csmip_channel(std::string_view line) {
-  return upper_case(line).find("POINTS OF ACCEL DATA") != std::string::npos;
+  return upper_case(line).find("POINTS OF ACCEL") != std::string::npos;
 }
 
 bool is_csmip(RecordReader reader) {
   return reader.next() && upper_case(trimmed(reader.line())).starts_with("CORRECTED ACCELEROGRAM");
 }
 
-/// What the line above the values says.
+/// What the line above the values says; a few leave out the units.
 struct CsmipLine {
   std::string_view count;
   std::string_view step;
@@ -48,11 +48,13 @@ CsmipLine csmip_line(const RecordReader& reader) {
   while (line.units.ends_with('.')) {
     line.units.remove_suffix(1);
   }
-  if (line.step.empty() || line.units.empty()) {
-    reader.refuse(
-        fmt::format("{} missing, as in 100 points of accel data equally spaced at .02 "
-                    "sec, in cm/sec2",
-                    line.step.empty() ? "the step is" : "the units are"));
+  constexpr std::string_view example =
+      "as in 100 points of accel data equally spaced at .02 sec, in cm/sec2";
+  if (line.step.empty()) {
+    reader.refuse(fmt::format("the step is missing, {}", example));
+  }
+  if (line.units.empty() && !reader.options().units) {
+    reader.refuse(fmt::format("the units are missing, {}: give record-units", example));
   }
   return line;
 }
@@ -65,7 +67,7 @@ RecordFile read_csmip(RecordReader& reader) {
                          whole_count(reader, "points", count, reader.parse_number(count)),
                          reader.number(), field_width(reader.line())};
   const double tau = reader.file_step(reader.number(), "step", reader.parse_number(step));
-  const RecordUnits units = read_units(reader, given);
+  const RecordUnits units = given.empty() ? *reader.options().units : read_units(reader, given);
   reader.set_units(units, reader.number());
   const std::string description =
       last_line_with(start, reader, "Station No") + "; " + last_line_with(start, reader, "Chan");

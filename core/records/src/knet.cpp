@@ -50,7 +50,7 @@ double positive(const RecordReader& reader, std::string_view key, std::string_vi
 /// 3920(gal)/6182761: gal for so many counts.
 double gal_per_count(const RecordReader& reader, std::string_view text) {
   const std::size_t slash = text.find('/');
-  const std::string_view gal = text.substr(0, slash);
+  const std::string_view gal = trimmed(text.substr(0, slash));
   if (slash == std::string_view::npos || !gal.ends_with("(gal)")) {
     reader.refuse(fmt::format("Scale Factor is {}: must be A(gal)/B", quoted(text)));
   }

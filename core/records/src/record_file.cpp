@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record_reader.hpp"
+#include "value_block.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
@@ -28,6 +29,11 @@ constexpr std::array formats{&esm_format, &knet_format, &csmip_format,  &cosmos_
 /// A scale beyond these is a slip; products would lose digits or leave the range of a double.
 constexpr double smallest_scale = 1e-100;
 constexpr double largest_scale = 1e100;
+
+const RecordFormat& format_of(const RecordReader& reader) {
+  return **std::ranges::find_if(
+      formats, [&reader](const RecordFormat* each) { return each->recognises(reader); });
+}
 
 void check(const RecordOptions& options) {
   if (options.step && !options.clock.holds_step(*options.step)) {
@@ -68,13 +74,31 @@ RecordFile parse_record(std::string_view text, const std::string& path,
                         const RecordOptions& options) {
   check(options);
   RecordReader reader(text, path, options);
-  const auto* const format = std::ranges::find_if(
-      formats, [&reader](const RecordFormat* each) { return each->recognises(reader); });
-  if (options.channel.value_or(1) > 1 && !(*format)->has_channels) {
+  const RecordFormat& format = format_of(reader);
+  if (options.channel.value_or(1) > 1 && !format.has_channels) {
     throw FileError({"record", path},
                     fmt::format("holds one record, so there is no channel {}", *options.channel));
   }
-  return (*format)->read(reader);
+  return format.read(reader);
+}
+
+bool is_plain_text(std::string_view text, const std::string& path) {
+  constexpr int headings = 1;  // above columns: a record, which needs a # there
+  const RecordOptions options;
+  RecordReader reader(text, path, options);
+  if (&format_of(reader) != &columns_format) {
+    return false;
+  }
+  for (int lines = 0; lines <= headings && reader.next();) {
+    const auto words = words_of(reader.line().substr(0, reader.line().find('#')), " \t,;");
+    if (!words.empty()) {
+      if (is_number(words.front())) {
+        return false;
+      }
+      ++lines;
+    }
+  }
+  return true;
 }
 
 RecordFile read_record(const std::string& path, const RecordOptions& options) {

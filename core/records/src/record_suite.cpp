@@ -2,10 +2,13 @@
 #include <stillpoint/records/record_suite.hpp>
 
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/record_folder.hpp>
 #include <stillpoint/records/record_list.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace stillpoint::records {
@@ -51,6 +54,14 @@ std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& 
     }
   }
   return suite;
+}
+
+std::vector<std::string> left_out_files(const SuiteFiles& files) {
+  std::vector<std::string> left_out;
+  for (const ListedRecord& asked : asked_records(files, {})) {
+    std::ranges::move(folder_files(asked.path).plain_text, std::back_inserter(left_out));
+  }
+  return left_out;
 }
 
 }  // namespace stillpoint::records

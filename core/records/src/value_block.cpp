@@ -22,13 +22,13 @@ bool is_digit(char c) {
 }
 
 /// Where the number that `word` begins with ends: at the sign of the next one. A sign in front of
-/// the last three digits may be that of an exponent without its E. Nothing is read twice: a word
-/// may be as long as a file.
+/// the last three digits may be that of an exponent without its E, and one behind another sign
+/// begins nothing. Nothing is read twice: a word may be as long as a file.
 std::size_t number_end(std::string_view word) {
   constexpr std::size_t exponent = 4;
   for (std::size_t i = 1; i < word.size(); ++i) {
-    const bool of_exponent = std::string_view("eEdD").find(word[i - 1]) != std::string_view::npos;
-    if ((word[i] == '+' || word[i] == '-') && !of_exponent &&
+    const bool goes_on = std::string_view("eEdD+-").find(word[i - 1]) != std::string_view::npos;
+    if ((word[i] == '+' || word[i] == '-') && !goes_on &&
         !(word.size() - i == exponent && is_number(word))) {
       return i;
     }

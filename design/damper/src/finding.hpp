@@ -3,8 +3,7 @@
 
 #include "pulse/first_return.hpp"
 
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/design_result.hpp>
 
 namespace stillpoint::design {
 

@@ -14,13 +14,6 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr Names hit_ends(std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
-                                                       {HitEnd::centred, "centred"},
-                                                       {HitEnd::off_centre, "off_centre"},
-                                                       {HitEnd::alternating, "alternating"},
-                                                       {HitEnd::too_far, "too_far"},
-                                                       {HitEnd::never_stops, "never_stops"}}));
-
 constexpr double smallest_beta = 1e-300;  // as problem.hpp has it
 
 struct Damper {
@@ -95,12 +88,14 @@ void add_motions(Listing& now, const Damper& damper) {
 
 }  // namespace
 
-std::string_view name(HitEnd end) noexcept {
-  return hit_ends.name(end);
-}
-
-std::optional<HitEnd> parse_hit_end(std::string_view name) noexcept {
-  return hit_ends.parse(name);
+std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept {
+  static constexpr auto rows = std::to_array<Named<HitEnd>>({{HitEnd::held, "held"},
+                                                             {HitEnd::centred, "centred"},
+                                                             {HitEnd::off_centre, "off_centre"},
+                                                             {HitEnd::alternating, "alternating"},
+                                                             {HitEnd::too_far, "too_far"},
+                                                             {HitEnd::never_stops, "never_stops"}});
+  return rows;
 }
 
 std::vector<Hits> hits(const Oscillator& oscillator, double beta, double v0_most) {

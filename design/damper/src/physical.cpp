@@ -111,7 +111,8 @@ PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served
   return physical;
 }
 
-std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const Mend& mend) {
+std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const Mend& mend,
+                                          const std::optional<Pulse>& pulse) {
   const Scales& scales = physical.scales;
   const auto outward = [&](double value, bool upwards) {
     return value * (upwards ? 1 + conversion_safety : 1 - conversion_safety);
@@ -135,14 +136,19 @@ std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const M
     const double period = 2 * std::numbers::pi * scales.time_s / mend.value;
     return PhysicalMend{"period", "s", outward(period, !up), !up};
   }
+  if (pulse && ends_of("lambda")) {
+    const double angle = duration(excitation(*pulse)).value() * angular_frequency(*pulse);
+    const double lasts = angle / mend.value * scales.time_s;
+    return PhysicalMend{"pulse_duration", "s", outward(lasts, !up), !up};
+  }
   if (mend.field == "beta") {
     return PhysicalMend{"max_displacement", "m", outward(mend.value * scales.length_m, up), up};
   }
   if (mend.field == "delta_max") {
-    return PhysicalMend{"delta_max", "m", outward(scales.delta_m(mend.value), up), up};
+    return PhysicalMend{"delta_max_m", "m", outward(scales.delta_m(mend.value), up), up};
   }
   if (mend.field == "residual") {
-    return PhysicalMend{"residual", "m", outward(mend.value * scales.length_m, up), up};
+    return PhysicalMend{"residual_m", "m", outward(mend.value * scales.length_m, up), up};
   }
   return std::nullopt;
 }

@@ -12,9 +12,6 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr Names criteria(std::to_array<Named<Criterion>>({{Criterion::published, "published"},
-                                                          {Criterion::exact, "exact"}}));
-
 /// Below it beta and the limits come near the smallest normal double, where digits are lost.
 constexpr double smallest_limit = 1e-300;
 /// f2 is half of v0^2 / beta at most, and must stay a double.
@@ -87,16 +84,10 @@ bool is_plain(const Problem& problem, const Limits& limits) {
          !problem.residual && limits.shape == BoxShape{};
 }
 
-std::string_view name(Criterion criterion) noexcept {
-  return criteria.name(criterion);
-}
-
-std::optional<Criterion> parse_criterion(std::string_view name) noexcept {
-  return criteria.parse(name);
-}
-
-std::span<const std::string_view> criterion_names() {
-  return criteria.all();
+std::span<const Named<Criterion>> enumerators(Criterion) noexcept {
+  static constexpr auto rows = std::to_array<Named<Criterion>>(
+      {{Criterion::published, "published"}, {Criterion::exact, "exact"}});
+  return rows;
 }
 
 }  // namespace stillpoint::design

@@ -1,36 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/design/catalogue.hpp>
-
-#include "finding.hpp"
 #include "ranking.hpp"
-#include "region/mend_list.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/search.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numeric>
 #include <tuple>
 
 namespace stillpoint::design {
 
 namespace {
-
-/// What the objective minimises; infinite for a motion that never stops.
-double cost_of(const Problem& problem, Objective objective, const RatedPart& rated) {
-  if (objective == Objective::robust) {
-    return -*rated.tolerance;
-  }
-  const Response motion =
-      free_response({problem.p, rated.part.f, rated.part.delta}, {0, problem.v0});
-  return objective_of(objective, motion).value_or(HUGE_VAL);
-}
 
 /// By what factor the worst constraint is missed, less 1.
 double miss_of(const std::vector<Constraint>& violated) {
@@ -41,34 +24,6 @@ double miss_of(const std::vector<Constraint>& violated) {
   }
   return worst;
 }
-
-RatedPart rated(const Problem& problem, const Limits& limits, const Part& part) {
-  require_valid(part, problem.p);
-  RatedPart rated{part,
-                  admissible(problem, limits, part.f, part.delta),
-                  largest_tolerance(problem, limits, part.f, part.delta),
-                  {}};
-  if (!rated.tolerance) {
-    const auto all = constraints(problem, limits, part.f, part.delta);
-    const auto back = std::ranges::find(all, "return", &Constraint::name);
-    for (const Constraint& now : all) {
-      // What does not come back is not judged by Delta1, which means nothing there.
-      const bool meaningless = now.name == "stop" && now.variable == "delta" && !back->satisfied;
-      if (!now.satisfied && !meaningless) {
-        rated.violated.push_back(now);
-      }
-    }
-  }
-  return rated;
-}
-
-/// An input that a change in one direction loosens for every part, and a value that binds nothing.
-struct Loosened {
-  std::string_view field;
-  double now;
-  double loosest;
-  double& input;  ///< of the task that `admissible` is asked about
-};
 
 }  // namespace
 
@@ -101,106 +56,6 @@ std::vector<RatedPart> best_first(std::vector<RatedPart> all,
     sorted.push_back(std::move(all[i]));
   }
   return sorted;
-}
-
-std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits, Objective objective,
-                              std::span<const Part> parts) {
-  require_valid(problem, limits);
-  std::vector<RatedPart> all;
-  all.reserve(parts.size());
-  for (const Part& part : parts) {
-    all.push_back(rated(problem, limits, part));
-  }
-  return best_first(std::move(all),
-                    [&](const RatedPart& now) { return cost_of(problem, objective, now); });
-}
-
-std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
-                             std::span<const Part> parts) {
-  Problem task = problem;
-  Limits allowed = limits;
-  const auto any_fits = [&](const Part& part) {
-    return admissible(task, allowed, part.f, part.delta);
-  };
-  if (std::ranges::any_of(parts, any_fits)) {
-    return {};
-  }
-  // No friction has a larger peak than V0/p. A box reaches up to twice its centre.
-  const double f = 2 * std::ranges::max(parts, {}, &Part::f).f;
-  const double delta = 2 * std::ranges::max(parts, {}, &Part::delta).delta;
-  std::vector<Loosened> inputs{
-      {"beta", problem.beta, std::max(problem.beta, 2 * problem.v0 / problem.p), task.beta}};
-  if (limits.tolerance > 0) {
-    inputs.push_back({"tolerance", limits.tolerance, 0, allowed.tolerance});
-  }
-  if (limits.f_max) {
-    inputs.push_back({"f_max", *limits.f_max, std::max(*limits.f_max, f), *allowed.f_max});
-  }
-  if (limits.delta_max) {
-    inputs.push_back(
-        {"delta_max", *limits.delta_max, std::max(*limits.delta_max, delta), *allowed.delta_max});
-  }
-  if (limits.acceleration_max) {
-    const double least = 2 * (f + problem.v0 * problem.p);
-    inputs.push_back({"acceleration_max", *limits.acceleration_max,
-                      std::clamp(least, *limits.acceleration_max, largest_square),
-                      *allowed.acceleration_max});
-  }
-  std::vector<Mend> mends;
-  for (const auto& [field, now, loosest_value, input] : inputs) {
-    double best = loosest_value;
-    bool found = false;
-    for (const Part& part : parts) {
-      input = best;
-      if (!any_fits(part)) {
-        continue;
-      }
-      found = true;
-      double refused = now;
-      for (double middle = std::midpoint(refused, best); middle != refused && middle != best;
-           middle = std::midpoint(refused, best)) {
-        input = middle;
-        (any_fits(part) ? best : refused) = middle;
-      }
-    }
-    input = now;
-    if (found) {
-      mends.push_back({field, best, best > now});
-    }
-  }
-  const auto with_arrivals = [&](std::int64_t n) {
-    task.arrivals = n;
-    return std::ranges::any_of(parts, any_fits);
-  };
-  if (const auto mend = arrivals_mend(problem, with_arrivals)) {
-    mends.push_back(*mend);
-  }
-  return mends;
-}
-
-Choice choose(const DesignRequest& request, std::span<const Part> parts) {
-  const auto& [problem, limits, options, pulse, ranges] = request;
-  if (parts.empty()) {
-    throw InputError::missing("catalogue", "there must be at least one part");
-  }
-  if (pulse) {
-    return choose_under_pulse(pulse_request(request), parts);
-  }
-  require_valid(options);
-  Choice choice{{{admissible_region(problem, limits)}, request},
-                ranked(problem, limits, options.objective, parts)};
-  DesignResult& result = choice.result;
-  const RatedPart& best = choice.parts.front();
-  if (best.admissible) {
-    const auto& [name, f, delta] = best.part;
-    result.finding = finding_of(problem, limits, {{f, delta, best.tolerance.value_or(0)}, {}});
-    result.finding->works_for = works_for(problem, limits, f, delta);
-    return choice;
-  }
-  result.reason = result.region.feasible ? none_admissible(parts.size())
-                                         : design::reason(result.region, problem, limits);
-  result.mends = part_mends(problem, limits, parts);
-  return choice;
 }
 
 }  // namespace stillpoint::design

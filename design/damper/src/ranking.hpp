@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/catalogue.hpp>
+#include <stillpoint/design/part.hpp>
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +20,5 @@ void require_valid(const Part& part, double p);
 
 /// "none of the 30 parts of the catalogue is admissible"
 [[nodiscard]] std::string none_admissible(std::size_t parts);
-
-/// `choose` for a pulse.
-[[nodiscard]] Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> parts);
 
 }  // namespace stillpoint::design

@@ -80,7 +80,7 @@ std::vector<Contestant> contestants(const Scene& scene, const Size& size) {
     add("RK4", "step", step,
         [=](const Scene& now) { return runge_kutta4(now, step, most_effort); });
   }
-  const bool has_hold = scene.oscillator.delta > 0 && std::isfinite(scene.oscillator.hold);
+  const bool has_hold = scene.oscillator.delta > 0 && scene.oscillator.hold;
   for (const double width : {1e-2, 1e-3}) {
     if (has_hold) {
       break;  // which the model does not know

@@ -26,7 +26,8 @@ Wide wide(const Real& value) {
 }
 
 BasicOscillator<Real> widened(const Oscillator& oscillator) {
-  return {Real(oscillator.p), Real(oscillator.f), Real(oscillator.delta), Real(oscillator.hold)};
+  return {Real(oscillator.p), Real(oscillator.f), Real(oscillator.delta),
+          oscillator.hold ? std::optional(Real(*oscillator.hold)) : std::nullopt};
 }
 
 BasicSurface<Real> widened(const Surface& surface) {

@@ -24,9 +24,6 @@ using records::longest_word;
 using records::printable;
 using records::trimmed;
 
-constexpr Names list_formats(std::to_array<Named<ListFormat>>({{ListFormat::csv, "csv"},
-                                                               {ListFormat::jsonl, "jsonl"}}));
-
 using enum Quantity;
 constexpr std::array listed_inputs{v0,    v0_low, p,           p_high,     x0,       k,
                                    k_low, lambda, lambda_high, beta,       residual, arrivals,
@@ -60,16 +57,10 @@ std::string counted(std::size_t count, std::string_view what) {
 
 }  // namespace
 
-std::string_view name(ListFormat format) noexcept {
-  return list_formats.name(format);
-}
-
-std::optional<ListFormat> parse_list_format(std::string_view name) noexcept {
-  return list_formats.parse(name);
-}
-
-std::span<const std::string_view> list_format_names() {
-  return list_formats.all();
+std::span<const Named<ListFormat>> enumerators(ListFormat) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<ListFormat>>({{ListFormat::csv, "csv"}, {ListFormat::jsonl, "jsonl"}});
+  return rows;
 }
 
 List::List(const std::string& path, std::optional<ListFormat> format,

@@ -111,9 +111,10 @@ std::string header_of(const Seal& first) {
 
 }  // namespace
 
-void require_apart(const std::string& output, const std::vector<std::string>& parts) {
-  if (std::ranges::any_of(parts, [&](const auto& path) { return same_file(path, output); })) {
-    throw records::FileError({.kind = "output", .path = output},
+void require_apart(const NamedFile& written, const std::vector<std::string>& parts) {
+  const auto& [field, path] = written;
+  if (std::ranges::any_of(parts, [&to = path](const auto& part) { return same_file(part, to); })) {
+    throw records::FileError({.kind = field, .path = path},
                              "would overwrite a part: give another file");
   }
 }
@@ -123,7 +124,7 @@ Merged merge(const std::string& output, const std::vector<std::string>& parts,
   if (parts.empty()) {
     throw InputError::missing("part", "name the files of all parts");
   }
-  require_apart(output, parts);
+  require_apart({"output", output}, parts);
   const std::vector<Seal> seals = read_seals(parts);
   const std::string header = header_of(seals.front());
   const std::unique_ptr<RowSink> sink =

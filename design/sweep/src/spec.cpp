@@ -17,11 +17,6 @@ namespace stillpoint::sweep {
 
 namespace {
 
-constexpr Names kinds(std::to_array<Named<SweepKind>>(
-    {{SweepKind::free, "free"}, {SweepKind::forced, "forced"}, {SweepKind::design, "design"}}));
-constexpr Names row_formats(std::to_array<Named<RowFormat>>({{RowFormat::csv, "csv"},
-                                                             {RowFormat::npy, "npy"}}));
-
 using enum Quantity;
 
 constexpr std::array motion_inputs{v0, p, x0, f, delta, hold, notch_width};
@@ -77,24 +72,16 @@ InputError unknown_column(std::string_view wanted, const std::vector<Quantity>& 
 
 }  // namespace
 
-std::string_view name(SweepKind kind) noexcept {
-  return kinds.name(kind);
+std::span<const Named<SweepKind>> enumerators(SweepKind) noexcept {
+  static constexpr auto rows = std::to_array<Named<SweepKind>>(
+      {{SweepKind::free, "free"}, {SweepKind::forced, "forced"}, {SweepKind::design, "design"}});
+  return rows;
 }
 
-std::optional<SweepKind> parse_sweep_kind(std::string_view name) noexcept {
-  return kinds.parse(name);
-}
-
-std::string_view name(RowFormat format) noexcept {
-  return row_formats.name(format);
-}
-
-std::optional<RowFormat> parse_row_format(std::string_view name) noexcept {
-  return row_formats.parse(name);
-}
-
-std::span<const std::string_view> row_format_names() {
-  return row_formats.all();
+std::span<const Named<RowFormat>> enumerators(RowFormat) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<RowFormat>>({{RowFormat::csv, "csv"}, {RowFormat::npy, "npy"}});
+  return rows;
 }
 
 std::optional<std::int64_t> entries(const SweepSpec& spec) {

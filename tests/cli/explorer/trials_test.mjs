@@ -18,10 +18,18 @@ test("a wrong unit is named, and the right one mends it", () =>
     await type(page, "velocity", "0.4kg");
     assert.match(await notice(page), /^velocity = "0\.4kg": must be a number in m\/s/);
     assert.equal(await page.getAttribute("#in-velocity", "aria-invalid"), "true");
+    // Another hit on the damper of before does not make it right.
+    await page.fill("#hit", "1000");
+    await settle(page);
+    assert.match(await notice(page), /^velocity = "0\.4kg"/);
     await type(page, "velocity", "400mm/s");
     assert.equal(await notice(page), "");
     assert.equal(await page.getAttribute("#in-velocity", "aria-invalid"), null);
     assert.deepEqual(await numbers(page), right);
+    await type(page, "velocity", "400");
+    assert.match(await notice(page), /did you mean velocity 400mm\/s\?$/);
+    await type(page, "velocity", "0.4");
+    assert.equal(await notice(page), "");
   }));
 
 test("a frequency in the field of the period is a frequency", () =>
@@ -37,7 +45,9 @@ test("an impossible stroke is explained, and what it needs is offered", () =>
     assert.match(await words(page, "#verdict"), /^No damper will do\. To stay within 50\smm/);
     assert.deepEqual(Object.values(await numbers(page)), [null, null, null, null, null]);
     assert.equal(await page.inputValue("#set-delta"), "");
-    for (const offer of await page.locator("#verdict button").all()) {
+    const offers = await page.locator("#verdict button").all();
+    assert.equal(offers.length, 3);
+    for (const offer of offers) {
       await offer.click();
       await settle(page);
       assert.notEqual((await numbers(page)).f, null);
@@ -124,7 +134,9 @@ test("dragged out of the frame, the damper stays on its edge", () =>
       assert.ok(at.x > plot.x - 2 && at.x < plot.x + plot.width + 2, JSON.stringify(at));
       assert.ok(at.y > plot.y - 2 && at.y < plot.y + plot.height + 2, JSON.stringify(at));
       const { f, delta } = await numbers(page);
-      assert.ok(f >= 0 && delta >= 0);
+      const most = Number((await page.getAttribute("#region svg", "data-x"))?.split(" ")[1]);
+      assert.ok(f >= 0 && f <= most && delta >= 0, `${f} ${delta} ${most}`);
+      assert.equal(await notice(page), "");
       // Let go outside, it is let go.
       await page.mouse.move(plot.x + 50, plot.y + 50);
       await settle(page);
@@ -153,6 +165,7 @@ test("printed, it is a specification of two pages", () =>
     assert.equal(paper.match(/\/Type\s*\/Page\b/g)?.length, 2);
     await page.emulateMedia({ media: "print" });
     assert.equal(await page.isVisible("#bench"), false);
+    const sheet = await words(page, "#sheet");
     const text = await page.innerText("#sheet");
     for (const part of [
       "283.81 kN",
@@ -163,6 +176,30 @@ test("printed, it is a specification of two pages", () =>
       "Assumptions",
     ]) {
       assert.ok(text.replaceAll("\u00a0", " ").includes(part), part);
+    }
+    await page.emulateMedia({ media: null });
+    // Of the design's hit while another is tried, which stays; of none where the input is wrong.
+    await page.fill("#hit", "500");
+    await settle(page);
+    const tried = await words(page, "#hit-words");
+    await page.pdf();
+    await settle(page);
+    assert.equal(await words(page, "#sheet"), sheet);
+    assert.equal(await words(page, "#hit-words"), tried);
+    assert.equal(await page.inputValue("#hit"), "500");
+    await type(page, "period", "soon");
+    await page.pdf();
+    assert.match(await words(page, "#sheet"), /^No damperperiod = "soon": must be/);
+    // Still two with a hundred ranges of hits, and with many options and conditions.
+    const options =
+      "criterion=exact&tolerance-f=0.05&f-max=0.03&delta-max-m=8mm&acceleration-max=0.2g&arrivals=4";
+    for (const state of [
+      `${isolator}&f=1e-5&delta=1e-5`,
+      `velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&mass=1200t&${options}&f=0.001&delta=0.002`,
+    ]) {
+      await go(page, state);
+      const long = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+      assert.equal(long.match(/\/Type\s*\/Page\b/g)?.length, 2, state);
     }
   }));
 

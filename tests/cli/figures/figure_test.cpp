@@ -197,12 +197,15 @@ BOOST_AUTO_TEST_CASE(prose_breaks_no_number_and_no_short_equation) {
   BOOST_TEST(prose("rest at x = 0") == "rest at x\u00a0=\u00a00");
   BOOST_TEST(prose("delta = 0.03 = 5.9 mm") == "delta\u00a0=\u00a00.03 =\u00a05.9\u00a0mm");
   BOOST_TEST(prose("needs f >= f2 = 0.5, x <= 1") ==
-             "needs f\u00a0&gt;= f2\u00a0=\u00a00.5, x\u00a0&lt;= 1");
+             "needs f\u00a0&gt;= f2\u00a0=\u00a00.5, x\u00a0&lt;=\u00a01");
+  BOOST_TEST(prose("inside (f + delta/w)") == "inside (f\u00a0+\u00a0delta/w)");
+  BOOST_TEST(prose("--delta-max keeps it small") ==
+             "<span class=\"number\">--delta-max</span> keeps it small");
   BOOST_TEST(prose("off by 6.2e-09, or -3") ==
              "off by <span class=\"number\">6.2e-09,</span> or -3");
   BOOST_TEST(prose("(EN 1998-2)") == "(EN <span class=\"number\">1998-2)</span>");
   BOOST_TEST(prose("half-cycles of part P25-N5 < x = y") ==
-             "half-cycles of part P25-N5 &lt; x = y");
+             "half-cycles of part P25-N5\u00a0&lt; x = y");
 }
 
 BOOST_AUTO_TEST_CASE(smooth_curves_pass_through_their_points_with_arrows) {
@@ -234,6 +237,7 @@ BOOST_AUTO_TEST_CASE(has_an_axis_around_values_that_are_all_the_same) {
     BOOST_TEST(axis.least < value);
     BOOST_TEST(axis.most > value);
   }
+  BOOST_TEST(axis_around("", 0, 0).most == 1);
 }
 
 BOOST_AUTO_TEST_CASE(map_is_a_png) {

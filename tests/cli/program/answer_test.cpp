@@ -65,6 +65,14 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_says_what_to_build_what_it_does_and_how_far_
   }
 }
 
+/// 6.87 mm is the peak: a notch of 20 mm would be wider than the motion.
+BOOST_FIXTURE_TEST_CASE(of_a_small_motion_names_a_notch_within_it, Sandbox) {
+  write("machine.json", run("init machine").out);
+  const std::string text = run("design machine.json").out;
+  // f + delta/w = 0.183906 + 2.3442
+  BOOST_TEST(contains(text, "2.53 g inside one 1 mm wide"), text);
+}
+
 BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch, Sandbox) {
   const Arguments asked{"design", STILLPOINT_DATA_DIR "/scenes/isolator.json", "--acceleration-max",
                         "0.12"};

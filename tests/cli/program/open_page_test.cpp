@@ -103,6 +103,24 @@ BOOST_FIXTURE_TEST_CASE(links_a_design_to_that_page, InstalledProgram) {
   BOOST_TEST(read("page.html").find(link) != std::string::npos, read("page.html").substr(0, 4000));
 }
 
+BOOST_FIXTURE_TEST_CASE(links_only_what_the_page_can_show, InstalledProgram) {
+  write("usr/share/stillpoint/stillpoint.html", "<html></html>");
+  write("parts.csv", "name,f,delta\nA,0.3,0.4\n");
+  const auto page_of = [&](const std::string& options) {
+    const ProgramRun answer = run(joined("design --html page.html", options.c_str()), surroundings);
+    BOOST_TEST(answer.exit_code == 0, answer.err);
+    return read("page.html");
+  };
+  const std::string task = "--v0 1 --p 1 --beta 0.8";
+  BOOST_TEST(page_of(task + " --trade-off 3").find("#beta=0.8&amp;p=1.0&amp;v0=1.0\"") !=
+             std::string::npos);
+  for (const std::string& beyond :
+       {task + " --catalogue parts.csv",
+        std::string("--pulse half-sine --k 6 --lambda 10 --p 1 --beta 1")}) {
+    BOOST_TEST(page_of(beyond).find("stillpoint.html#") == std::string::npos, beyond);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(says_how_to_make_the_page_that_is_not_there, InstalledProgram) {
   check_refusal(run({"explore"}, surroundings), {"explore", "not installed", "./dev explorer"});
 }

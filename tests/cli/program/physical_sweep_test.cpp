@@ -245,7 +245,7 @@ BOOST_FIXTURE_TEST_CASE(scenes_and_columns_and_files_serve, Sandbox) {
           "--html map.html --json");
   BOOST_TEST(drawn.exit_code == 0, drawn.err);
   BOOST_TEST(drawn.json()["output"]["columns"][1] == "delta_m");
-  BOOST_TEST(contains(read("map.html"), "point friction Δ, m"));
+  BOOST_TEST(contains(read("map.html"), "point friction Δ, mm"));
   BOOST_TEST(contains(read("rows.npy"), "'peak_m'"));
 }
 

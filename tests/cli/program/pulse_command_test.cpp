@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -237,6 +238,22 @@ BOOST_AUTO_TEST_CASE(no_design_says_what_mends_it_in_terms_of_the_pulse) {
     inputs.push_back(mend["input"]);
   }
   BOOST_TEST((inputs == std::vector<std::string>{"k", "lambda", "p", "beta"}));
+}
+
+/// A pulse that was given in seconds is mended in seconds, as it can be asked for.
+BOOST_AUTO_TEST_CASE(a_duration_mends_as_it_is_printed) {
+  const auto lasting = [](const std::string& duration) {
+    return joined({"design", "--pulse-duration", duration},
+                  "--pulse half-sine --k 0.5g --period 2.8s --max-displacement 20mm");
+  };
+  const ProgramRun text = run(lasting("70ms"));
+  BOOST_TEST(text.exit_code == 3);
+  const std::regex figure("pulse_duration +at most ([.0-9]+) s ");
+  std::smatch found;
+  BOOST_TEST_REQUIRE(std::regex_search(text.out, found, figure), text.out);
+  BOOST_TEST(run(lasting(found[1].str() + "s")).exit_code == 0);
+  constexpr double beyond = 1 + 1e-8;  // ten digits are printed
+  BOOST_TEST(run(lasting(in_full(beyond * std::stod(found[1])) + "s")).exit_code == 3);
 }
 
 // With metres and seconds H = g / omega^2, so that p = 1 and lambda is a ratio of frequencies.

@@ -167,6 +167,18 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_it_says_which_limit_is_in_the_way, Sand
   BOOST_TEST(contains(text, "No damper was found that meets the limits. The nearest has an"), text);
 }
 
+/// Friction above the load holds it, so that the structure feels the peak of 0.4 g.
+BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Sandbox) {
+  write("a.txt", small_record);
+  const ProgramRun none =
+      run("design --record a.txt --period 2.8 --search-f 1:2 --search-delta-m 0:1mm --scan-points "
+          "100 --acceleration-max 0.1 --html p.html");
+  BOOST_TEST(none.exit_code == 3, none.err);
+  const std::string page = read("p.html");
+  BOOST_TEST(contains(page, ">No damper: allow an acceleration of 0.4"));
+  BOOST_TEST(contains(page, "Each colour names the first limit that is broken there."));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_damper_without_friction_is_said_never_to_rest, Sandbox) {
   write("a.txt", small_record);
   const json report = failed_report(*this,

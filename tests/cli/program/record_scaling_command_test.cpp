@@ -116,6 +116,20 @@ BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(a_folder_leaves_out_notes_and_says_so, Sandbox) {
+  std::filesystem::create_directory(path("suite"));
+  write("suite/a.csv", long_load);
+  write("suite/notes.txt", "where the record is from\nand who took it\n");
+  write("list.csv", "file,scale\nsuite,2\n");
+  for (const Arguments& given :
+       std::vector<Arguments>{{"--record", "suite"}, {"--records-list", "list.csv"}}) {
+    const ProgramRun done = run(joined(held, given));
+    BOOST_TEST(done.exit_code == 0);
+    BOOST_TEST(contains(done.err, "warning: record suite/notes.txt: is left out"), done.err);
+    BOOST_TEST(run(joined(joined(held, given), "--quiet")).err == "");
+  }
+}
+
 namespace {
 
 Arguments with(const Arguments& more) {

@@ -297,6 +297,15 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
 }
 
 /// Delta1 is that of the first arrival.
+BOOST_AUTO_TEST_CASE(a_friction_alone_has_no_notch) {
+  const Arguments isolator(
+      "region --velocity 0.4 --period 2.8 --mass 1200t --max-displacement 0.15");
+  const std::string alone = run(joined(isolator, "--f 0.024")).out;
+  BOOST_TEST(contains(alone, "friction force    282.43 kN"), alone);
+  BOOST_TEST(!contains(alone, "capacity"), alone);
+  BOOST_TEST(contains(run(joined(isolator, "--f 0.024 --delta-m 6mm")).out, "70.608 kJ"));
+}
+
 BOOST_AUTO_TEST_CASE(delta1_is_shown_only_where_the_first_arrival_decides) {
   const auto shown = [&](const Arguments& command) {
     const std::string text = run(command).out;

@@ -164,13 +164,21 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Sandbox) {
   BOOST_TEST(contains(answer.out, "The notch lowers the residual"), answer.out);
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);
   const std::string page = read("p.html");
-  for (const char* const head : {"period, s", "acceleration, g", "peak, mm", "residual, mm"}) {
+  for (const char* const head : {"period, s", "acceleration, g", "acceleration without", "peak, mm",
+                                 "peak without", "residual, mm", "residual without"}) {
     BOOST_TEST(contains(page, std::string("<th>") + head + "</th>"), head);
   }
   for (const char* const part : {"spectrum-acceleration", "spectrum-peak", "spectrum-residual"}) {
     BOOST_TEST(contains(page, std::string("id=\"") + part + "-title\""), part);
     BOOST_TEST(std::filesystem::exists(path(std::string("figures/") + part + ".svg")), part);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(without_a_notch_nothing_is_compared, Sandbox) {
+  write("a.txt", small_record);
+  const std::string text = run(but("--delta-m", "0")).out;
+  BOOST_TEST(contains(text, "\nFriction alone\n"), text);
+  BOOST_TEST(!contains(text, "without"), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_scene_has_the_same_keys, Sandbox) {

@@ -29,7 +29,7 @@ bool is_same(const json& reported, const std::string& written) {
     return written.empty();
   }
   if (reported.is_string()) {
-    return written == reported;
+    return written == reported.get_ref<const std::string&>();
   }
   if (reported.is_boolean()) {
     return written == (reported.get<bool>() ? "true" : "false");

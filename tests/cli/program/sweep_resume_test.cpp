@@ -249,86 +249,6 @@ BOOST_AUTO_TEST_CASE(at_any_moment_leaves_what_can_be_resumed) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-namespace {
-
-std::string rows(int count, const std::string& last) {
-  std::string text = "f,delta\n";
-  for (int i = 1; i < count; ++i) {
-    text += std::to_string(i) + "e-5,0.5\n";
-  }
-  return text + last + "\n";
-}
-
-ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Arguments& more = {}) {
-  return sandbox.run(joined("sweep --v0 1 --p 1 --list - --output rows.npy --resume", more),
-                     {.input = list});
-}
-
-}  // namespace
-
-BOOST_FIXTURE_TEST_SUITE(list, Sandbox)
-
-BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
-  constexpr int count = 3000;
-  const std::string right = rows(count, "0.1,0.5");
-  BOOST_TEST(resume(*this, right).exit_code == 0);
-  const std::string whole = read("rows.npy");
-  fs::remove(path("rows.npy"));
-
-  const ProgramRun refused = resume(*this, rows(count, "-0.1,0.5"));
-  BOOST_TEST(refused.exit_code == 2);
-  BOOST_TEST(contains(refused.err, "line 3001: f = -0.1"), refused.err);
-  BOOST_TEST(contains(refused.err, "kept in rows.npy.part"), refused.err);
-  BOOST_TEST(!fs::exists(path("rows.npy")));
-
-  const auto before = contents();
-  std::string other = right;
-  other.replace(other.find("1e-5"), 4, "2e-5");
-  for (const std::string& wrong : {other, rows(10, "0.1,0.5")}) {
-    const ProgramRun changed = resume(*this, wrong);
-    BOOST_TEST(changed.exit_code == 2);
-    BOOST_TEST(contains(changed.err, "are not those"), changed.err);
-    BOOST_TEST(contents() == before);
-  }
-
-  const ProgramRun mended = resume(*this, right, "--json");
-  BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
-  BOOST_TEST(mended.json()["resumed_at"] > 0);
-  BOOST_TEST(read("rows.npy") == whole);
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_FIXTURE_TEST_SUITE(wrong_entry, Sandbox)
-
-/// However many entries are computed at once: all in front of the wrong one are kept, and the rest
-/// of the list may be mended.
-BOOST_AUTO_TEST_CASE(keeps_every_row_before_it) {
-  const std::string whole_list = rows(200, "0.1,0.5");
-  BOOST_TEST(resume(*this, whole_list).exit_code == 0);
-  const std::string whole = read("rows.npy");
-  for (const std::string& wrong : {std::string("-0.1,0.5"), std::string("a,0.5")}) {
-    for (const int at : {2, 150}) {
-      fs::remove(path("rows.npy"));
-      const ProgramRun refused = resume(*this, rows(at, wrong) + "0.2,0.5\n");
-      BOOST_TEST(refused.exit_code == 2);
-      BOOST_TEST(contains(refused.err, "line " + std::to_string(at + 1) + ": f = "), refused.err);
-      // The same command would only meet the same line again.
-      const std::string kept =
-          std::string(at == 2 ? "1 row is" : "149 rows are") +
-          " kept in rows.npy.part: correct the list, then give the same command with --resume";
-      BOOST_TEST(contains(refused.err, kept), refused.err);
-      BOOST_TEST(json::parse(read("rows.npy.part.json"))["rows"] == at - 1);
-      const ProgramRun mended = resume(*this, whole_list, "--json");
-      BOOST_TEST_REQUIRE(mended.exit_code == 0, mended.err);
-      BOOST_TEST(mended.json()["resumed_at"] == at - 1);
-      BOOST_TEST(read("rows.npy") == whole);
-    }
-  }
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
 BOOST_FIXTURE_TEST_SUITE(resume_option, Sandbox)
 
 BOOST_AUTO_TEST_CASE(begins_where_nothing_is_left) {
@@ -349,51 +269,6 @@ BOOST_AUTO_TEST_CASE(needs_a_file) {
   const ProgramRun answer = run(sweep("--resume"));
   BOOST_TEST(answer.exit_code == 2);
   BOOST_TEST(contains(answer.err, "needs an output file"), answer.err);
-}
-
-BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
-  const ProgramRun stopped =
-      run("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000", {.interrupt = true});
-  BOOST_TEST(stopped.exit_code == 130);
-  BOOST_TEST((stopped.out.empty() || stopped.out.ends_with('\n')));
-  BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
-}
-
-/// Hours of work are announced, once, to whoever reads the log.
-BOOST_AUTO_TEST_CASE(long_sweep_says_how_long_it_will_take_where_nobody_watches) {
-  const ProgramRun stopped =
-      run("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000 --output /dev/null",
-          {.interrupt_once_heard = true});
-  BOOST_TEST(stopped.exit_code == 130);
-  const auto lines = stopped.err_lines();
-  BOOST_TEST_REQUIRE(lines.size() == 2U, stopped.err);
-  BOOST_TEST(lines[0].starts_with("stillpoint: "), lines[0]);
-  BOOST_TEST(contains(lines[0], " of 1e+12 rows, 0 %, "), lines[0]);
-  BOOST_TEST(contains(lines[0], " rows/s: some "), lines[0]);
-  BOOST_TEST(lines[0].ends_with(" minutes to go"), lines[0]);
-  BOOST_TEST(lines[1].starts_with("stillpoint: interrupted: "), lines[1]);
-}
-
-/// A list that comes slowly, and is never finished.
-BOOST_AUTO_TEST_CASE(interrupt_is_answered_while_a_list_is_waited_for) {
-  fs::path list = path("list");
-  BOOST_TEST_REQUIRE(::mkfifo(list.c_str(), 0600) == 0);
-  const int writer = ::open(list.c_str(), O_RDWR | O_CLOEXEC);
-  const std::string begun = "f,delta\n0.1,0.2\n";
-  BOOST_TEST(::write(writer, begun.data(), begun.size()) == static_cast<ssize_t>(begun.size()));
-  const ProgramRun stopped = run("sweep --v0 1 --p 1 --list list", {.interrupt = true});
-  ::close(writer);
-  BOOST_TEST(stopped.exit_code == 130);
-  BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
-}
-
-BOOST_AUTO_TEST_CASE(progress_is_shown_on_a_terminal,
-                     *boost::unit_test::precondition(if_terminals)) {
-  const ProgramRun stopped =
-      run("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000 --output /dev/null",
-          {.error_is_terminal = true, .interrupt = true});
-  BOOST_TEST(stopped.exit_code == 130);
-  check_contains(stopped.err, {" of 1e+12 rows, 0 %, ", " rows/s, ", " left\x1b[K"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

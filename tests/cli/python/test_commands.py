@@ -141,3 +141,43 @@ def test_help_names_every_option(command):
     assert ("lambda_" in keywords) == (command != "spectrum")
     for keyword in keywords:
         assert f"\n{keyword} " in inspect.getdoc(function)
+
+
+PARTED = {"record": [str(RECORD)], "period": 2.8, "max_displacement": "400mm", "search_f": "0:0.2",
+          "search_delta_m": "0:50mm", "scan_points": 100}
+
+
+def test_parts_of_a_design_are_those_of_the_program(program):
+    first = stillpoint.design(part="1/2", output="here-{part}.json", **PARTED)
+    program.run("design", part="1/2", output="there-{part}.json", **PARTED)
+    here, there = (program.folder / f"{name}-1-of-2.json" for name in ("here", "there"))
+    assert here.read_bytes() == there.read_bytes()
+    assert repr(first) == "<Part 1/2 of a design: 50 of 100 dampers.>"
+    assert first.report == json.loads(here.read_text()) and first.figures.residual
+    written = here.stat().st_mtime_ns
+    again = stillpoint.design(part="1/2", output="here-{part}.json", resume=True, **PARTED)
+    assert again.report == first.report and here.stat().st_mtime_ns == written
+    program.run("design", part="2/2", output="there-{part}.json", **PARTED)
+    whole = stillpoint.design(**PARTED)
+    merged = stillpoint.merge(["there-2-of-2.json", here])
+    assert timeless(merged.report) == timeless(whole.report)
+    assert merged._repr_html_().count("<svg") == whole._repr_html_().count("<svg") > 0
+
+
+def test_wrong_parts_of_a_design_are_refused_as_the_program_does(program):
+    stillpoint.design(part="1/2", output="p-{part}.json", **PARTED)
+    for parts in (["p-1-of-2.json"], ["p-1-of-2.json"] * 2, ["none"], [RECORD]):
+        with pytest.raises(stillpoint.InputError) as caught:
+            stillpoint.merge(parts)
+        done = program.run("design", "merge", "whole.json", *parts)
+        assert done.returncode == 2 and done.stderr == f"stillpoint: {caught.value}\n"
+    for parts in ([], 5, [None]):
+        with pytest.raises(stillpoint.InputError, match="^parts = "):
+            stillpoint.merge(parts)
+    for more, text in (({"output": "x.json"}, "give part as well"), ({"resume": True}, "--part"),
+                       ({"part": "3/2"}, "^part = .*must be I/N"), ({"part": "2/2", "output": "p-1-of-2.json"}, "1/2")):
+        with pytest.raises(stillpoint.InputError, match=text):
+            stillpoint.design(**PARTED, **more)
+    scene = {**PARTED, "output": "report.json"}  # of the program's report
+    assert stillpoint.design(scene).design is not None
+    assert not (program.folder / "report.json").exists()

@@ -4,7 +4,9 @@
 import os
 import signal
 import threading
+import types
 
+import numpy as np
 import pytest
 from conftest import ROOT
 
@@ -124,3 +126,35 @@ def test_interrupt_ends_arrays(interrupt):
     with pytest.raises(KeyboardInterrupt):
         while True:
             stillpoint.motions([1e-6] * 1000, 1e-12, 1, 1)
+
+
+def test_scene_and_paths_are_taken_or_refused_by_name(program):
+    plain = {"v0": 1, "p": 1, "beta": 0.9}
+    assert stillpoint.region(types.MappingProxyType(plain)).report == stillpoint.region(plain).report
+    for scene in (5, [1], b"x", 1j):
+        with pytest.raises(stillpoint.InputError, match="^scene = "):
+            stillpoint.region(scene)
+    for record in (5, [1], None):
+        with pytest.raises(stillpoint.InputError, match="^record = .*: must be a path$"):
+            stillpoint.read_record(record)
+    (program.folder / "a").write_text("{}")
+    with pytest.raises(stillpoint.InputError, match="null character"):
+        stillpoint.region("a\0b")
+    with pytest.raises(ValueError, match="surrogates"):
+        stillpoint.region("\ud800")
+    with pytest.raises(stillpoint.InputError, match="^command = colour: must be design"):
+        stillpoint.options("colour")
+
+
+def test_axes_may_be_any_sequence():
+    whole = stillpoint.sweep(v0=1, p=1, f=[1, 2], delta=0.1).table
+    assert stillpoint.sweep(v0=1, p=1, f=range(1, 3), delta=0.1).table.tobytes() == whole.tobytes()
+    for axis in (b"12", (x for x in (0.1, 0.2)), {0.1, 0.2}):
+        with pytest.raises(stillpoint.InputError, match="^f = "):
+            stillpoint.sweep(v0=1, p=1, f=axis, delta=0.1)
+
+
+@pytest.mark.parametrize("wrong", [1j, ["a"], ["0.1"], np.array([1j]), np.array(["2020"], "M8[Y]"), {}])
+def test_arrays_are_of_numbers(wrong):
+    with pytest.raises(stillpoint.InputError, match="^f: must be a number or an array of numbers$"):
+        stillpoint.peak(wrong, 0.1, 1.0, 1.0)

@@ -37,7 +37,8 @@ BOOST_AUTO_TEST_CASE(units_take_the_prefix_that_fits) {
   BOOST_TEST(with_unit(3460, "N") == "3.46 kN");
   BOOST_TEST(with_unit(1, "s") == "1 s");
   BOOST_TEST(with_unit(2e-6, "J") == "2 uJ");
-  BOOST_TEST(with_unit(2e-7, "m") == "200 nm");
+  BOOST_TEST(with_unit(2e-7, "s") == "200 ns");
+  BOOST_TEST(with_unit(2e-7, "m") == "0.0002 mm");
   BOOST_TEST(with_unit(0.99999999e-3, "m") == "1 mm");  // not 1000 um
   BOOST_TEST(with_unit(999.9999, "N") == "1 kN");
 }
@@ -66,6 +67,8 @@ BOOST_AUTO_TEST_CASE(a_printed_limit_is_on_the_safe_side) {
   BOOST_TEST(limit_digits(0.5, true) == "0.5");
   BOOST_TEST(limit_digits(1.0 / 3, true) == "0.3333333334");
   BOOST_TEST(limit_digits(1.0 / 3, false) == "0.3333333333");
+  BOOST_TEST(limit_digits(1 / 1.1, true, 3) == "0.91");  // 0.909090...
+  BOOST_TEST(limit_digits(1 / 1.1, false, 3) == "0.909");
 }
 
 BOOST_AUTO_TEST_CASE(counts_are_whole_as_long_as_they_are_exact) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 // What a reader must see in the figures of a page.
 
@@ -41,15 +42,15 @@ bool has_note(const Figure& figure, const std::string& text) {
   return std::ranges::count(figure.notes, text, &figures::FigureNote::text) == 1;
 }
 
-/// 2.8 s, 0.4 m/s, 100 t, 150 mm.
-HtmlPage isolator() {
+/// 2.8 s, 0.4 m/s, 100 t.
+HtmlPage isolator(double room_m = 0.15) {
   design::PhysicalIsolator isolator;
   isolator.period_s = 2.8;
   isolator.mass_kg = 1e5;
   design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
   design::DesignRequest request;
   const double p = physical.scales.p;
-  request.problem = {.v0 = p, .p = p, .beta = 0.15 / physical.scales.length_m};
+  request.problem = {.v0 = p, .p = p, .beta = room_m / physical.scales.length_m};
   return page(DesignReport{design::design(request), physical});
 }
 
@@ -83,6 +84,17 @@ BOOST_AUTO_TEST_CASE(the_region_names_its_forbidden_sides_and_fills_the_toleranc
   BOOST_TEST(!drawn.inset);
 }
 
+/// A half sine of 0.2 g is less than f: without friction it would move by some tenths.
+BOOST_AUTO_TEST_CASE(a_motion_that_never_starts_is_drawn_on_the_scale_of_that_without_friction) {
+  SimulationRequest request;
+  request.oscillator = {.p = 1, .f = 0.3};
+  request.excitation = HalfSine{.k = 0.2, .lambda = 1};
+  const HtmlPage held = page(MotionReport{request, simulate(request)});
+  const figures::FigureAxis& y = figure(held, "motion").y;
+  BOOST_TEST(y.most > 0.1);
+  BOOST_TEST(y.most < 1);
+}
+
 /// A point near the edge f3 = 0.35355 leaves a tolerance of 0.0015 %.
 BOOST_AUTO_TEST_CASE(a_tolerance_too_small_to_see_is_enlarged) {
   BOOST_TEST(figure(region(0.9, 0.35355, 0.3), "region").inset.has_value());
@@ -111,6 +123,26 @@ BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
   BOOST_TEST(gap->outline.front().x == 1 / std::sqrt(8.0), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(drawn.title == "No damper: beta must be at least 0.7072");  // 0.70711, rounded up
   BOOST_TEST(contains(page.verdict, "beta must be at least 0.7072"));
+}
+
+/// In the unit of the figure; V0/(sqrt(2) omega) = 126.0443 mm, rounded up.
+BOOST_AUTO_TEST_CASE(the_mend_of_a_task_in_metres_is_in_the_unit_of_the_figure) {
+  const HtmlPage page = isolator(0.11);
+  const std::string words = "max_displacement must be at least 126.1 mm";
+  BOOST_TEST(figure(page, "region").title == "No damper: " + words);
+  BOOST_TEST(contains(page.verdict, words), page.verdict);
+  BOOST_TEST(contains(page.report, "at least 126.0442843 mm"), page.report);
+}
+
+/// (f3 - f2)/(f3 + f2) = 0.2222 is the largest tolerance for beta = 0.8.
+BOOST_AUTO_TEST_CASE(a_lack_of_tolerance_alone_leaves_a_clear_area_that_is_not_called_admissible) {
+  design::DesignRequest request;
+  request.problem = {.v0 = 1, .p = 1, .beta = 0.8};
+  request.limits.tolerance = 0.4;
+  const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
+  BOOST_TEST(drawn.title == "No damper: tolerance must be at most 0.2221");
+  BOOST_TEST(contains(drawn.caption, "without a tolerance"), drawn.caption);
+  BOOST_TEST(drawn.areas.front().name == "admissible without a tolerance");
 }
 
 BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_works_for) {
@@ -196,6 +228,56 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_long_rest_is_a_line) {
   }
 }
 
+/// |W| <= 0.05 < f. There is a limit of the axis although there is nothing to measure.
+BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_load) {
+  SimulationRequest request;
+  request.oscillator = {1, 0.3, 0.4};
+  Harmonic load;
+  load.k = 0.05;
+  load.lambda = 3;
+  load.duration = 40;
+  request.excitation = load;
+  const HtmlPage drawn = page(MotionReport{request, simulate(request)});
+  const Figure& still = figure(drawn, "motion");
+  BOOST_TEST(still.caption == "The mass does not move.");
+  BOOST_TEST(still.x.most == 40);
+  BOOST_TEST(still.y.most > 1);
+  BOOST_TEST(still.y.least < -1);
+  BOOST_TEST(!has(still.curves, "without friction"));
+}
+
+/// The notch takes what is left of the speed at once, at the stop too: nothing is rounded off.
+BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
+  const Figure drawn = figure(motion({1, 0.3, 0.4}, HalfSine{0.05, 3}), "phase");
+  const auto jumps = std::ranges::find(drawn.curves, "jump at x = 0", &figures::FigureCurve::name);
+  BOOST_TEST_REQUIRE((jumps != drawn.curves.end()));
+  BOOST_TEST(jumps->strokes.back().front().y < -0.1);
+  BOOST_TEST(jumps->strokes.back().back().y == 0);
+  SimulationRequest zones;
+  zones.oscillator = {1, 0.1, 0};
+  zones.start = {0, 1};
+  zones.surface.zones = {{0.2, 0.3}, {0.5, 0.15}};
+  const HtmlPage without = page(MotionReport{zones, simulate(zones)});
+  BOOST_TEST(!has(figure(without, "phase").curves, "jump at x = 0"));
+}
+
+/// The record of 0.35 g moves the free mass a hundred times as far as the one with this notch.
+BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses_the_figure) {
+  Harmonic load;
+  load.k = 0.35;
+  load.lambda = 1;
+  load.duration = 20;
+  SimulationRequest request;
+  request.oscillator = {1, 0.345, 0};
+  request.excitation = load;
+  const auto drawn = [&] {
+    return figure(page(MotionReport{request, simulate(request)}), "motion");
+  };
+  BOOST_TEST(!has(drawn().curves, "without friction"));
+  request.oscillator.f = 0.1;
+  BOOST_TEST(has(drawn().curves, "without friction"));
+}
+
 /// Caught at its first return; the load lasts 40.
 BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
   Harmonic load;
@@ -262,6 +344,35 @@ BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
     const auto found = std::ranges::find(drawn.areas, side, &figures::FigureArea::name);
     BOOST_TEST_REQUIRE((found != drawn.areas.end()), side);
     BOOST_TEST((found->look == figures::AreaLook::hatched));
+  }
+}
+
+/// f from 0.9 to 1.2 and Delta from 0.95 to 1.05 times the design's, or some multiple of that.
+BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_drawn_as_it_is) {
+  design::DesignRequest hit;
+  hit.problem = {.v0 = 1, .p = 1, .beta = 1};
+  design::DesignRequest pulsed;
+  pulsed.problem = {.p = 1, .beta = 0.05};
+  pulsed.pulse = HalfSine{0.5, 20};
+  for (design::DesignRequest request : {hit, pulsed}) {
+    request.limits.delta_max = 0.5;
+    request.limits.tolerance = 0.2;
+    request.limits.shape = {0.5, 1, 0.25, 0.25};
+    const design::DesignResult result = design::design(request);
+    BOOST_TEST_REQUIRE(result.finding.has_value());
+    const auto& [f, delta, tolerance] = result.finding->point;
+    const Figure drawn = figure(page(DesignReport{result, {}}), "region");
+    const auto box =
+        std::ranges::find(drawn.areas, figures::AreaLook::box, &figures::FigureArea::look);
+    BOOST_TEST_REQUIRE((box != drawn.areas.end()));
+    BOOST_TEST(box->name.starts_with("tolerance: f -"), box->name);
+    const auto& [low, high] = std::pair(box->outline[0], box->outline[2]);
+    BOOST_TEST(low.x == f * (1 - tolerance * 0.5));
+    BOOST_TEST(high.x == f * (1 + tolerance));
+    BOOST_TEST(low.y == delta * (1 - tolerance * 0.25));
+    BOOST_TEST(high.y == delta * (1 + tolerance * 0.25));
+    BOOST_TEST(high.x <= drawn.x.most);
+    BOOST_TEST(high.y <= drawn.y.most);
   }
 }
 

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(random_dampers_under_a_record_are_those_of_the_scalar_kerne
   is_identical(dampers, record, {1, 3});
   dampers.options.hold = 0.1;
   is_identical(dampers, record);
-  dampers.options.hold = infinite;
+  dampers.options.hold = std::nullopt;
   dampers.v0 = -0.02;  // some of them are caught at the start
   is_identical(dampers, record);
 }
@@ -168,7 +168,8 @@ BOOST_AUTO_TEST_CASE(random_records_of_any_length) {
       const Record record = random_record(dice, k);
       Dampers dampers = any_dampers(1 + scene % 20, dice, k);
       dampers.v0 = dice.once_in(2) ? 0 : k * dice.power_of_ten(-2, 0);
-      dampers.options.hold = dice.once_in(2) ? infinite : k * dice.power_of_ten(-2, 0);
+      dampers.options.hold =
+          dice.once_in(2) ? std::nullopt : std::optional(k * dice.power_of_ten(-2, 0));
       is_identical(dampers, record);
     }
   }

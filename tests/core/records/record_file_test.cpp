@@ -115,10 +115,10 @@ BOOST_AUTO_TEST_CASE(options_out_of_bounds) {
 
 BOOST_AUTO_TEST_CASE(units_have_names) {
   for (const RecordUnits unit : {RecordUnits::g, RecordUnits::m_per_s2, RecordUnits::cm_per_s2}) {
-    BOOST_TEST(records::parse_record_units(records::name(unit)) == std::optional(unit));
+    BOOST_TEST(stillpoint::parse<records::RecordUnits>(records::name(unit)) == std::optional(unit));
   }
   for (const char* wrong : {"", "G", "cm/s", "gal"}) {
-    BOOST_TEST(!records::parse_record_units(wrong).has_value());
+    BOOST_TEST(!stillpoint::parse<records::RecordUnits>(wrong).has_value());
   }
 }
 

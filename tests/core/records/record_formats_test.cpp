@@ -122,13 +122,23 @@ const std::vector<Variant> right{
     {"knet_with_a_broken_duration", "EW", "50Hz\nDuration Time(s)  2\n",
      "50 Hz\nDuration Time(s)  2.00\n", 1e-3},
     {"knet_with_a_trailer", "EW", "7428     7927\n", "7428     7927\n\nEND\n", 1e-3},
+    {"knet_with_blanks_in_the_scale_factor", "EW", "3920(gal)/6182761", "3920(gal) / 6182761",
+     1e-3},
+    {"csmip_with_another_word", "V2", "points of accel data", "points of acceleration data", 1e-5},
     {"csmip_in_capitals", "V2", "accel data equally spaced at 0.020 sec, in cm/sec2. (8f10.5)\n",
      "ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)\n", 1e-5},
     {"cosmos_with_other_units", "V2c", "cm/sec2(04)", "cm/s^2 (4)", 1e-3},
     {"cosmos_in_g", "V2c", "cm/sec2(04)", "g (02)", 1, cm_per_s2},
     {"cosmos_without_format", "V2c", ",Format=(10F8.3)", "", 1e-3},
-    {"cosmos_without_length", "V2c", "     2.000000", "  -999.000000", 1e-3},
+    {"cosmos_with_points", "V2c", "acceleration pts", "acceleration points", 1e-3},
+    {"cosmos_without_length", "V2c", "20.000000     2.000000", "20.000000  -999.000000", 1e-3},
+    {"cosmos_without_any_length_of_the_recorder", "V2c", "     2.000000", "  -999.000000", 1e-3},
 };
+
+/// A .V2c that gives `ms` for the step of its values and `s` for that of the recorder.
+std::string cosmos_with_steps(const std::string& ms, const std::string& s) {
+  return replaced(replaced(text_of("V2c"), "    20.000000", ms), "     0.010000", s);
+}
 
 }  // namespace
 
@@ -141,6 +151,25 @@ BOOST_DATA_TEST_CASE(other_forms_are_read, data::make(right), variant) {
     crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
   }
   check_pulse(records::parse_record(crlf, "record", first), variant.factor, variant.tolerance);
+}
+
+// Processing may have changed the steps of the recorder.
+BOOST_AUTO_TEST_CASE(step_of_cosmos_is_that_of_the_values) {
+  const auto read = [](const std::string& ms, const std::string& s) {
+    return records::parse_record(cosmos_with_steps(ms, s), "a");
+  };
+  const std::string unknown = "  -999.000000";
+  check_pulse(read("    20.000000", "     0.005000"), 1, 1e-3);
+  check_pulse(read("    20.000000", unknown), 1, 1e-3);
+  check_pulse(read(unknown, "     0.020000"), 1, 1e-3);
+  check_says(refusal_of<FileError>([&] { return read(unknown, unknown); }),
+             {"line 31: Real-header value 34, the step, = -999: must be more than 0"});
+}
+
+BOOST_AUTO_TEST_CASE(units_that_csmip_leaves_out_are_those_of_the_option) {
+  const std::string text = replaced(text_of("V2"), ", in cm/sec2.", ".");
+  const RecordOptions given{.units = RecordUnits::cm_per_s2, .channel = 1};
+  check_pulse(records::parse_record(text, "a", given), 1, 1e-5);
 }
 
 // Laid out as the networks' own files are, with numbers of ours.
@@ -178,15 +207,17 @@ BOOST_AUTO_TEST_CASE(layouts_of_published_files_are_read) {
             "  0.1700000E+39  0.2000000E+03" + repeated(3, "  0.1700000E+39") + "\n" +
             repeated(9, unknown) + "|a comment\n 9.8067E+2-4.9033E+2 2.4517E+2\n",
         1.0 / 200);
-  // One value a line in 15 columns; the reals in 20 lines of five.
+  // One value a line in 15 columns; the reals in 20 lines of five; a recorder with longer steps.
   const std::string missing = repeated(5, "    -999.000000") + "\n";
   check("Corrected acceleration    (Format v01.20 with 13 text lines)\n" + repeated(12, "text\n") +
             " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" +
             repeated(10, repeated(10, "    -999") + "\n") +
             " 100 Real-header values follow on  20 lines, Format= (5F15.6)\n" +
             repeated(6, missing) +
-            "    -999.000000       0.000000    -999.000000       0.005000       0.015000\n" +
-            repeated(13, missing) + "   1 Comment line(s) follow, each starting with a \"|\":\n" +
+            "    -999.000000       0.000000    -999.000000       0.020000       0.015000\n" +
+            repeated(5, missing) +
+            "    -999.000000       5.000000       0.015000     980.665000       0.000000\n" +
+            repeated(7, missing) + "   1 Comment line(s) follow, each starting with a \"|\":\n" +
             "| Recorder: none\n       3 acceleration pts, approx  0 secs, units=cm/sec2(04)," +
             "Format=(1E15.6)\n   9.806650e+02\n  -4.903325e+02\n   2.451662e+02\n" +
             "End-of-data for Chan  ? acceleration\n",
@@ -209,7 +240,9 @@ BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
   // To read the rest of the line again for each value takes 400 000 times 400 kB on the average: a
   // minute.
   constexpr std::size_t count = 400'000;
-  const std::string sample = replaced(text_of("V2c"), "     2.000000", "  -999.000000");
+  const std::string length = "     2.000000";
+  const std::string unknown = "  -999.000000";
+  const std::string sample = replaced(replaced(text_of("V2c"), length, unknown), length, unknown);
   std::string text = sample.substr(0, sample.find("     100 acceleration pts")) +
                      std::to_string(count) + " acceleration pts, units=g (02)\n";
   for (std::size_t i = 0; i < count; ++i) {

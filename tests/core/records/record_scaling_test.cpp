@@ -4,6 +4,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/record_folder.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
 #include <boost/test/unit_test.hpp>
@@ -156,6 +157,44 @@ BOOST_AUTO_TEST_CASE(folder_is_its_records) {
   check_says(
       refusal_of<records::FileError>([&] { return records::record_files(folder.path("e.txt")); }),
       {"e.txt: this folder has no record", ".AT2 .ASC"});
+}
+
+BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
+  const stillpoint::test::Folder folder;
+  const std::vector<std::pair<const char*, const char*>> kept{
+      {"a.AT2", "wrong, but its ending says what it should be\n"},
+      {"b.txt", "# a comment\n\n0 1\n"},
+      {"c.csv", "time,acceleration\n0,1\n"},  // a record that needs a # in front of its heading
+      {"d.csv", "t;a\n0;1\n"},
+      {"e.dat", "NPTS= 1, DT= .1 SEC\n1\n"},
+      {"f.txt", "0,1 0,2\n"},
+  };
+  const std::vector<std::pair<const char*, const char*>> left{
+      {"README.txt", "Records of two earthquakes.\nSee the report.\n1\n"},
+      {"comments.txt", "# nothing but comments\n"},
+      {"flatfile.csv", "-- Summary of the records --\n\nResult ID,RSN,Tp\n1,953,\n"},
+  };
+  for (const auto& files : {kept, left}) {
+    for (const auto& [name, text] : files) {
+      std::ofstream(folder.path(name)) << text;
+    }
+  }
+  const auto paths = [&](const auto& files) {
+    std::vector<std::string> list;
+    for (const auto& [name, text] : files) {
+      list.push_back(folder.path(name));
+    }
+    return list;
+  };
+  const std::string path = std::filesystem::path(folder.path("x")).parent_path().string();
+  BOOST_TEST(records::record_files(path) == paths(kept), boost::test_tools::per_element());
+  BOOST_TEST(records::left_out_files({{path, folder.path("b.txt")}}) == paths(left),
+             boost::test_tools::per_element());
+  for (const auto& [name, text] : kept) {
+    std::filesystem::remove(folder.path(name));
+  }
+  check_says(refusal_of<records::FileError>([&] { return records::record_files(path); }),
+             {"this folder has no record", "README.txt begins with text"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -112,7 +112,7 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
          {"data equally spaced at 0.020 sec", "data", {"line 46: the step is missing"}},
          {"at 0.020 sec", "at 20 msec", {"line 46: the step is missing"}},
          {"at 0.020 sec", "at 0.000 sec", {"line 46: step = 0: must be more than 0"}},
-         {", in cm/sec2.", "", {"line 46: the units are missing"}},
+         {", in cm/sec2.", "", {"line 46: the units are missing", "give record-units"}},
          {"in cm/sec2.", "in g/10.", {"line 46: the units \"g/10\" are unknown"}},
          {"   100 points of accel data",
           "   108 points of accel data",
@@ -126,19 +126,21 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
     {"V2c",
      {
          {"Real-header values", "Numbers", {"line 45: no Real-header values"}},
-         {"     0.020000",
+         {"    20.000000",
           "  -999.000000",
-          {"line 31: Real-header value 34, the step, = -999: must be more than 0"}},
-         {"     0.020000",
-          "    20.000000",
-          {"line 31: 100 points of 20 s, Real-header value 34, are 2000 s, but value 35 says 2 s"}},
-         {"     0.020000", "     0.0x0000", {"line 31, column 45: \"0.0x0000\" is not a number"}},
+          {"line 31: 100 points of 0.01 s, Real-header value 34, are 1 s, but value 35 says 2 s"}},
+         {"    20.000000",
+          "     0.020000",
+          {"line 36: 100 points of 2e-05 s, Real-header value 62, are 0.002 s, but value 63 says "
+           "2 s"}},
+         {"    20.000000", "    20.0x0000", {"line 36, column 18: \"20.0x0000\" is not a number"}},
+         {"     0.010000", "     0.0x0000", {"line 31, column 45: \"0.0x0000\" is not a number"}},
          {"cm/sec2(04)", "counts (50)", {"line 45: the units \"counts\" are unknown"}},
          {"100 acceleration pts",
           "101 acceleration pts",
           {"line 56, column 1: \"End-of-data for Chan  1 acceleration\"",
            "is not a number; value 101 of 101"}},
-         {"100 acceleration pts", " 90 acceleration pts", {"line 31: 90 points of 0.02 s"}},
+         {"100 acceleration pts", " 90 acceleration pts", {"line 36: 90 points of 0.02 s"}},
          {"100 acceleration pts",
           " 99 acceleration pts",
           {"line 55: too many values: more than the count of points = 99 in line 45"}},
@@ -215,15 +217,14 @@ bool values_reached(const std::string& text) {
 /// Without the lines of a header that nobody reads, and cut off in the first block.
 std::string essence(const std::string& sample) {
   constexpr std::size_t enough = 1800;
-  constexpr int reals = 5;  // lines of unknown numbers above the one with the step
+  constexpr int reals = 11;  // lines of unknown numbers down to the one with the step
   std::string text;
   int unknown = 0;
   std::istringstream lines(text_of(sample));
   for (std::string line; text.size() < enough && std::getline(lines, line);) {
-    const bool is_unread =
-        line.ends_with(": ") || line.starts_with(" -999 -999") || line.starts_with("-999.00000") ||
-        line.starts_with("    -999    -999") ||
-        (line.ends_with("-999.000000") && !contains(line, "0.02") && ++unknown > reals);
+    const bool is_unread = line.ends_with(": ") || line.starts_with(" -999 -999") ||
+                           line.starts_with("-999.00000") || line.starts_with("    -999    -999") ||
+                           (line.ends_with("-999.000000") && ++unknown > reals);
     text += is_unread ? "" : line + "\n";
   }
   return text;

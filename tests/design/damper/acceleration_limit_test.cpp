@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(f4_is_where_s_meets_the_limit) {
     BOOST_TEST(close(limit, Reference(problem).s(*region.f4), s_tolerance));
     BOOST_TEST(Reference(problem).s(*region.f4) <= Precise(limit) * (1 + s_tolerance));
     // It is the only change to the rows.
-    const auto rows = constraints(problem, at_most(limit), region.f3 / 2, region.delta2 / 2);
+    const auto rows = constraints(problem, at_most(limit), region.f3 / 2, *region.delta2 / 2);
     BOOST_TEST(rows.size() == 6U);
     BOOST_TEST(rows.back().name == "acceleration");
     BOOST_TEST(rows.back().limit == *region.f4);

@@ -114,12 +114,12 @@ BOOST_AUTO_TEST_CASE(the_start_tips_at_the_same_bit_in_formula_and_simulation) {
     const Problem problem = random_problem(random, 1.5, 3);
     const Region region = admissible_region(problem);
     const double f = random.uniform(0.05, 0.95) * region.f3;
-    for (const double delta : {below(region.delta2), region.delta2}) {
+    for (const double delta : {below(*region.delta2), *region.delta2}) {
       BOOST_TEST(admissible(problem, {}, f, delta));
       BOOST_TEST(stops_at_first_return(simulate(problem, f, delta)));
     }
-    BOOST_TEST(!admissible(problem, {}, f, above(region.delta2)));
-    BOOST_TEST(simulate(problem, f, above(region.delta2)).outcome == Outcome::caught_at_start);
+    BOOST_TEST(!admissible(problem, {}, f, above(*region.delta2)));
+    BOOST_TEST(simulate(problem, f, above(*region.delta2)).outcome == Outcome::caught_at_start);
   }
 }
 
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(the_return_tips_at_f3_in_formula_and_simulation) {
   for (int i = 0; i < 5000; ++i) {
     const Problem problem = random_problem(random, 1.5, 3);
     const Region region = admissible_region(problem);
-    const double delta = region.delta2 / 2;
+    const double delta = *region.delta2 / 2;
     double inside = region.f3;
     double outside = above(region.f3);
     for (int ulps = 0; ulps < 20; ++ulps, inside = below(inside), outside = above(outside)) {
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(the_amplitude_tips_at_f2_in_formula_and_simulation) {
   for (int i = 0; i < 5000; ++i) {
     const Problem problem = random_problem(random, 0.72, 0.99);
     const Region region = admissible_region(problem);
-    const double delta = region.delta2;
+    const double delta = *region.delta2;
     double inside = region.f2;
     double outside = below(region.f2);
     // The peak falls more slowly than f grows, so an ulp of f may be none of the peak.

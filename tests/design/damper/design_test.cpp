@@ -119,19 +119,19 @@ BOOST_AUTO_TEST_CASE(a_design_in_one_line) {
 
 BOOST_AUTO_TEST_CASE(each_name_leads_back_to_its_enumerator) {
   for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
-    BOOST_TEST((parse_criterion(name(criterion)) == criterion), name(criterion));
+    BOOST_TEST((parse<Criterion>(name(criterion)) == criterion), name(criterion));
   }
   for (const auto warning : {PulseWarning::pulse_not_short, PulseWarning::friction_not_small}) {
-    BOOST_TEST((parse_pulse_warning(name(warning)) == warning), name(warning));
+    BOOST_TEST((parse<PulseWarning>(name(warning)) == warning), name(warning));
   }
-  for (const std::string_view objective : objective_names()) {
-    BOOST_TEST(name(parse_objective(objective).value()) == objective);
+  for (const std::string_view objective : names<Objective>()) {
+    BOOST_TEST(name(parse<Objective>(objective).value()) == objective);
   }
-  BOOST_TEST(objective_names().size() == 4U);
-  BOOST_TEST(objective_names().front() == name(Objective::robust));
-  BOOST_TEST(!parse_criterion("Exact").has_value());
-  BOOST_TEST(!parse_objective("").has_value());
-  BOOST_TEST(!parse_pulse_warning("none").has_value());
+  BOOST_TEST(names<Objective>().size() == 4U);
+  BOOST_TEST(names<Objective>().front() == name(Objective::robust));
+  BOOST_TEST(!parse<Criterion>("Exact").has_value());
+  BOOST_TEST(!parse<Objective>("").has_value());
+  BOOST_TEST(!parse<PulseWarning>("none").has_value());
 }
 
 BOOST_AUTO_TEST_CASE(wrong_numbers_of_arrivals_are_refused) {

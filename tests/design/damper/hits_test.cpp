@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(the_first_centred_segment_is_what_works_for_says) {
     problem.criterion = Criterion::exact;
     const Region region = admissible_region(problem);
     const double f = region.f3 * random.uniform(0, 1);
-    const double delta = region.delta2 * random.uniform(0, 1);
+    const double delta = *region.delta2 * random.uniform(0, 1);
     if (const auto served = works_for(problem, {}, f, delta)) {
       ++met;
       const auto list = shown_hits(problem, f, delta);
@@ -196,9 +196,9 @@ BOOST_AUTO_TEST_CASE(the_first_centred_segment_is_what_works_for_says) {
 BOOST_AUTO_TEST_CASE(names_are_read_back_and_wrong_input_is_refused) {
   for (const HitEnd end : {HitEnd::held, HitEnd::centred, HitEnd::off_centre, HitEnd::alternating,
                            HitEnd::too_far, HitEnd::never_stops}) {
-    BOOST_TEST((parse_hit_end(name(end)) == end));
+    BOOST_TEST((parse<HitEnd>(name(end)) == end));
   }
-  BOOST_TEST(!parse_hit_end("nowhere"));
+  BOOST_TEST(!parse<HitEnd>("nowhere"));
   BOOST_CHECK_THROW((void)hits({1, -1, 0}, 1, 1), InputError);
   BOOST_CHECK_THROW((void)hits({1, 1, 1}, 0, 1), InputError);
   BOOST_CHECK_THROW((void)hits({1, 1, 1}, 1, 0), InputError);

@@ -86,7 +86,7 @@ Case random_case(RandomSource& random) {
     now.limits.f_max = region.f3 * random.log_uniform(1e-3, 2);
   }
   if (random.pick(2) == 0) {
-    now.limits.delta_max = region.delta2 * random.log_uniform(1e-3, 2);
+    now.limits.delta_max = *region.delta2 * random.log_uniform(1e-3, 2);
   }
   if (random.pick(2) == 0) {
     now.limits.tolerance = random.uniform(0, 0.6);

@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(predictions_are_what_the_simulation_shows) {
     const Region region = admissible_region(problem);
     const double f = random_f(random, region.f3);
     const Prediction prediction = predict(problem, f);
-    const Response response = free_response({problem.p, f, region.delta2}, {0, problem.v0});
+    const Response response = free_response({problem.p, f, *region.delta2}, {0, problem.v0});
     const double steep = steepness(problem, f, *response.arrival_speed);
     BOOST_TEST(close(response.peak_amplitude, prediction.peak_amplitude, rounding));
     BOOST_TEST(close(response.peak_acceleration, prediction.peak_acceleration, rounding));

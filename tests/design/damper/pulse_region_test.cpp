@@ -71,7 +71,7 @@ void check_same(const RegionVerdict& region, const RegionVerdict& of_design) {
     return std::array{now.f1,
                       now.f2,
                       now.f3,
-                      now.delta2,
+                      now.delta2.value_or(-1),
                       now.f_lower.value_or(-1),
                       now.beta_min,
                       now.f_upper.value_or(-1)};

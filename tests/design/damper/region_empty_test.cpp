@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(at_beta_min_a_single_f_is_left) {
     const Region region = admissible_region(problem);
     BOOST_TEST(*region.f_upper == region.f3);
     BOOST_TEST(*region.f_upper - *region.f_lower <= single_f_width * region.f3);
-    BOOST_TEST(admissible(problem, {}, *region.f_upper, region.delta2 / 2));
+    BOOST_TEST(admissible(problem, {}, *region.f_upper, *region.delta2 / 2));
   }
 }
 
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(what_the_limits_leave_of_f_agrees_with_admissible) {
   for (int i = 0; i < 3000; ++i) {
     const Problem problem = random_feasible_problem(random);
     const double f3 = admissible_region(problem).f3;
-    const double delta2 = admissible_region(problem).delta2;
+    const double delta2 = *admissible_region(problem).delta2;
     Limits limits;
     limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0, 0.3);
     limits.delta_max = random.uniform(0.05, 1.1) * delta2;

@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(the_edges_are_those_of_the_paper_over_nine_decades) {
     const Region region = admissible_region(problem);
     BOOST_TEST(close(region.f1, reference.f1(), edge_tolerance));
     BOOST_TEST(close(region.f3, reference.f3(), edge_tolerance));
-    BOOST_TEST(close(region.delta2, reference.delta2(), edge_tolerance));
+    BOOST_TEST(close(*region.delta2, reference.delta2(), edge_tolerance));
     BOOST_TEST(close(region.beta_min, reference.beta_min(), edge_tolerance));
     const Precise scale =
         Precise(problem.v0) * problem.v0 / (2 * Precise(problem.beta)) + reference.f1();
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(each_condition_tips_exactly_at_its_edge) {
     const Problem problem = random_problem(random, 0.72, 0.98);
     const Region region = admissible_region(problem);
     const double f = region.f3 * 0.9;
-    const double delta = region.delta2 * 0.9;
+    const double delta = *region.delta2 * 0.9;
     const auto holds = [&](std::string_view name, double at_f, double at_delta) {
       return named(problem, at_f, at_delta, name).satisfied;
     };
@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(each_condition_tips_exactly_at_its_edge) {
     const auto above = [](double value) { return std::nextafter(value, HUGE_VAL); };
     BOOST_TEST(holds("dead_zone", below(region.f1), delta));
     BOOST_TEST(!holds("dead_zone", region.f1, delta));  // strict
-    BOOST_TEST(holds("start", f, region.delta2));
-    BOOST_TEST(!holds("start", f, above(region.delta2)));
+    BOOST_TEST(holds("start", f, *region.delta2));
+    BOOST_TEST(!holds("start", f, above(*region.delta2)));
     BOOST_TEST(holds("amplitude", region.f2, delta));
     BOOST_TEST(!holds("amplitude", below(region.f2), delta));
     BOOST_TEST(holds("return", region.f3, delta));
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(the_line_of_no_constant_friction_is_empty) {
     Problem problem = random_problem(random, 1, 3);
     for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
       problem.criterion = criterion;
-      const double delta2 = admissible_region(problem).delta2;
+      const double delta2 = *admissible_region(problem).delta2;
       BOOST_TEST(delta1(problem, 0).value() == delta2);
       BOOST_TEST(!admissible(problem, {}, 0, delta2));
     }

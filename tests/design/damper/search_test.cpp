@@ -34,7 +34,7 @@ Limits make_limits(RandomSource& random, const Problem& problem, int which, bool
     limits.f_max = region.f3 * random.uniform(0.3, 1.05);
   }
   if (which & 2) {
-    limits.delta_max = region.delta2 * random.uniform(0.2, 1.05);
+    limits.delta_max = *region.delta2 * random.uniform(0.2, 1.05);
   }
   limits.tolerance = tolerant ? random.uniform(0.05, 0.2) : 0;
   return limits;

@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_check_sees_the_same_motions_of_random_dampers) {
     const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, record);
     BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
                                  << ", delta = " << oscillator.delta
-                                 << ", hold = " << oscillator.hold
+                                 << ", hold = " << oscillator.hold.value_or(-1)
                                  << ", width = " << surface.notch_width.value_or(0)) {
       const double size = kernel.peak_amplitude;
       BOOST_TEST(other.settled);
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_delta_beyond_the_default_range_makes_no_difference) {
     const double p = random.uniform(0.7, 1.5);
     request.records.erase(request.records.begin() + i % 2);
     request.p = {p, p};
-    request.hold = i % 4 < 2 ? random.uniform(0, 0.2) : HUGE_VAL;
+    request.hold = i % 4 < 2 ? std::optional(random.uniform(0, 0.2)) : std::nullopt;
     request.scan_points = 1;
     request.f = SearchRange{0.2, 0.2};
     RecordDesignRequest probe = request;

@@ -26,7 +26,7 @@ Limits random_limits(RandomSource& random, const Region& region) {
     limits.f_max = region.f3 * random.uniform(0.3, 1.1);
   }
   if (random.pick(2) == 0) {
-    limits.delta_max = region.delta2 * random.uniform(0.3, 1.1);
+    limits.delta_max = *region.delta2 * random.uniform(0.3, 1.1);
   }
   if (random.pick(3) == 0) {
     limits.acceleration_max = std::sqrt(8.0) * region.f3 * random.uniform(1, 1.1);
@@ -45,8 +45,8 @@ Optimum most_tolerant(const Problem& problem) {
   const Region region = admissible_region(problem);
   Optimum best;
   double f_width = region.f3;
-  double delta_width = region.delta2;
-  Optimum centre{region.f3 / 2, region.delta2 / 2, -1};
+  double delta_width = *region.delta2;
+  Optimum centre{region.f3 / 2, *region.delta2 / 2, -1};
   for (int round = 0; round < 40; ++round) {
     for (int i = -10; i <= 10; ++i) {
       for (int j = -10; j <= 10; ++j) {
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_box_is_admissible_at_the_largest_tolerance_and_not_beyo
     const Region region = admissible_region(problem);
     const Limits limits = random_limits(random, region);
     const double f = region.f3 * random.uniform(0, 1);
-    const double delta = region.delta2 * random.uniform(0, 1);
+    const double delta = *region.delta2 * random.uniform(0, 1);
     const Reference reference(problem);
     const std::optional<double> r = largest_tolerance(problem, limits, f, delta);
     BOOST_TEST(r.has_value() == reference.box_admissible(limits, f, delta, 0));
@@ -104,17 +104,17 @@ BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
     const double distance = random.log_uniform(1e-12, 1e-3);
     double f = region.f2 + (region.f3 - region.f2) * random.uniform(0.2, 0.8);
     const double lowest = delta1(problem, f).value();
-    double delta = lowest + (region.delta2 - lowest) * 0.5;
+    double delta = lowest + (*region.delta2 - lowest) * 0.5;
     switch (random.pick(4)) {
       case 0:
         f = region.f2 / (1 - distance);
-        delta = region.delta2 * 0.95;
+        delta = *region.delta2 * 0.95;
         break;
       case 1:
         f = region.f3 / (1 + distance);
         break;
       case 2:
-        delta = region.delta2 / (1 + distance);
+        delta = *region.delta2 / (1 + distance);
         break;
       default:
         delta = lowest * (1 + distance);

@@ -49,7 +49,7 @@ Point random_point(RandomSource& random) {
   Point now{random_feasible_problem(random), {}, 0, 0};
   const Region region = admissible_region(now.problem);
   now.f = region.f3 * random.uniform(0, 1);
-  now.delta = region.delta2 * random.uniform(0, 1);
+  now.delta = *region.delta2 * random.uniform(0, 1);
   if (random.pick(3) == 0) {
     now.limits.acceleration_max = now.problem.v0 * now.problem.p * random.uniform(1, 1.2);
   }

@@ -5,6 +5,7 @@
 #include <stillpoint/core/trajectory.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <variant>
@@ -32,7 +33,7 @@ std::optional<double> end_of_beginning(const std::vector<HalfCycle>& listed) {
              : std::optional(listed.back().end_time);
 }
 
-/// The same start without friction, where it has few half-cycles.
+/// The same start without friction, where that has few half-cycles and is of the same size.
 std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
                                 const Excitation& excitation) {
   if (motion.turns.size() > most_single_half_cycles || motion.oscillator.p == 0) {
@@ -41,8 +42,22 @@ std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
   ForcedTrajectoryOptions limits;
   limits.horizon = motion.shown_to;
   const double rate = fastest_rate(motion.oscillator.p, excitation);
-  return ForcedTrajectory({motion.oscillator.p, 0, 0}, start, excitation, limits)
-      .sampled(sample_count(rate, motion.shown_to));
+  const ForcedTrajectory path({motion.oscillator.p, 0, 0}, start, excitation, limits);
+  const auto turns = static_cast<std::size_t>(std::ranges::count(
+      path.events(), EventKind::turn, [](const Event& event) { return event.kind; }));
+  if (turns > most_single_half_cycles) {
+    return {};
+  }
+  std::vector<State> states = path.sampled(sample_count(rate, motion.shown_to));
+  const auto largest = [](const std::vector<State>& all) {
+    double most = 0;
+    for (const State& state : all) {
+      most = std::max(most, std::abs(state.x));
+    }
+    return most;
+  };
+  constexpr double comparable = 10;  // beyond that it would only cross the figure
+  return largest(states) <= comparable * largest(motion.states) ? states : std::vector<State>{};
 }
 
 }  // namespace
@@ -145,14 +160,22 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
       forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
   const auto& stop_time = answer.response.stop_time;
-  const bool rests = stop_time && *stop_time > 0;
-  const bool rest_is_seen = rests && last >= *stop_time;
+  if (stop_time == 0.0) {  // the load is seen whole here too
+    last = std::min(last, duration(excitation).value_or(last));
+    DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
+    motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
+    return motion;
+  }
+  const bool rest_is_seen = stop_time && last >= *stop_time;
   // At rest nothing changes: all samples go to what moves.
   DrawnMotion motion =
       drawn_forced_motion(oscillator, start, excitation, rest_is_seen ? *stop_time : last, surface);
   if (rest_is_seen) {
     last = seen_until(excitation, *stop_time);
     motion.rest = State{*stop_time, *answer.response.stop_position, 0};
+    if (motion.rest->x == 0 && oscillator.delta > 0 && !surface.notch_width) {
+      motion.states.push_back(*motion.rest);  // the notch stops it at once
+    }
     motion.states.push_back({last, motion.rest->x, 0});
     motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;
     motion.shown_to = last;

@@ -70,6 +70,10 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
     least = std::min(least, state.x);
     most = std::max(most, state.x);
   }
+  if (least == most) {  // it never moves
+    const double shown = motion.beta.value_or(1);
+    return axis_around(units.x_label, -shown * units.length, shown * units.length);
+  }
   if (motion.beta) {
     least = least < 0 ? std::min(least, -*motion.beta) : 0;
     most = most > 0 ? std::max(most, *motion.beta) : 0;
@@ -77,6 +81,13 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
   constexpr double much = 1.4;
   constexpr double words = 0.08;  // room for the peak
   const double largest = std::max(most, -least);
+  if (largest == 0) {  // held throughout
+    for (const State& state : motion.frictionless) {
+      least = std::min(least, state.x);
+      most = std::max(most, state.x);
+    }
+    return axis_around(units.x_label, least * units.length, most * units.length);
+  }
   for (const State& state : motion.frictionless) {
     least = least < 0 ? std::min(least, std::max(state.x, -much * largest)) : 0;
     most = most > 0 ? std::max(most, std::min(state.x, much * largest)) : 0;
@@ -133,8 +144,10 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   figure.y = displacement_axis(motion, units);
   figure.description = format("Displacement over time: {}, {} turns, {} passages of x = 0, {}.",
                               peak_words, motion.turns.size(), motion.passages.size(), rest_words);
-  figure.caption = format("The mass reaches its {} after {} and is {}.", peak_words,
-                          units.time_words(peak.tau), rest_words);
+  const bool moves = peak.x != 0;
+  figure.caption = moves ? format("The mass reaches its {} after {} and is {}.", peak_words,
+                                  units.time_words(peak.tau), rest_words)
+                         : "The mass does not move.";
   add_lock(figure, motion, units);
   for (const auto& [from, to] : motion.sticks) {
     figure.bands.push_back({"held by friction", from * units.time, to * units.time, Ink::grey});
@@ -164,7 +177,9 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   if (long_one && motion.rest) {
     figure.marks.push_back({"rest", {place(*motion.rest)}, figures::Shape::square, Ink::green});
   }
-  figure.notes.push_back({peak_words, place(peak)});
+  if (moves) {
+    figure.notes.push_back({peak_words, place(peak)});
+  }
   if (motion.rest) {
     figure.notes.push_back(
         {format("rest {}", units.length_words(motion.rest->x)), place(*motion.rest)});

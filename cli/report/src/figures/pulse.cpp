@@ -62,75 +62,94 @@ std::vector<FigurePoint> rectangle(double left, double right, double low, double
   return {{left, low}, {right, low}, {right, high}, {left, high}};
 }
 
-}  // namespace
-
-Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& units) {
-  const auto& [problem, limits, region, intervals, damper, mend] = drawn;
-  const double unit = units.length;
-  Figure figure;
-  figure.id = "region";
-  figure.title = region.feasible ? "Admissible region" : mend;
-  double right = std::max(region.f3, intervals.empty() ? 0 : intervals.back().high);
-  if (damper) {
-    right = std::max(right, damper->f * (1 + damper->tolerance));
-  }
-  right *= headroom;
-  const LeastDelta least_delta = design::least_delta(problem);
-  FigureCurve curve = needs(least_delta, right, units);
-  double top = 0;
-  for (const auto& stroke : curve.strokes) {
-    for (const FigurePoint& at : stroke) {
-      top = std::max(top, at.y);
-    }
-  }
-  if (damper) {
-    top = std::max(top, damper->delta * (1 + damper->tolerance) * unit);
-  }
-  top *= headroom;
-  figure.x = {"constant friction f", 0, right};
-  figure.y = {units.delta_label, 0, top};
-  figure.description = format(
-      "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
-      "above the curve stops it there. ",
-      region.f3);
-  figure.caption = intervals.empty() ? "No f returns and meets the limits."
-                   : limits.delta_max
-                       ? "A damper in the clear area is admissible."
-                       : "A damper in the clear area is admissible: nothing bounds Δ from "
-                         "above, because the mass starts from rest.";
-  const double cap = std::min(top, limits.delta_max.value_or(HUGE_VAL) * unit);
+/// The admissible islands, and beside each why its neighbours are not.
+void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastDelta& least_delta,
+                     const FigureUnits& units) {
+  const double right = figure.x.most;
+  const double top = figure.y.most;
+  const double cap = std::min(top, drawn.limits.delta_max.value_or(HUGE_VAL) * units.length);
   double from = 0;
-  for (const auto& interval : intervals) {
+  for (const auto& interval : drawn.intervals) {
     figure.areas.push_back(
-        {"admissible", beside_the_curve(least_delta, interval, cap, cap, unit), Ink::sky});
-    figure.areas.push_back({"notch too weak", beside_the_curve(least_delta, interval, cap, 0, unit),
+        {"admissible", beside_the_curve(least_delta, interval, cap, cap, units.length), Ink::sky});
+    figure.areas.push_back({"notch too weak",
+                            beside_the_curve(least_delta, interval, cap, 0, units.length),
                             Ink::grey, AreaLook::hatched});
     if (interval.low > from) {
-      figure.areas.push_back({from == 0 ? "too weak: exceeds " + units.length_words(problem.beta)
-                                        : "does not meet the limits",
+      figure.areas.push_back({from == 0
+                                  ? "too weak: exceeds " + units.length_words(drawn.problem.beta)
+                                  : "does not meet the limits",
                               rectangle(from, interval.low, 0, top), Ink::grey, AreaLook::hatched});
     }
     from = interval.high;
   }
-  figure.areas.push_back({intervals.empty() ? "not admissible" : "too strong",
+  figure.areas.push_back({drawn.intervals.empty() ? "not admissible" : "too strong",
                           rectangle(from, right, 0, top), Ink::grey, AreaLook::hatched});
   if (cap < top && from > 0) {
     figure.areas.push_back(
         {"above the largest Δ", rectangle(0, from, cap, top), Ink::amber, AreaLook::hatched});
   }
-  figure.curves.push_back(std::move(curve));
-  if (damper) {
-    const double r = damper->tolerance;
-    const double delta = damper->delta * unit;
-    if (r > 0) {
-      figure.areas.push_back(
-          {format("tolerance ±{:.3g} %", 100 * r),
-           rectangle(damper->f * (1 - r), damper->f * (1 + r), delta * (1 - r), delta * (1 + r)),
-           Ink::blue, AreaLook::box});
+}
+
+void add_pulse_damper(Figure& figure, const DrawnDamper& damper, const design::BoxShape& shape,
+                      const FigureUnits& units) {
+  const std::string words = tolerance_words(shape, damper.tolerance);
+  if (damper.tolerance > 0) {
+    figure.areas.push_back(
+        {words, tolerance_box(damper, shape, units.length), Ink::blue, AreaLook::box});
+  }
+  figure.marks.push_back(
+      {damper.name, {{damper.f, damper.delta * units.length}}, Shape::diamond, Ink::blue});
+  figure.description += format("{} at f = {:.4g}, Δ = {}, {}.", damper.name, damper.f,
+                               units.length_words(damper.delta), words);
+}
+
+/// The far corner of what is shown of f and Delta.
+FigurePoint far_corner(const DrawnPulseRegion& drawn, double unit) {
+  FigurePoint far{
+      std::max(drawn.region.f3, drawn.intervals.empty() ? 0 : drawn.intervals.back().high), 0};
+  if (drawn.damper) {
+    for (const FigurePoint& corner : tolerance_box(*drawn.damper, drawn.limits.shape, unit)) {
+      far = {std::max(far.x, corner.x), std::max(far.y, corner.y)};
     }
-    figure.marks.push_back({damper->name, {{damper->f, delta}}, Shape::diamond, Ink::blue});
-    figure.description += format("{} at f = {:.4g}, Δ = {}, tolerance ±{:.3g} %.", damper->name,
-                                 damper->f, units.length_words(damper->delta), 100 * r);
+  }
+  return far;
+}
+
+double topmost(const FigureCurve& curve, double least) {
+  for (const auto& stroke : curve.strokes) {
+    for (const FigurePoint& at : stroke) {
+      least = std::max(least, at.y);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& units) {
+  Figure figure;
+  figure.id = "region";
+  figure.title = drawn.region.feasible ? "Admissible region" : drawn.mend;
+  const LeastDelta least_delta = design::least_delta(drawn.problem);
+  const FigurePoint far = far_corner(drawn, units.length);
+  const double right = headroom * far.x;
+  FigureCurve curve = needs(least_delta, right, units);
+  figure.x = {"constant friction f", 0, right};
+  figure.y = {units.delta_label, 0, headroom * topmost(curve, far.y)};
+  figure.description = format(
+      "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
+      "above the curve stops it there. ",
+      drawn.region.f3);
+  figure.caption = drawn.intervals.empty() ? "No f returns and meets the limits."
+                   : drawn.limits.delta_max
+                       ? "A damper in the clear area is admissible."
+                       : "A damper in the clear area is admissible: nothing bounds Δ from "
+                         "above, because the mass starts from rest.";
+  add_pulse_areas(figure, drawn, least_delta, units);
+  figure.curves.push_back(std::move(curve));
+  if (drawn.damper) {
+    add_pulse_damper(figure, *drawn.damper, drawn.limits.shape, units);
   }
   return figure;
 }

@@ -62,6 +62,21 @@ std::string objective_words(const design::RecordDesignRequest& task, double valu
                                                                 : units.length_words(value);
 }
 
+/// "No damper: allow an acceleration of 0.3203 g": the first limit that would do alone.
+std::string shortfall_title(const design::RecordDesign& result, const FigureUnits& units) {
+  for (const auto& [which, limit, nearest, relaxed] : result.shortfalls) {
+    if (relaxed) {
+      const bool felt = which == design::SuiteObjective::acceleration;
+      return format("No damper: allow {} {}",
+                    felt                                         ? "an acceleration of"
+                    : which == design::SuiteObjective::amplitude ? "a stroke of"
+                                                                 : "a residual of",
+                    felt ? format("{:.4g} g", *relaxed) : units.length_words(*relaxed));
+    }
+  }
+  return "No damper meets the limits";
+}
+
 Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& point,
                   const FigureUnits& units) {
   design::RecordDesignRequest task = result.request;
@@ -78,7 +93,8 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   }
   Figure drawn;
   drawn.id = "map";
-  drawn.title = format("The {} over f and Δ", name(task.objective));
+  drawn.title = result.finding ? format("The {} over f and Δ", name(task.objective))
+                               : shortfall_title(result, units);
   drawn.x = {"constant friction f", task.f->low, task.f->high};
   drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
   const double width = most > least ? (most - least) / static_cast<double>(shades.size()) : 1;
@@ -125,7 +141,10 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
       "The plane of f and Δ: the {} of the records combined, and where a "
       "limit is broken.",
       name(task.objective));
-  drawn.caption = "Blue meets every limit, the darker the better; every other colour breaks one.";
+  drawn.caption = least <= most
+                      ? "Blue meets every limit, the darker the better; every other colour breaks "
+                        "one."
+                      : "Each colour names the first limit that is broken there.";
   return drawn;
 }
 

@@ -56,17 +56,6 @@ std::vector<FigureArea> area_of(std::string name, std::vector<FigurePoint> outli
   return {{std::move(name), std::move(outline), Ink::sky}};
 }
 
-std::vector<FigurePoint> box(const DrawnDamper& damper, const design::BoxShape& shape,
-                             double unit) {
-  const double r = damper.tolerance;
-  const double delta = damper.delta * unit;
-  const double left = damper.f * (1 - r * shape.f_low);
-  const double right = damper.f * (1 + r * shape.f_high);
-  const double bottom = delta * (1 - r * shape.delta_low);
-  const double top = delta * (1 + r * shape.delta_high);
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
-
 /// Delta1 by either formula, up to the last f that returns.
 void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {
   FigureCurve published{"Δ₁ published", {{}}, Ink::orange, Dash::dashed};
@@ -123,16 +112,15 @@ void add_inset(Figure& figure, const std::vector<FigurePoint>& box) {
   }
 }
 
-void add_damper(Figure& figure, const DrawnDamper& damper,
-                const std::vector<FigurePoint>& tolerance_box, const FigureUnits& units) {
+void add_damper(Figure& figure, const DrawnDamper& damper, const std::vector<FigurePoint>& box,
+                const std::string& box_words, const FigureUnits& units) {
   const FigurePoint at{damper.f, damper.delta * units.length};
   figure.description +=
       format("{} at f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
   if (damper.tolerance > 0) {
-    figure.areas.push_back({format("tolerance ±{:.3g} %", 100 * damper.tolerance), tolerance_box,
-                            Ink::blue, AreaLook::box});
-    add_inset(figure, tolerance_box);
-    figure.description += format(", tolerance ±{:.3g} %", 100 * damper.tolerance);
+    figure.areas.push_back({box_words, box, Ink::blue, AreaLook::box});
+    add_inset(figure, box);
+    figure.description += ", " + box_words;
   }
   figure.description += ".";
   figure.marks.push_back({damper.name, {at}, Shape::diamond, Ink::blue});
@@ -170,7 +158,32 @@ std::string strips_caption(const Problem& problem) {
                       "lets it pass more often");
 }
 
+/// "±34.2 %", or "-10 to +20 %" where the sides differ.
+std::string percent(double low, double high) {
+  return low == high ? format("±{:.3g} %", 100 * low)
+                     : format("-{:.3g} to +{:.3g} %", 100 * low, 100 * high);
+}
+
 }  // namespace
+
+std::vector<FigurePoint> tolerance_box(const DrawnDamper& damper, const design::BoxShape& shape,
+                                       double unit) {
+  const double r = damper.tolerance;
+  const double delta = damper.delta * unit;
+  const double left = damper.f * (1 - r * shape.f_low);
+  const double right = damper.f * (1 + r * shape.f_high);
+  const double bottom = delta * (1 - r * shape.delta_low);
+  const double top = delta * (1 + r * shape.delta_high);
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+std::string tolerance_words(const design::BoxShape& shape, double tolerance) {
+  const std::string f = percent(tolerance * shape.f_low, tolerance * shape.f_high);
+  return shape == design::BoxShape{}
+             ? "tolerance " + f
+             : format("tolerance: f {}, Δ {}", f,
+                      percent(tolerance * shape.delta_low, tolerance * shape.delta_high));
+}
 
 RegionSpan::RegionSpan(const DrawnRegion& drawn)
     : first(std::max(drawn.region.f2, 0.0)),
@@ -190,7 +203,7 @@ void add_boundaries(Figure& figure, const Problem& problem, const FigureUnits& u
   const Region region = design::admissible_region(problem);
   add_delta1(
       figure, [&](double /*f*/) { return problem; }, region.f3, units.length);
-  const double top = region.delta2 * units.length;
+  const double top = region.delta2.value() * units.length;
   if (region.f3 > figure.x.least && region.f3 < figure.x.most) {
     add_edge(figure, "returns up to f₃", {region.f3, figure.y.least}, {region.f3, figure.y.most});
   }
@@ -205,20 +218,23 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   const auto& damper = drawn.damper;
   const RegionSpan span(drawn);
   const bool several = drawn.problem.arrivals > 1 || !is_plain(drawn.problem, {});
-  auto admissible = several ? strip_areas(drawn, units)
-                            : area_of("admissible", admissible_outline(drawn, span, unit));
-  const auto tolerance_box =
-      damper ? box(*damper, drawn.limits.shape, unit) : std::vector<FigurePoint>{};
+  auto admissible = several
+                        ? strip_areas(drawn, units)
+                        : area_of(region.feasible ? "admissible" : "admissible without a tolerance",
+                                  admissible_outline(drawn, span, unit));
+  const design::BoxShape& shape = drawn.limits.shape;
+  const auto box = damper ? tolerance_box(*damper, shape, unit) : std::vector<FigurePoint>{};
   Extent seen;
   for (const FigureArea& area : admissible) {
     seen.add(area.outline);
   }
   Extent all = seen;
-  all.add({{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2 * unit}});
+  all.add(
+      {{std::max(region.f3, std::min(region.f2, 4 * region.f3)), region.delta2.value() * unit}});
   constexpr double far = 1.6;  // farther out, a damper would flatten the region
   if (damper && damper->f <= far * all.most.x && damper->delta * unit <= far * all.most.y) {
-    seen.add(tolerance_box);
-    all.add(tolerance_box);
+    seen.add(box);
+    all.add(box);
   }
 
   Figure figure;
@@ -234,10 +250,14 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
                     "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone "
                     "requires "
                     "f < {:.4g}. {}",
-                    span.first, span.last, units.length_words(region.delta2), region.f1,
+                    span.first, span.last, units.length_words(region.delta2.value()), region.f1,
                     region.feasible ? "" : "Nothing is left: no design is admissible. ");
   if (admissible.empty()) {
     figure.caption = "No damper is admissible: the forbidden sides meet.";
+  } else if (!region.feasible) {
+    figure.caption =
+        "The clear area is what the requirements leave without a tolerance; each hatched side says "
+        "what goes wrong there.";
   } else {
     figure.caption = several ? strips_caption(drawn.problem)
                              : "A damper in the clear area is admissible; each hatched side says "
@@ -251,7 +271,7 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
     add_delta1(figure, span.at, span.last, unit);
   }
   if (damper) {
-    add_damper(figure, *damper, tolerance_box, units);
+    add_damper(figure, *damper, box, tolerance_words(shape, damper->tolerance), units);
   }
   return figure;
 }

@@ -79,6 +79,9 @@ Ink strip_ink(std::int64_t arrival, std::int64_t own) {
   if (arrival == own) {
     return Ink::sky;
   }
+  if (arrival == 0) {
+    return Ink::amber;
+  }
   return arrival % 2 == 0 ? Ink::purple : Ink::green;
 }
 
@@ -127,7 +130,7 @@ void add_limits(Figure& figure, const DrawnRegion& drawn, const FigureUnits& uni
     }
   };
   const double far = HUGE_VAL;
-  const double start = drawn.region.delta2 * units.length;
+  const double start = drawn.region.delta2.value() * units.length;
   double last = 0;  // f of the strips
   for (const FigureArea& strip : figure.areas) {
     last = std::max(last, std::ranges::max(strip.outline, {}, &FigurePoint::x).x);

@@ -112,6 +112,13 @@ struct DrawnDamper {
   double tolerance{0};
 };
 
+/// The corners of the box of dampers that it withstands, from the lowest to the left on.
+[[nodiscard]] std::vector<figures::FigurePoint> tolerance_box(const DrawnDamper& damper,
+                                                              const design::BoxShape& shape,
+                                                              double unit);
+/// "tolerance ±34.2 %", or that of f and of Delta.
+[[nodiscard]] std::string tolerance_words(const design::BoxShape& shape, double tolerance);
+
 /// The problem at a constant friction f.
 using ProblemAt = std::function<design::Problem(double)>;
 

@@ -75,10 +75,10 @@ std::vector<figures::MapKey> key_of(const std::array<std::int64_t, SweepClass::c
   return key;
 }
 
-/// From the edge of the first cell to that of the last.
-FigureAxis figure_axis(std::string label, const MapAxis& swept) {
+/// From the edge of the first cell to that of the last, times a unit.
+FigureAxis figure_axis(std::string label, const MapAxis& swept, double unit = 1) {
   const bool linear = swept.spacing() == Axis::Spacing::linear;
-  const FigureAxis middles{label, swept.value(0), swept.value(swept.cells() - 1),
+  const FigureAxis middles{label, unit * swept.value(0), unit * swept.value(swept.cells() - 1),
                            linear ? Scale::linear : Scale::logarithmic};
   const double half = 0.5 / static_cast<double>(swept.cells() - 1);
   return {std::move(label), middles.value(-half), middles.value(1 + half), middles.scale};
@@ -102,13 +102,17 @@ double only_value(const sweep::SweepSpec& spec, Quantity quantity) {
 }  // namespace
 
 Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
-  const FigureUnits units({});
+  FigureUnits units({});
+  if (spec.units) {  // rows are in metres, figures in millimetres
+    units.length = 1e3;
+    units.delta_label += ", mm";
+  }
   const auto counts = class_counts(map);
   Figure figure;
   figure.id = "map";
   figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
-  figure.y = figure_axis(spec.units ? "point friction Δ, m" : units.delta_label, map.delta());
+  figure.y = figure_axis(units.delta_label, map.delta(), units.length);
   figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, key_of(counts)};
   figure.description =
       format("The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.",

@@ -142,7 +142,7 @@ ordered_json built_notch_json(const DesignReport& report) {
   return {{"width", number(shape.width)},
           {"width_m", metres(shape.width)},
           {"friction", number(friction)},
-          {"hold", std::isinf(shape.hold) ? ordered_json() : number(shape.hold)},
+          {"hold", number(shape.hold)},
           {"changes_nothing", changes_nothing},
           {"outcome", name(response.outcome)},
           {"zero_passages", count(response.zero_passages)},

@@ -82,7 +82,6 @@ ordered_json zones_json(const std::vector<FrictionZone>& zones) {
 
 ordered_json motion_input_json(const SimulationRequest& request,
                                const std::optional<RecordOrigin>& record) {
-  const double hold = request.oscillator.hold;
   return {{"v0", number(request.start.v0)},
           {"p", number(request.oscillator.p)},
           {"f", number(request.oscillator.f)},
@@ -90,7 +89,7 @@ ordered_json motion_input_json(const SimulationRequest& request,
           {"x0", number(request.start.x0)},
           {"t_end", number(request.t_end)},
           {"excitation", excitation_json(request.excitation, record)},
-          {"hold", std::isinf(hold) ? ordered_json() : number(hold)},
+          {"hold", number(request.oscillator.hold)},
           {"notch_width", number(request.surface.notch_width)},
           {"friction_zones", zones_json(request.surface.zones)}};
 }

@@ -103,23 +103,22 @@ ordered_json text_or_null(const std::string& value) {
 
 ordered_json region_fields(const design::RegionVerdict& verdict) {
   const design::Region& region = verdict.region;
-  return {
-      {"feasible", region.feasible},
-      {"reason", text_or_null(verdict.reason)},
-      {"conflict", conflict_json(region.conflict)},
-      {"f1", number(region.f1)},
-      {"f2", number(region.f2)},
-      {"f3", number(region.f3)},
-      {"f4", number(region.f4)},
-      {"f_lower", number(region.f_lower)},
-      {"f_upper", number(region.f_upper)},
-      {"delta2", number(std::isinf(region.delta2) ? std::nullopt : std::optional(region.delta2))},
-      {"beta_min", number(region.beta_min)},
-      {"by", verdict.intervals ? ordered_json("forced_motion") : ordered_json(nullptr)},
-      {"intervals", intervals_json(verdict.intervals)},
-      {"most_tolerant", point_json(verdict.most_tolerant)},
-      {"mends", mends_json(verdict.mends)},
-      {"joint_mend", joint_json(verdict.joint_mend)}};
+  return {{"feasible", region.feasible},
+          {"reason", text_or_null(verdict.reason)},
+          {"conflict", conflict_json(region.conflict)},
+          {"f1", number(region.f1)},
+          {"f2", number(region.f2)},
+          {"f3", number(region.f3)},
+          {"f4", number(region.f4)},
+          {"f_lower", number(region.f_lower)},
+          {"f_upper", number(region.f_upper)},
+          {"delta2", number(region.delta2)},
+          {"beta_min", number(region.beta_min)},
+          {"by", verdict.intervals ? ordered_json("forced_motion") : ordered_json(nullptr)},
+          {"intervals", intervals_json(verdict.intervals)},
+          {"most_tolerant", point_json(verdict.most_tolerant)},
+          {"mends", mends_json(verdict.mends)},
+          {"joint_mend", joint_json(verdict.joint_mend)}};
 }
 
 ordered_json constraints_json(std::span<const design::Constraint> constraints) {

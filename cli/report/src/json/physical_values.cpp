@@ -38,7 +38,7 @@ void add_region(ordered_json& json, const design::PhysicalInput& physical,
                 const design::Region& region) {
   json["max_displacement_m"] = number(physical.max_displacement_m);
   json["max_displacement_min_m"] = number(region.beta_min * physical.scales.length_m);
-  json["delta2_m"] = number(finite(physical.scales.delta_m(region.delta2)));
+  json["delta2_m"] = number(finite(times(region.delta2, physical.scales.length_m)));
 }
 
 /// Null where that input alone cannot mend it.

@@ -43,8 +43,6 @@ ordered_json range_json(const design::SearchRange& range) {
 }
 
 ordered_json task_json(const design::RecordDesignRequest& task, const SuiteUnits& units) {
-  const std::optional<double> hold =
-      std::isfinite(task.hold) ? std::optional(task.hold) : std::nullopt;
   return {{"records", task.records.size()},
           {"p_range", range_json(task.p)},
           {"f_range", range_json(task.f.value())},
@@ -56,7 +54,7 @@ ordered_json task_json(const design::RecordDesignRequest& task, const SuiteUnits
           {"residual", number(task.limits.residual)},
           {"residual_m", units.metres(task.limits.residual)},
           {"acceleration_max", number(task.limits.acceleration)},
-          {"hold", number(hold)},
+          {"hold", number(task.hold)},
           {"notch_width", number(task.notch_width)},
           {"notch_width_m", units.metres(task.notch_width)},
           {"tolerance", number(task.tolerance)}};

@@ -7,6 +7,7 @@
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <array>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -97,6 +98,29 @@ RecordScan merged_record_scan(const std::vector<std::string>& parts) {
     all.figures.insert(all.figures.end(), figures.begin(), figures.end());
   }
   return all;
+}
+
+std::optional<RecordPart> record_part(const sweep::PartLabel& wanted,
+                                      const design::RecordDesignRequest& request, bool resume,
+                                      const design::RecordWatch& ask) {
+  auto found = wanted.path.empty() ? std::nullopt : find_record_scan(wanted);
+  if (found && resume) {
+    return RecordPart{*std::move(found), false};
+  }
+  const auto [first, count] = range_of(wanted.part, design::scan_size(request));
+  RecordScan scan{wanted, design::scan_part(request, first, count, ask)};
+  return std::ssize(scan.figures) < count ? std::nullopt
+                                          : std::optional(RecordPart{std::move(scan)});
+}
+
+std::string text(const RecordScan& scan) {
+  return json(scan).dump() + "\n";
+}
+
+void write(const RecordPart& part, sweep::Output& output) {
+  if (const std::string& path = part.scan.label.path; part.computed && !path.empty()) {
+    output.write_file("output", path, text(part.scan));
+  }
 }
 
 }  // namespace stillpoint::report

@@ -73,6 +73,9 @@ ordered_json row_json(const ReducedRow& row, const std::vector<RowColumn>& colum
 ReducedRow row_from(const ordered_json& row, const std::vector<RowColumn>& columns) {
   ReducedRow result;
   sweep::read_integers(row.at("entry"), result.entry);
+  if (result.entry < 1) {
+    throw std::runtime_error("an entry below 1");
+  }
   --result.entry;
   result.values.reserve(columns.size());
   for (const RowColumn& column : columns) {

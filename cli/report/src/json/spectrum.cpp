@@ -122,8 +122,6 @@ std::string spectrum_npy(const SpectrumReport& report) {
 
 ordered_json json(const SpectrumReport& report) {
   const design::SpectrumRequest& task = report.result.request;
-  const std::optional<double> hold =
-      std::isfinite(task.hold) ? std::optional(task.hold) : std::nullopt;
   ordered_json records = ordered_json::array();
   for (std::size_t i = 0; i < task.records.size(); ++i) {
     records.push_back({{"file", task.records[i].name},
@@ -135,7 +133,7 @@ ordered_json json(const SpectrumReport& report) {
           {"input",
            {{"f", number(task.f)},
             {"delta_m", number(metres(report, task.delta))},
-            {"hold", number(hold)},
+            {"hold", number(task.hold)},
             {"notch_width_m", number(metres(report, task.notch_width))},
             {"combine", name(task.combine.value())},
             {"gravity_m_per_s2", number(report.physical.scales.gravity_m_per_s2)}}},

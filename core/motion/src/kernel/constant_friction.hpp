@@ -24,8 +24,8 @@ class ConstantFriction {
         f_(oscillator.f),
         phi_(oscillator.f / oscillator.p),
         notched_(oscillator.delta > 0),
-        lets_go_(notched_ && oscillator.hold < std::numeric_limits<Real>::infinity()),
-        h_(lets_go_ ? oscillator.hold : Real(0)),
+        lets_go_(notched_ && oscillator.hold),
+        h_(lets_go_ ? *oscillator.hold : Real(0)),
         spare_(h_ / oscillator.p) {}
 
   /// Friction from y on.

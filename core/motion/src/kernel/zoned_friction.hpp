@@ -62,8 +62,8 @@ class ZonedFriction {
                 const BasicStart<Real>& start)
       : p_(oscillator.p),
         notched_(oscillator.delta > 0 && !surface.notch_width),
-        lets_go_(notched_ && oscillator.hold < std::numeric_limits<Real>::infinity()),
-        h_(lets_go_ ? oscillator.hold : Real(0)),
+        lets_go_(notched_ && oscillator.hold),
+        h_(lets_go_ ? *oscillator.hold : Real(0)),
         spare_(h_ / p_),
         half_width_(surface.notch_width ? Real(p_ * (*surface.notch_width / 2)) : Real(-1)),
         leaving_(surface.notch_width && start.x0 == 0 && start.v0 != 0) {

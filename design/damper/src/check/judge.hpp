@@ -4,7 +4,8 @@
 #include "check/runge_kutta.hpp"
 
 #include <stillpoint/core/seconds.hpp>
-#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/check_method.hpp>
+#include <stillpoint/design/prediction.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <string_view>

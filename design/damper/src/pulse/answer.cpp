@@ -12,7 +12,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// As that of region.hpp. The largest tolerance looked for says nothing of a larger one.
+/// As that of tolerance.hpp. The largest tolerance looked for says nothing of a larger one.
 std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseProblem& problem,
                                          Limits limits) {
   const double asked = std::min(limits.tolerance, widest_tolerance);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Parts of a catalogue under a pulse: docs/theory.md section 15.
 
+#include "pulse/catalogue.hpp"
+
 #include "finding.hpp"
 #include "pulse/region.hpp"
 #include "pulse/search.hpp"

@@ -239,9 +239,9 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
 }
 
 /// The motion so far, and how it goes on when the load is over.
-class Outcome {
+class MotionSoFar {
  public:
-  explicit Outcome(double f) { motion_.f = f; }
+  explicit MotionSoFar(double f) { motion_.f = f; }
 
   void turn(double y) {
     motion_.turns += 1;
@@ -299,7 +299,7 @@ class Outcome {
 
 /// Half-swings about 1 - f outwards and 1 + f inwards, each of the length pi.
 FirstReturn under_rectangle(double lambda, double f) {
-  Outcome outcome(f);
+  MotionSoFar so_far(f);
   const double ends = pi / lambda;
   double from = 0;  // of a half-swing
   double y = 0;
@@ -310,14 +310,14 @@ FirstReturn under_rectangle(double lambda, double f) {
     if (h <= pi) {
       const auto [half, half_cosine] = elementary::sin_cos(h / 2);
       const Moving now{y + 2 * (centre - y) * half * half, 2 * (centre - y) * half * half_cosine};
-      return outwards ? outcome.free_outwards(now, ends) : outcome.free_inwards(now, ends);
+      return outwards ? so_far.free_outwards(now, ends) : so_far.free_inwards(now, ends);
     }
     y = 2 * centre - y;
     from += pi;
-    outcome.turn(y);
+    so_far.turn(y);
     outwards = !outwards;
     if ((outwards ? 1 - y : y - 1) <= f) {  // held until the load ends
-      return outcome.free_from(y, ends);
+      return so_far.free_from(y, ends);
     }
   }
 }
@@ -345,7 +345,7 @@ std::optional<Release> release_of(double f, double y, double psi, double last, b
 }
 
 std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
-  Outcome outcome(f);
+  MotionSoFar so_far(f);
   double y = 0;
   Release release{elementary::asin(f), true};
   // Of a pulse of a hundred natural periods. Rounding could hold a mass on the edge of a slide.
@@ -354,20 +354,20 @@ std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
     const SineSlide slide(lambda, release.psi, release.outwards ? -f : f, y);
     const auto [event, at] = slid(slide, release.outwards, last);
     if (event == SlideEvent::load_over) {
-      return release.outwards ? outcome.free_outwards(at.motion, last / lambda)
-                              : outcome.free_inwards(at.motion, last / lambda);
+      return release.outwards ? so_far.free_outwards(at.motion, last / lambda)
+                              : so_far.free_inwards(at.motion, last / lambda);
     }
     const double psi = slide.phase(at.h);
     if (event == SlideEvent::arrival) {
       const double load = psi < last - pi / 2 ? 1 : std::abs(elementary::sin_cos(psi).sine);
-      return outcome.arrival(-at.motion.v, psi / lambda, load);
+      return so_far.arrival(-at.motion.v, psi / lambda, load);
     }
     y = at.motion.y;
-    outcome.turn(y);
+    so_far.turn(y);
     constexpr double rounding = 1e-14;
     const auto next = release_of(f, y, psi, last, psi - release.psi > rounding);
     if (!next) {
-      return outcome.rest(y);
+      return so_far.rest(y);
     }
     release = *next;
   }

@@ -6,13 +6,11 @@
 #include "pulse/integration.hpp"
 
 #include "check/bracketed_root.hpp"
+#include "check/monotone_piece.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 
-#include <boost/numeric/odeint.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -20,8 +18,6 @@
 namespace stillpoint::design {
 
 namespace {
-
-using State = std::array<double, 2>;  // x, v
 
 struct Load {
   double lambda;
@@ -40,15 +36,13 @@ Load load_of(const Pulse& pulse, double p) {
   return {lambda, angle * std::numbers::pi / lambda, std::holds_alternative<Rectangle>(pulse)};
 }
 
-enum class SlideEnd { turn, arrival, pulse_ends };
-
 class Run {
  public:
   Run(const Load& load, double f, double size, double tolerance)
-      : load_(load), f_(f), absolute_(tolerance * size), relative_(tolerance) {}
+      : load_(load), f_(f), tolerance_{tolerance * size, tolerance} {}
 
   double time{0};
-  State state{0, 0};
+  MotionState state{0, 0};
   double peak{0};
   double acceleration{0};
 
@@ -70,58 +64,40 @@ class Run {
   }
 
   /// From rest against the load, or on with the sign of v.
-  SlideEnd slide() {
+  PieceEnd slide() {
     const bool loaded = time < load_.ends;
     const double force = (loaded ? load_.during(time) : 0) + state[0];
     const double ahead = (loaded && state[1] == 0 && std::abs(force) <= f_)
                              ? (load_.during(time + load_.ends * 1e-9) + state[0])
                              : force;
     const double direction = std::copysign(1.0, state[1] != 0 ? state[1] : -ahead);
-    const auto motion = [&](const State& now, State& rate, double t) {
+    const auto motion = [&](const MotionState& now, MotionState& rate, double t) {
       rate = {now[1], -(loaded ? load_.during(t) : 0) - direction * f_ - now[0]};
     };
-    auto stepper = boost::numeric::odeint::make_dense_output(
-        absolute_, relative_, boost::numeric::odeint::runge_kutta_dopri5<State>());
-    constexpr double part = 1e-4;  // of the pulse, or of 1 / p; the controller mends it at once
-    stepper.initialize(state, time, part * std::min(1.0, load_.ends));
-    const bool inward = state[0] * direction < 0;
-    for (;;) {
-      const auto [from, to] = stepper.do_step(motion);
-      const auto at = [&stepper](double t) {
-        State now;
-        stepper.calc_state(t, now);
-        return now;
-      };
-      const double last = loaded ? std::min(to, load_.ends) : to;
-      State rate;
-      motion(at(last), rate, last);
+    const auto look = [&](const MotionState& now, double t) {
+      MotionState rate;
+      motion(now, rate, t);
       acceleration = std::max(acceleration, std::abs(rate[1]));
-      const bool turned = at(last)[1] * direction <= 0;
-      const double turn =
-          turned ? bracketed_root([&](double t) { return at(t)[1] * direction; }, from, last)
-                 : last;
-      time = turn;
-      if (inward && at(turn)[0] * direction >= 0) {
-        time = bracketed_root([&](double t) { return at(t)[0]; }, from, turn);
-        state = at(time);
-        return SlideEnd::arrival;
-      }
-      if (turned || last < to || (loaded && to >= load_.ends)) {
-        state = at(time);
-        peak = std::max(peak, std::abs(state[0]));
-        if (turned) {
-          state[1] = 0;
-        }
-        return turned ? SlideEnd::turn : SlideEnd::pulse_ends;
-      }
+    };
+    constexpr double part = 1e-4;  // of the pulse, or of 1 / p; the controller mends it at once
+    MonotonePiece piece{time, state, direction};
+    const PieceEnd end = follow(piece, motion, tolerance_, part * std::min(1.0, load_.ends),
+                                loaded ? load_.ends : HUGE_VAL, look);
+    time = piece.time;
+    state = piece.state;
+    if (end != PieceEnd::arrival) {
+      peak = std::max(peak, std::abs(state[0]));
     }
+    if (end == PieceEnd::turn) {
+      state[1] = 0;
+    }
+    return end;
   }
 
  private:
   Load load_;
   double f_;
-  double absolute_;
-  double relative_;
+  IntegratorTolerance tolerance_;
 };
 
 }  // namespace
@@ -141,9 +117,9 @@ IntegratedMotion integrate_under_pulse(const Oscillator& oscillator, const Pulse
       motion.stopped = true;
       break;
     }
-    const SlideEnd end = run.slide();
-    moving = end == SlideEnd::pulse_ends && run.state[1] != 0;
-    if (end == SlideEnd::arrival) {
+    const PieceEnd end = run.slide();
+    moving = end == PieceEnd::time && run.state[1] != 0;
+    if (end == PieceEnd::arrival) {
       const double speed = std::abs(run.state[1]);
       motion.arrival_speed = speed * k / p;
       motion.stopped = speed * speed <= 2 * oscillator.delta / length / k;

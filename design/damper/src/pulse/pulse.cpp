@@ -10,10 +10,6 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr Names warning_names(
-    std::to_array<Named<PulseWarning>>({{PulseWarning::pulse_not_short, "pulse_not_short"},
-                                        {PulseWarning::friction_not_small, "friction_not_small"}}));
-
 void require_followed(double lambda, double p) {
   if (!(lambda <= fastest_pulse * p && p <= slowest_pulse * lambda)) {
     throw InputError(
@@ -73,12 +69,11 @@ std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f) {
       pulse);
 }
 
-std::string_view name(PulseWarning warning) noexcept {
-  return warning_names.name(warning);
-}
-
-std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept {
-  return warning_names.parse(name);
+std::span<const Named<PulseWarning>> enumerators(PulseWarning) noexcept {
+  static constexpr auto rows = std::to_array<Named<PulseWarning>>(
+      {{PulseWarning::pulse_not_short, "pulse_not_short"},
+       {PulseWarning::friction_not_small, "friction_not_small"}});
+  return rows;
 }
 
 }  // namespace stillpoint::design

@@ -8,7 +8,7 @@
 
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/search.hpp>
 
 #include <cmath>
@@ -109,7 +109,7 @@ class PulseRegion {
 /// looked for, unless it is asked for.
 inline constexpr double widest_tolerance = 0.995;
 
-/// Like mends() of region.hpp, with k and lambda instead of v0.
+/// Like mends() of mends.hpp, with k and lambda instead of v0.
 [[nodiscard]] std::vector<Mend> mends(const PulseProblem& problem, const Limits& limits);
 
 }  // namespace stillpoint::design

@@ -44,7 +44,6 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
   // What returns up to there does so up to k, and moves as little as you like.
   const bool up_to_k = last.f >= nearest_to_k;
   edges.f3 = (up_to_k ? 1 : last.f) * region.f_unit();
-  edges.delta2 = HUGE_VAL;
   edges.beta_min = up_to_k ? 0 : least_peak * region.length_unit();
   if (within) {
     edges.feasible = true;

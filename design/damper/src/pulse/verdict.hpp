@@ -6,7 +6,7 @@
 #include "pulse/region.hpp"
 #include "pulse/search.hpp"
 
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design/design_result.hpp>
 
 #include <optional>
 #include <vector>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/record_design.hpp>
+
 #include "record/suite.hpp"
 #include "record/suite_check.hpp"
 #include "record/suite_search.hpp"
 #include "record/suite_watch.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/seconds.hpp>
-#include <stillpoint/design/record_design.hpp>
 
 #include <fmt/format.h>
 
@@ -21,14 +21,6 @@
 namespace stillpoint::design {
 
 namespace {
-
-constexpr Names objectives(
-    std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
-                                          {SuiteObjective::amplitude, "amplitude"},
-                                          {SuiteObjective::residual, "residual"}}));
-
-constexpr Names combines(std::to_array<Named<Combine>>({{Combine::max, "max"},
-                                                        {Combine::mean, "mean"}}));
 
 /// A limit alone that was relaxed is this much above the least that was found, so that a search
 /// with it, which is no more exact than that, finds a damper as well.
@@ -206,30 +198,6 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
   }
   return list;
 }
-
-}  // namespace
-
-std::string_view name(SuiteObjective objective) noexcept {
-  return objectives.name(objective);
-}
-std::optional<SuiteObjective> parse_suite_objective(std::string_view name) noexcept {
-  return objectives.parse(name);
-}
-std::span<const std::string_view> suite_objective_names() {
-  return objectives.all();
-}
-
-std::string_view name(Combine combine) noexcept {
-  return combines.name(combine);
-}
-std::optional<Combine> parse_combine(std::string_view name) noexcept {
-  return combines.parse(name);
-}
-std::span<const std::string_view> combine_names() {
-  return combines.all();
-}
-
-namespace {
 
 /// With the figures of a scan, where there are some.
 RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>* scanned,

@@ -27,14 +27,6 @@ void require_valid(const std::vector<SuiteRecord>& records) {
   }
 }
 
-Record scaled(const SuiteRecord& record) {
-  Record load = record.record;
-  for (double& value : load.values) {
-    value *= record.scale;
-  }
-  return load;
-}
-
 std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
   std::vector<Excitation> loads;
   loads.reserve(records.size());
@@ -42,18 +34,6 @@ std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
     loads.emplace_back(scaled(record));
   }
   return loads;
-}
-
-double value_of(const SuiteFigures& figures, SuiteObjective which) {
-  switch (which) {
-    case SuiteObjective::amplitude:
-      return figures.peak;
-    case SuiteObjective::residual:
-      return figures.residual;
-    case SuiteObjective::acceleration:
-      break;
-  }
-  return figures.acceleration;
 }
 
 Suite::Suite(const RecordDesignRequest& request)
@@ -164,10 +144,6 @@ SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const Suit
     }
   }
   return {std::min(off, never_rests), value_of(figures, objective), figures.peak};
-}
-
-bool admissible(const SuiteFigures& figures, const SuiteLimits& limits) {
-  return rank(figures, SuiteObjective::acceleration, limits).off == 0;
 }
 
 }  // namespace stillpoint::design

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/suite_task.hpp>
 
 #include <array>
 #include <compare>
@@ -68,7 +69,7 @@ class Suite {
 
   std::vector<Excitation> loads_;
   Combine combine_;
-  double hold_;
+  std::optional<double> hold_;
   Surface surface_;
 };
 

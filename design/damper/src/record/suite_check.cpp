@@ -109,8 +109,8 @@ class Integration {
 
   /// What the mass is held against when pushed in the direction `push`.
   [[nodiscard]] double capacity(double push) const {
-    const bool in_notch = notch_ > 0 && state_[0] == 0 && std::isfinite(hold_);
-    return friction(push < 0 ? -1 : 1) + (in_notch ? hold_ : 0);
+    const bool in_notch = notch_ > 0 && state_[0] == 0 && hold_;
+    return friction(push < 0 ? -1 : 1) + (in_notch ? *hold_ : 0);
   }
 
   void feel_load(const Stretch& stretch, double from, double to) {
@@ -239,14 +239,14 @@ class Integration {
     }
     const double left = state_[1] * state_[1] - notch_;
     resting_ = left <= 0;
-    locked_ = resting_ && !std::isfinite(hold_);
+    locked_ = resting_ && !hold_;
     state_[1] = resting_ ? 0 : direction_ * std::sqrt(left);
   }
 
   double stiffness_;
   double step_;
   double f_;
-  double hold_;
+  std::optional<double> hold_;
   double half_width_{0};
   double wall_{0};
   double notch_{0};  // 2 Delta of a notch without a width

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t most_starts = 10;
 /// With none to three variables: the middle of what the suites of docs/records-design.md take.
-constexpr std::array<std::int64_t, 4> usual{0, 12'000, 35'000, 190'000};
+constexpr std::array<std::int64_t, 4> usual{0, 12'000, 35'000, 110'000};
 /// SBPLX stops by itself after some 300 of two variables; a jump can keep it busy.
 constexpr int local_evaluations = 1000;
 constexpr int global_evaluations = 10'000;
@@ -44,12 +44,16 @@ constexpr double first_reach = 0.04;
 constexpr double last_reach = first_reach / 64;
 constexpr double shrinkage = 0.25;
 constexpr int most_zooms = 12;
-/// So many that a population does not crowd on one of two ridges too soon. One in eight still does
-/// (the last suite of docs/records-design.md), so that there are two.
-constexpr std::size_t kept_points = 600;
-constexpr std::size_t generation = 1000;
-constexpr int generations = 60;
-constexpr std::uint64_t populations = 2;
+/// A population ends where all that it keeps are equally good, on most suites after ten to forty
+/// generations. Of ridges that differ by a hundredth (the last suite of docs/records-design.md) one
+/// population in three ends on the best, so that there are eight.
+constexpr std::size_t kept_points = 150;
+constexpr std::size_t generation = 300;
+constexpr int most_generations = 250;
+constexpr std::uint64_t populations = 8;
+/// The figures of many records together are smoother, and take longer.
+constexpr std::size_t many_records = 7;
+constexpr std::uint64_t populations_of_many = 3;
 constexpr std::int64_t fine_side = 1000;  ///< whose cell is the first step of the last descent
 /// Of a coordinate: a millionth of the range of f or delta is as good as none, if the objective is
 /// no more than a millionth worse without it.
@@ -288,6 +292,16 @@ class Search {
     return best_.rank.off < before.off || best_.rank.value < before.value * (1 - no_difference);
   }
 
+  /// As `best`, but for rounding; the stroke decides between equal values.
+  static bool as_good(const SuiteRank& rank, const SuiteRank& best) {
+    constexpr double same = 1 + no_difference;
+    if (best.off > 0) {
+      return rank.off <= best.off * same;
+    }
+    return rank.off <= 0 && (rank.value == best.value ? rank.peak <= best.peak * same
+                                                      : rank.value <= best.value * same);
+  }
+
   /// The best of `found` that are apart.
   static std::vector<Ranked> apart_of(std::vector<Ranked> found) {
     std::ranges::stable_sort(found, {}, &Ranked::rank);
@@ -335,12 +349,16 @@ class Search {
     found.push_back(best_);
     const std::vector<double> middle = best_.unit;
     std::vector<Ranked> ends;
-    for (std::uint64_t population = 0; population < populations; ++population) {
+    const std::uint64_t most =
+        suite_.loads().size() < many_records ? populations : populations_of_many;
+    for (std::uint64_t population = 0; population < most; ++population) {
       SuiteOffspring offspring(population);
       std::vector<Ranked> kept = found;
-      for (int i = 0; i < generations && !watch_.stopped(); ++i) {
+      bool settled = false;
+      for (int i = 0; i < most_generations && !settled && !watch_.stopped(); ++i) {
         add_generation(kept, i < 2 ? offspring.about(middle, generation)
                                    : offspring.of(units_of(kept), generation));
+        settled = as_good(kept.back().rank, kept.front().rank);
       }
       keep(kept.front());
       ends.push_back(kept.front());

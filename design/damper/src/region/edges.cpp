@@ -5,7 +5,6 @@
 #include "wide.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +55,7 @@ Edges edges(const Problem& problem, const Limits& limits) {
   const Wide beta = problem.beta;
   const Wide speed = beta * p;
   Edges result{};
+  result.f1 = problem.beta * problem.p * problem.p;
   result.f2 = is_same(v0, speed) ? 0 : rounded_up((v0 - speed) * (v0 + speed) / (2 * beta));
   result.f3 = rounded_down(problem.starting_v0() * p / (root(Wide(8))));
   result.f4 = limits.acceleration_max
@@ -65,10 +65,8 @@ Edges edges(const Problem& problem, const Limits& limits) {
   if (limits.f_max) {
     result.f_cap = std::min(result.f_cap, *limits.f_max);
   }
-  result.delta_cap = problem.starting_v0() * problem.starting_v0() / 2;
-  if (limits.delta_max) {
-    result.delta_cap = std::min(result.delta_cap, *limits.delta_max);
-  }
+  result.delta2 = problem.starting_v0() * problem.starting_v0() / 2;
+  result.delta_cap = std::min(result.delta2, limits.delta_max.value_or(HUGE_VAL));
   return result;
 }
 

@@ -4,7 +4,6 @@
 // The edges of the admissible region and the questions that decide whether it is empty.
 
 #include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/region.hpp>
 
 namespace stillpoint::design {
 
@@ -12,17 +11,16 @@ namespace stillpoint::design {
 /// f3 down. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three, which
 /// rounding to nearest could hide.
 struct Edges {
+  double f1;
   double f2;
   double f3;
-  double f4;         ///< where S = acceleration_max, docs/theory.md (33); infinite without a limit
+  double f4;  ///< where S = acceleration_max, docs/theory.md (33); infinite without a limit
+  double delta2;
   double f_cap;      ///< min(f3, f_max, f4)
   double delta_cap;  ///< min(Delta2, delta_max)
 };
 
 [[nodiscard]] Edges edges(const Problem& problem, const Limits& limits);
-
-/// The edges as a Region has them, without what depends on the limits but f4, and without beta_min.
-[[nodiscard]] Region region_edges(const Problem& problem, const Limits& limits);
 
 /// There is an f whose box lies between f2 and f3, or f2 and f_max. A larger beta or p, or a
 /// smaller v0, only helps.

@@ -6,7 +6,8 @@
 #include "nearest_fit.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/mend.hpp>
+#include <stillpoint/design/problem.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/mends.hpp>
+
 #include "nearest_fit.hpp"
 #include "region/edges.hpp"
 #include "region/mend_list.hpp"
@@ -6,7 +8,6 @@
 
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ bool first_fits(const Case& now) {
   return amplitude_fits(now) && acceleration_fits(now) && strip_fits(now);
 }
 
-bool feasible(const Case& now) {
+bool has_damper(const Case& now) {
   const bool plain = is_plain(now.problem, now.limits);
   bool fits = plain && first_fits(now);
   if (!fits && !(plain && now.problem.arrivals == 1)) {
@@ -152,7 +153,7 @@ std::optional<double> stepped_p(const Case& base) {
   const auto fits = [&](double p) {
     Case changed = base;
     changed.problem.p = p;
-    return feasible(changed);
+    return has_damper(changed);
   };
   for (double factor = step; factor < elementary::pow(step, most_steps); factor *= step) {
     for (const double p : {base.problem.p * factor, base.problem.p / factor}) {
@@ -169,7 +170,7 @@ std::optional<double> stepped_p(const Case& base) {
 std::vector<Mend> mends_of_ranges(const Case& base) {
   const Problem& problem = base.problem;
   std::vector<Mend> list;
-  const auto add = [&](const Input<Case>& input) { add_mend(list, base, feasible, input); };
+  const auto add = [&](const Input<Case>& input) { add_mend(list, base, has_damper, input); };
   if (problem.v0_low) {
     if (*problem.v0_low > 0) {
       add({"v0_low", *problem.v0_low, problem.v0,
@@ -217,7 +218,7 @@ std::optional<Mend> more_arrivals(const Case& base) {
   if (base.problem.residual.value_or(0) > 0) {
     return arrivals_mend(base.problem, [&](std::int64_t n) {
       more.problem.arrivals = n;
-      return feasible(more);
+      return has_damper(more);
     });
   }
   // A strip is the same whatever later ones are allowed, so the first that has a box is looked for.
@@ -237,20 +238,20 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
   require_valid(problem, limits);
   const Case base{problem, limits};
   std::vector<Mend> list;
-  if (feasible(base)) {
+  if (has_damper(base)) {
     return list;
   }
   if (!is_plain(problem, limits)) {
     list = mends_of_ranges(base);
   } else {
-    add_mend(list, base, feasible, v0_of(problem));
+    add_mend(list, base, has_damper, v0_of(problem));
     if (const auto p = mended_p(base)) {
       list.push_back({"p", *p, *p > problem.p});
     }
-    add_mend(list, base, feasible, beta_of(problem));
+    add_mend(list, base, has_damper, beta_of(problem));
   }
   for (const Input<Case>& limit : limit_inputs<Case>(limits)) {
-    add_mend(list, base, feasible, limit);
+    add_mend(list, base, has_damper, limit);
   }
   if (const auto mend = more_arrivals(base)) {
     list.push_back(*mend);
@@ -260,11 +261,11 @@ std::vector<Mend> mends(const Problem& problem, const Limits& limits) {
 
 std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits) {
   const Case base{problem, limits};
-  if (feasible(base) || !mends(problem, limits).empty()) {
+  if (has_damper(base) || !mends(problem, limits).empty()) {
     return std::nullopt;
   }
   // More p does no better than more beta: p beta / v0 is the same, and f_max comes nearer.
-  return joint_mend_of(base, feasible, {beta_of(problem), v0_of(problem)});
+  return joint_mend_of(base, has_damper, {beta_of(problem), v0_of(problem)});
 }
 
 }  // namespace stillpoint::design

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/strips.hpp>
+
 #include "region/edges.hpp"
 #include "way/extent.hpp"
 #include "way/room.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
 
 namespace stillpoint::design {
 
@@ -42,28 +43,6 @@ std::vector<Strip> strips(const Problem& problem, const Limits& limits) {
     return true;
   });
   return list;
-}
-
-std::optional<DesignPoint> most_tolerant(const Problem& problem, const Limits& limits) {
-  require_valid(problem, limits);
-  if (!(limits.tolerance > 0)) {
-    return std::nullopt;
-  }
-  Limits any = limits;
-  any.tolerance = 0;
-  DesignPoint best;
-  for_each_way(problem, any, [&](const Way& way) {
-    // (51): no later strip has more.
-    if (way.plain && best.tolerance * (2 * way.n - 1) >= 1) {
-      return false;
-    }
-    if (const DesignPoint its = most_tolerant(way); its.tolerance > best.tolerance) {
-      best = its;
-    }
-    return true;
-  });
-  return best.tolerance > 0 && best.tolerance < limits.tolerance ? std::optional(best)
-                                                                 : std::nullopt;
 }
 
 }  // namespace stillpoint::design

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/tolerance.hpp>
+
+#include "way/extent.hpp"
 #include "way/room.hpp"
 #include "way/way.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/strips.hpp>
 
 #include <algorithm>
 
@@ -52,6 +55,28 @@ std::optional<double> largest_tolerance(const Problem& problem, const Limits& li
     return true;
   });
   return largest;
+}
+
+std::optional<DesignPoint> most_tolerant(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  if (!(limits.tolerance > 0)) {
+    return std::nullopt;
+  }
+  Limits any = limits;
+  any.tolerance = 0;
+  DesignPoint best;
+  for_each_way(problem, any, [&](const Way& way) {
+    // (51): no later strip has more.
+    if (way.plain && best.tolerance * (2 * way.n - 1) >= 1) {
+      return false;
+    }
+    if (const DesignPoint its = most_tolerant(way); its.tolerance > best.tolerance) {
+      best = its;
+    }
+    return true;
+  });
+  return best.tolerance > 0 && best.tolerance < limits.tolerance ? std::optional(best)
+                                                                 : std::nullopt;
 }
 
 }  // namespace stillpoint::design

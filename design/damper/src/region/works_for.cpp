@@ -2,14 +2,16 @@
 // The hits and the springs that a damper serves, docs/theory.md (35) to (38). In speeds:
 // phi = f/p, d = 2 Delta.
 
+#include <stillpoint/design/works_for.hpp>
+
 #include "nearest_fit.hpp"
 #include "region/edges.hpp"
 #include "way/way.hpp"
 #include "wide.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
-#include <stillpoint/design/works_for.hpp>
+#include <stillpoint/design/strips.hpp>
+#include <stillpoint/design/tolerance.hpp>
 
 #include <algorithm>
 #include <cmath>

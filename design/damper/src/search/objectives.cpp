@@ -3,8 +3,6 @@
 
 #include "unit_problem.hpp"
 
-#include <stillpoint/design/search.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -57,12 +55,6 @@ constexpr std::array rows{
         &FirstReturn::acceleration},
 };
 
-constexpr std::array names = [] {
-  std::array<std::string_view, rows.size()> list;
-  std::ranges::transform(rows, list.begin(), &Row::name);
-  return list;
-}();
-
 const Row& row_of(Objective objective) {
   const auto* const row = std::ranges::find(rows, objective, &Row::objective);
   assert(row != rows.end() && "an Objective without a row");
@@ -71,17 +63,15 @@ const Row& row_of(Objective objective) {
 
 }  // namespace
 
-std::string_view name(Objective objective) noexcept {
-  return row_of(objective).name;
-}
-
-std::optional<Objective> parse_objective(std::string_view name) noexcept {
-  const auto* const row = std::ranges::find(rows, name, &Row::name);
-  return row != rows.end() ? std::optional(row->objective) : std::nullopt;
-}
-
-std::span<const std::string_view> objective_names() {
-  return names;
+std::span<const Named<Objective>> enumerators(Objective) noexcept {
+  static constexpr auto named = [] {
+    std::array<Named<Objective>, rows.size()> list;
+    std::ranges::transform(rows, list.begin(), [](const Row& row) {
+      return Named<Objective>(row.objective, row.name);
+    });
+    return list;
+  }();
+  return named;
 }
 
 double objective_value(Objective objective, double given) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace stillpoint::design {
@@ -52,14 +53,9 @@ NloptAlgorithm find_algorithm(const std::string& wanted) {
   return *found;
 }
 
-std::span<const std::string_view> algorithm_names() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> list;
-    for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
-      list.push_back(algorithm.name);
-    }
-    return list;
-  }();
+std::vector<std::string_view> algorithm_names() {
+  std::vector<std::string_view> names;
+  std::ranges::transform(nlopt_algorithms(), std::back_inserter(names), &NloptAlgorithm::name);
   return names;
 }
 

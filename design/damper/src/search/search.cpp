@@ -65,9 +65,9 @@ double bound_of(const Way& way, Objective objective) {
 std::span<const BestDelta> choices(const Way& way, Objective objective) {
   static constexpr std::array any{BestDelta::most_tolerant, BestDelta::least, BestDelta::largest};
   const std::span all(any);
-  return objective != Objective::time || (way.plain && way.n == 1) ? all.first(1)
-         : way.plain                                               ? all.subspan(1, 1)
-                                                                   : all;
+  return objective != Objective::time || way.is_papers_task() ? all.first(1)
+         : way.plain                                          ? all.subspan(1, 1)
+                                                              : all;
 }
 
 /// The best point seen, judged by the way itself: NLopt's last point may be neither feasible nor

@@ -7,7 +7,7 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/strips.hpp>
 
 namespace stillpoint::design {
 

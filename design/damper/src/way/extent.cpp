@@ -35,9 +35,9 @@ double least_f(const Way& way, double high) {
 /// The largest f of boxes whose high side is not on the tip, where the weakest hit only grazes x =
 /// 0. That of the paper's task is known to the last bit, so that the centre alone stays off it.
 double off_the_tip(const Way& way, double high) {
-  return way.plain && way.n == 1 ? std::min(high, way.tip * (1 - way_inset))
-         : way.tip < way.f_cap   ? high * (1 - way_inset)
-                                 : high;
+  return way.is_papers_task()  ? std::min(high, way.tip * (1 - way_inset))
+         : way.tip < way.f_cap ? high * (1 - way_inset)
+                               : high;
 }
 
 /// What of it is looked at: not the open end at 0, and not the tip.
@@ -120,7 +120,7 @@ Ends feasible_around(const Way& way, const WayPoint& inside) {
                                        at_inside, at_from));
     return std::clamp(at, all.low, all.high);
   };
-  if (way.plain && way.n == 1) {  // in closed form, (28), (29)
+  if (way.is_papers_task()) {  // in closed form, (28), (29)
     return {std::min(std::max(all.low, lower_end_from_stop(way.problem, way.limits)), all.high),
             all.high};
   }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <optional>
 
 namespace stillpoint::design {
 
@@ -19,88 +20,124 @@ struct Highest {
   double value;
 };
 
+/// The steps of `highest`, in log f.
+template <class F>
+class HighestSearch {
+ public:
+  HighestSearch(const F& function, unit::Ends f, double enough)
+      : function_(function), f_(f), enough_(enough) {}
+
+  [[nodiscard]] double high() const { return high_; }
+  [[nodiscard]] double f_at(double at) const {
+    return std::clamp(elementary::exp(at), f_.low, f_.high);
+  }
+  [[nodiscard]] Highest found() const { return {f_at(best_.at), best_.value}; }
+
+  /// True where it is enough.
+  bool consider(double at) { return consider(at, value_at(at)); }
+
+  /// Considers some places from above: there are the designs that have some constant friction.
+  /// Empty where one is enough, else the neighbours of the best.
+  std::optional<unit::Ends> scan() {
+    const auto places = scanned();
+    for (const double at : places) {
+      if (consider(at)) {
+        return std::nullopt;
+      }
+    }
+    unit::Ends around{low_, high_};
+    for (const double at : places) {
+      if (at > best_.at) {
+        around.high = at;
+      } else if (at < best_.at) {
+        around.low = at;
+        break;
+      }
+    }
+    return around;
+  }
+
+  /// By golden sections.
+  void narrow(const unit::Ends& around) {
+    constexpr double golden = 0.6180339887498949;
+    constexpr double resolved = 1e-9;
+    auto [left, right] = around;
+    double inner_left = right - golden * (right - left);
+    double inner_right = left + golden * (right - left);
+    double at_left = value_at(inner_left);
+    double at_right = value_at(inner_right);
+    while (right - left > resolved) {
+      if (at_left > at_right ? consider(inner_left, at_left) : consider(inner_right, at_right)) {
+        return;
+      }
+      if (at_left >= at_right) {
+        right = inner_right;
+        inner_right = inner_left;
+        at_right = at_left;
+        inner_left = right - golden * (right - left);
+        at_left = value_at(inner_left);
+      } else {
+        left = inner_left;
+        inner_left = inner_right;
+        at_left = at_right;
+        inner_right = left + golden * (right - left);
+        at_right = value_at(inner_right);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] double value_at(double at) const { return function_(f_at(at)); }
+
+  bool consider(double at, double value) {
+    if (value > best_.value) {
+      best_ = {at, value};
+    }
+    return best_.value >= enough_;
+  }
+
+  /// From above.
+  [[nodiscard]] auto scanned() const {
+    constexpr int across = 8;    // evenly over f
+    constexpr int decades = 16;  // evenly over log f
+    std::array<double, across + decades> places{};
+    for (int i = 0; i < decades; ++i) {
+      places[static_cast<std::size_t>(i)] = low_ + (high_ - low_) * i / decades;
+    }
+    for (int i = 0; i < across; ++i) {
+      const double part = (i + 0.5) / across;
+      places[static_cast<std::size_t>(decades + i)] =
+          elementary::log(f_.low + (f_.high - f_.low) * part);
+    }
+    std::ranges::sort(places, std::greater());
+    return places;
+  }
+
+  const F& function_;
+  unit::Ends f_;
+  double enough_;
+  double low_{elementary::log(f_.low)};
+  double high_{elementary::log(f_.high)};
+  Highest best_{high_, -HUGE_VAL};
+};
+
 /// The largest value of a function of log f that first rises and then falls, or the first that is
 /// `enough`. It stops at once where `nowhere` says of two f that no value between them is positive.
 template <class F, class Nowhere>
 Highest highest(const F& function, unit::Ends f, double enough, const Nowhere& nowhere) {
-  constexpr int across = 8;    // evenly over f
-  constexpr int decades = 16;  // evenly over log f
-  const double from = elementary::log(f.low);
-  const double to = elementary::log(f.high);
-  Highest best{to, -HUGE_VAL};
-  const auto f_at = [&](double at) { return std::clamp(elementary::exp(at), f.low, f.high); };
-  const auto value_at = [&](double at) { return function(f_at(at)); };
-  const auto consider = [&](double at) {
-    const double value = value_at(at);
-    if (value > best.value) {
-      best = {at, value};
-    }
-    return best.value >= enough;
-  };
-  const auto found = [&] { return Highest{f_at(best.at), best.value}; };
-  if (consider(to)) {
-    return found();
+  HighestSearch search(function, f, enough);
+  if (search.consider(search.high())) {
+    return search.found();
   }
   const double middle = std::midpoint(f.low, f.high);
   if (nowhere(f.low, middle) && nowhere(middle, f.high)) {
-    return found();
+    return search.found();
   }
-  std::array<double, across + decades> tried{};
-  for (int i = 0; i < decades; ++i) {
-    tried[static_cast<std::size_t>(i)] = from + (to - from) * i / decades;
+  const auto around = search.scan();
+  if (around && !nowhere(search.f_at(around->low), search.f_at(around->high))) {
+    search.narrow(*around);
   }
-  for (int i = 0; i < across; ++i) {
-    const double part = (i + 0.5) / across;
-    tried[static_cast<std::size_t>(decades + i)] = elementary::log(f.low + (f.high - f.low) * part);
-  }
-  // From above: there are the designs that have some constant friction.
-  std::ranges::sort(tried, std::greater());
-  for (const double at : tried) {
-    if (consider(at)) {
-      return found();
-    }
-  }
-  double left = from;
-  double right = to;
-  for (const double at : tried) {
-    if (at > best.at) {
-      right = at;
-    } else if (at < best.at) {
-      left = at;
-      break;
-    }
-  }
-  if (nowhere(f_at(left), f_at(right))) {
-    return found();
-  }
-  constexpr double golden = 0.6180339887498949;
-  constexpr double resolved = 1e-9;
-  double inner_left = right - golden * (right - left);
-  double inner_right = left + golden * (right - left);
-  double at_left = value_at(inner_left);
-  double at_right = value_at(inner_right);
-  while (right - left > resolved) {
-    if (std::max(at_left, at_right) > best.value) {
-      best = at_left > at_right ? Highest{inner_left, at_left} : Highest{inner_right, at_right};
-      if (best.value >= enough) {
-        break;
-      }
-    }
-    if (at_left >= at_right) {
-      right = inner_right;
-      inner_right = inner_left;
-      at_right = at_left;
-      inner_left = right - golden * (right - left);
-      at_left = value_at(inner_left);
-    } else {
-      left = inner_left;
-      inner_left = inner_right;
-      at_left = at_right;
-      inner_right = left + golden * (right - left);
-      at_right = value_at(inner_right);
-    }
-  }
-  return found();
+  return search.found();
 }
 
 }  // namespace stillpoint::design

@@ -186,7 +186,7 @@ double best_delta(const Way& way, double f, BestDelta choice) {
     return std::min(d * way.square(),
                     highest_centre(way.delta_cap, asked * way.limits.shape.delta_high));
   };
-  if (most_tolerant && way.plain && way.n == 1) {  // (30)
+  if (most_tolerant && way.is_papers_task()) {  // (30)
     const auto [low, high] = edges_at(way, way.scaled(f), sides(way.limits.shape, t));
     return settled(low + (high - low) / 2);
   }

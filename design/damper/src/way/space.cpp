@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -34,31 +35,85 @@ struct Scaled {
   }
 };
 
-std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
-  const BoxShape shape = way.limits.shape;
-  std::vector<Function> list;
-  if (way.a2 > 0) {
-    list.emplace_back([=, a2 = way.a2](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
-      const double low = 1 - shape.f_low * scale.box(at);
-      scale.slopes(gradient, -low / scale.a_cap, 0, at[0] * shape.f_low);
-      return a2 / scale.a_cap - at[0] * low;
+/// The inequalities of space.hpp, each <= 0 inside.
+class Conditions {
+ public:
+  Conditions(const Way& way, const Scaled& scale) : way_(way), scale_(scale) {}
+
+  [[nodiscard]] std::vector<Function> list() && { return std::move(list_); }
+
+  void add_amplitude() {
+    if (way_.a2 > 0) {
+      list_.emplace_back([scale = scale_, part = shape_.f_low, a2 = way_.a2](
+                             const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+        const double low = 1 - part * scale.box(at);
+        scale.slopes(gradient, -low / scale.a_cap, 0, at[0] * part);
+        return a2 / scale.a_cap - at[0] * low;
+      });
+    }
+  }
+
+  void add_cap() {
+    list_.emplace_back([scale = scale_, part = shape_.f_high](const Eigen::VectorXd& at,
+                                                              Eigen::VectorXd& gradient) {
+      const double high = 1 + part * scale.box(at);
+      scale.slopes(gradient, high / scale.a_cap, 0, at[0] * part);
+      return at[0] * high - 1;
     });
   }
-  list.emplace_back([=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
-    const double high = 1 + shape.f_high * scale.box(at);
-    scale.slopes(gradient, high / scale.a_cap, 0, at[0] * shape.f_high);
-    return at[0] * high - 1;
-  });
-  list.emplace_back([=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
-    const double high = 1 + shape.delta_high * scale.box(at);
-    scale.slopes(gradient, 0, high / scale.d_cap, at[1] * shape.delta_high);
-    return at[1] * high - 1;
-  });
-  // A corner of the box: each side goes outwards, +1, or inwards, -1.
-  const auto edge = [&](double outwards_f, double outwards_d, double sign, const auto& value) {
-    const double f_part = outwards_f * (outwards_f > 0 ? shape.f_high : shape.f_low);
-    const double d_part = outwards_d * (outwards_d > 0 ? shape.delta_high : shape.delta_low);
-    list.emplace_back([=](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+
+  void add_start() {
+    list_.emplace_back([scale = scale_, part = shape_.delta_high](const Eigen::VectorXd& at,
+                                                                  Eigen::VectorXd& gradient) {
+      const double high = 1 + part * scale.box(at);
+      scale.slopes(gradient, 0, high / scale.d_cap, at[1] * part);
+      return at[1] * high - 1;
+    });
+  }
+
+  void add_return() {
+    if (way_.delta_hinders_return()) {
+      add_edge(1, 1, 1, [&way = way_](double a, double d) {
+        return less(reach_edge(way, a, d), way.v_low * way.v_low);
+      });
+    } else if (way_.n > 0 && way_.v_low == 0) {
+      add_edge(1, -1, 1, [&way = way_](double a, double d) {
+        const unit::EdgeSpeed notch = returning_notch(way, a);
+        return unit::EdgeSpeed{notch.square - 2 * d, notch.by_a, -2};
+      });
+    }
+  }
+
+  void add_stop() {
+    if (way_.is_papers_task()) {  // (26), (27), which are linear in y
+      return add_edge(-1, -1, 1, [&way = way_](double a, double d) {
+        const Criterion criterion = way.problem.criterion;
+        return unit::EdgeSpeed{(unit::delta1(criterion, a) - d) / way.d_cap,
+                               unit::delta1_slope(criterion, a) / way.d_cap, -1 / way.d_cap};
+      });
+    }
+    if (way_.stops_last()) {
+      add_edge(-1, -1, -1,
+               [&way = way_](double a, double d) { return less(last_edge(way, a, d), 1); });
+    }
+    if (way_.stops_early()) {
+      add_edge(-1, -1, -1,
+               [&way = way_](double a, double d) { return less(stop_edge(way, a, d), 1); });
+    }
+  }
+
+ private:
+  static unit::EdgeSpeed less(unit::EdgeSpeed speed, double square) {
+    speed.square -= square;
+    return speed;
+  }
+
+  /// At a corner of the box: each side goes outwards, +1, or inwards, -1.
+  template <class Value>
+  void add_edge(double outwards_f, double outwards_d, double sign, const Value& value) {
+    const double f_part = outwards_f * (outwards_f > 0 ? shape_.f_high : shape_.f_low);
+    const double d_part = outwards_d * (outwards_d > 0 ? shape_.delta_high : shape_.delta_low);
+    list_.emplace_back([=, scale = scale_](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
       const double t = scale.box(at);
       const double a = at[0] * scale.a_cap;
       const double d = at[1] * scale.d_cap;
@@ -69,36 +124,22 @@ std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
                    sign * (f_part * a * now.by_a + d_part * d * now.by_d));
       return sign * now.square;
     });
-  };
-  const auto less = [](unit::EdgeSpeed speed, double square) {
-    speed.square -= square;
-    return speed;
-  };
-  if (way.delta_hinders_return()) {
-    edge(1, 1, 1, [less, &way](double a, double d) {
-      return less(reach_edge(way, a, d), way.v_low * way.v_low);
-    });
-  } else if (way.n > 0 && way.v_low == 0) {
-    edge(1, -1, 1, [&way](double a, double d) {
-      const unit::EdgeSpeed notch = returning_notch(way, a);
-      return unit::EdgeSpeed{notch.square - 2 * d, notch.by_a, -2};
-    });
   }
-  if (way.plain && way.n == 1) {  // (26), (27), which are linear in y
-    edge(-1, -1, 1, [&way](double a, double d) {
-      const Criterion criterion = way.problem.criterion;
-      return unit::EdgeSpeed{(unit::delta1(criterion, a) - d) / way.d_cap,
-                             unit::delta1_slope(criterion, a) / way.d_cap, -1 / way.d_cap};
-    });
-    return list;
-  }
-  if (way.stops_last()) {
-    edge(-1, -1, -1, [less, &way](double a, double d) { return less(last_edge(way, a, d), 1); });
-  }
-  if (way.stops_early()) {
-    edge(-1, -1, -1, [less, &way](double a, double d) { return less(stop_edge(way, a, d), 1); });
-  }
-  return list;
+
+  const Way& way_;
+  Scaled scale_;
+  BoxShape shape_{way_.limits.shape};
+  std::vector<Function> list_;
+};
+
+std::vector<Function> conditions_of(const Way& way, const Scaled& scale) {
+  Conditions conditions(way, scale);
+  conditions.add_amplitude();
+  conditions.add_cap();
+  conditions.add_start();
+  conditions.add_return();
+  conditions.add_stop();
+  return std::move(conditions).list();
 }
 
 /// p T / pi, and its slopes if they are wanted. Without a residual the hit stops at the n-th

@@ -16,7 +16,8 @@
 #include "search/nlopt_fence.hpp"
 #include "way/way.hpp"
 
-#include <stillpoint/design/search_options.hpp>
+#include <stillpoint/design/design_point.hpp>
+#include <stillpoint/design/objective.hpp>
 
 #include <vector>
 

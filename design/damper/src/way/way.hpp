@@ -44,6 +44,8 @@ struct Way {
   [[nodiscard]] bool stops_early() const { return n > 0 && n < passages(); }
   /// That of the last arrival binds.
   [[nodiscard]] bool stops_last() const { return !stops_early() || q > 0; }
+  /// The paper's task itself, whose edges are closed forms.
+  [[nodiscard]] bool is_papers_task() const { return plain && n == 1; }
   /// The first return to x = 0, whose conditions are the paper's own, each at its corner.
   [[nodiscard]] bool is_papers() const {
     return n == 1 && (plain || (!problem.residual && v_low > 0));

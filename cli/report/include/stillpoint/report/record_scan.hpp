@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/design/record_design.hpp>
+#include <stillpoint/sweep/output.hpp>
 #include <stillpoint/sweep/part_label.hpp>
 
 #include <nlohmann/json.hpp>
@@ -28,6 +29,23 @@ struct RecordScan {
 /// The part `wanted`, if its file is there already. Throws LeftoverError for another part of the
 /// same design.
 [[nodiscard]] std::optional<RecordScan> find_record_scan(const sweep::PartLabel& wanted);
+
+struct RecordPart {
+  RecordScan scan;
+  bool computed{true};  ///< not found in its file
+};
+
+/// The part `wanted` of the scan of a design; with `resume` that of its file if it is whole. Empty
+/// where `ask` ended it. Throws InputError, and LeftoverError as above.
+[[nodiscard]] std::optional<RecordPart> record_part(const sweep::PartLabel& wanted,
+                                                    const design::RecordDesignRequest& request,
+                                                    bool resume, const design::RecordWatch& ask);
+
+/// What its file holds.
+[[nodiscard]] std::string text(const RecordScan& scan);
+
+/// Into its file, if it has one that does not hold it already.
+void write(const RecordPart& part, sweep::Output& output);
 
 /// The whole scan, from all its parts in any order. Throws as sweep::merge does.
 [[nodiscard]] RecordScan merged_record_scan(const std::vector<std::string>& parts);

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace stillpoint {
@@ -18,8 +18,8 @@ struct ForcedBatchOptions {
   /// Of each scene. Several threads may call its go_on at once, each with the tau of its own scene.
   ForcedOptions scene;
   int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
-  double hold{std::numeric_limits<double>::infinity()};  ///< of every oscillator
-  Surface surface{};                                     ///< under every mass
+  std::optional<double> hold{};  ///< of every oscillator
+  Surface surface{};             ///< under every mass
 };
 
 /// The motions from x = 0 with v0 of the oscillators (p, f[i], delta[i]), all under one excitation:
@@ -40,8 +40,8 @@ struct ForcedBatchOptions {
                                                        const ForcedBatchOptions& options = {});
 
 struct RecordBatchOptions {
-  double hold{std::numeric_limits<double>::infinity()};  ///< of every oscillator
-  Surface surface{};  ///< under every mass; any but the paper's runs without lanes
+  std::optional<double> hold{};  ///< of every oscillator
+  Surface surface{};             ///< under every mass; any but the paper's runs without lanes
   /// As in ForcedOptions, but a motion with more half-cycles is not an error: its outcome is
   /// `running`.
   double half_cycle_limit{1e8};

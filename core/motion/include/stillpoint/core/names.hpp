@@ -2,46 +2,51 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace stillpoint {
 
 template <class Enum>
 using Named = std::pair<Enum, std::string_view>;
 
-/// The names of an enum's enumerators, one row each, for both directions:
-///   constexpr Names sides(std::to_array<Named<Side>>({{Side::left, "left"}, ...}));
-template <class Enum, std::size_t size>
-class Names {
- public:
-  explicit constexpr Names(std::array<Named<Enum>, size> rows) : rows_(std::move(rows)) {
-    std::ranges::transform(rows_, names_.begin(), &Named<Enum>::second);
-  }
-
-  [[nodiscard]] constexpr std::string_view name(Enum value) const noexcept {
-    const auto row = std::ranges::find(rows_, value, &Named<Enum>::first);
-    assert(row != rows_.end() && "an enumerator without a name");
-    return row->second;
-  }
-
-  /// Empty for a name that is in no row.
-  [[nodiscard]] constexpr std::optional<Enum> parse(std::string_view name) const noexcept {
-    const auto row = std::ranges::find(rows_, name, &Named<Enum>::second);
-    return row != rows_.end() ? std::optional(row->first) : std::nullopt;
-  }
-
-  /// All of them, in the order of the rows.
-  [[nodiscard]] constexpr std::span<const std::string_view> all() const noexcept { return names_; }
-
- private:
-  std::array<Named<Enum>, size> rows_;
-  std::array<std::string_view, size> names_{};
+/// An enum that has, beside it, the table of its names, whatever the argument:
+///   std::span<const Named<Side>> enumerators(Side) noexcept;
+template <class Enum>
+concept HasNames = std::is_enum_v<Enum> && requires(Enum value) {
+  { enumerators(value) } -> std::same_as<std::span<const Named<Enum>>>;
 };
+
+/// The name of an enumerator in options and reports.
+template <HasNames Enum>
+[[nodiscard]] std::string_view name(Enum value) noexcept {
+  const auto rows = enumerators(value);
+  const auto row = std::ranges::find(rows, value, &Named<Enum>::first);
+  assert(row != rows.end() && "an enumerator without a name");
+  return row->second;
+}
+
+/// The enumerator of that name; empty where there is none.
+template <HasNames Enum>
+[[nodiscard]] std::optional<Enum> parse(std::string_view name) noexcept {
+  const auto rows = enumerators(Enum{});
+  const auto row = std::ranges::find(rows, name, &Named<Enum>::second);
+  return row != rows.end() ? std::optional(row->first) : std::nullopt;
+}
+
+/// All names, in the order of the table.
+template <HasNames Enum>
+[[nodiscard]] std::vector<std::string_view> names() {
+  std::vector<std::string_view> list;
+  for (const auto& [value, name] : enumerators(Enum{})) {
+    list.push_back(name);
+  }
+  return list;
+}
 
 }  // namespace stillpoint

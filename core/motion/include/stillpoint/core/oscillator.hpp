@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
+#include <optional>
 
 namespace stillpoint {
 
@@ -11,15 +11,15 @@ namespace stillpoint {
 /// `delta` acts only at x = 0: each passage costs the kinetic energy v^2/2 = delta. `f` and
 /// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
 ///
-/// In the paper a mass at rest in the notch stays there under any load: no |W| exceeds f + `hold`,
-/// which is infinite. A notch with a finite hold >= 0 lets the mass go when |W| does:
-/// docs/notches.md. It takes a load to see the difference, and delta > 0.
+/// In the paper a mass at rest in the notch stays there under any load, and `hold` is empty. A
+/// notch with a hold >= 0 lets the mass go when |W| exceeds f + hold: docs/notches.md. It takes a
+/// load to see the difference, and delta > 0.
 template <class Real>
 struct BasicOscillator {
   Real p{1};
   Real f{0};
   Real delta{0};
-  Real hold{std::numeric_limits<Real>::infinity()};
+  std::optional<Real> hold{};
 };
 using Oscillator = BasicOscillator<double>;
 
@@ -44,7 +44,7 @@ inline constexpr double largest_square = 1e300;
 
 /// Throws InputError, naming the field, unless
 ///   p in [1e-150, 1e150]; f is 0 or f / p in [1e-307, 1e150]; 0 <= delta <= 1e300; hold is
-///   infinite, 0, or hold / p in [1e-307, 1e150].
+///   empty, 0, or hold / p in [1e-307, 1e150].
 void require_valid(const Oscillator& oscillator);
 
 /// Throws InputError, naming the field, unless the oscillator is valid, v0 and p * x0 are 0 or have

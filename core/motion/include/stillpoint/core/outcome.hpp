@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <string_view>
+#include <stillpoint/core/names.hpp>
+
+#include <span>
 
 namespace stillpoint {
 
@@ -16,10 +17,7 @@ enum class Outcome {
   stopped_in_notch,      ///< rests at 0 < |x| <= w/2 in a notch of width w (surface.hpp)
 };
 
-/// The name in reports: the enumerator's own.
-[[nodiscard]] std::string_view name(Outcome outcome) noexcept;
-
-/// The enumerator of that name; empty where there is none.
-[[nodiscard]] std::optional<Outcome> parse_outcome(std::string_view name) noexcept;
+/// Their names are their own.
+[[nodiscard]] std::span<const Named<Outcome>> enumerators(Outcome) noexcept;
 
 }  // namespace stillpoint

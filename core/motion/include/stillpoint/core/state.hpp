@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-#include <string_view>
+#include <stillpoint/core/names.hpp>
+
+#include <span>
 
 namespace stillpoint {
 
@@ -27,11 +28,8 @@ enum class EventKind {
   end,             ///< the end of the run, if the motion goes on
 };
 
-/// The name in output: the enumerator's own.
-[[nodiscard]] std::string_view name(EventKind kind) noexcept;
-
-/// The enumerator of that name; empty where there is none.
-[[nodiscard]] std::optional<EventKind> parse_event_kind(std::string_view name) noexcept;
+/// Their names are their own.
+[[nodiscard]] std::span<const Named<EventKind>> enumerators(EventKind) noexcept;
 
 struct Event {
   EventKind kind{EventKind::start};

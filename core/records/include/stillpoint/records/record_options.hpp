@@ -4,6 +4,7 @@
 // How the file of a record is read, and what is read.
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
 #include <algorithm>
@@ -19,10 +20,8 @@ namespace stillpoint::records {
 enum class RecordUnits { g, m_per_s2, cm_per_s2 };
 
 /// "g", "m/s2" or "cm/s2".
-[[nodiscard]] std::string_view name(RecordUnits units) noexcept;
-/// Empty for any other name.
-[[nodiscard]] std::optional<RecordUnits> parse_record_units(std::string_view name) noexcept;
-[[nodiscard]] std::span<const std::string_view> record_unit_names();
+[[nodiscard]] std::span<const Named<RecordUnits>> enumerators(RecordUnits) noexcept;
+using stillpoint::name;
 
 /// The unit of the times in a file, and which of them a motion can follow, excitation.hpp. This is
 /// asked while the file is read, so that an error can name the line.

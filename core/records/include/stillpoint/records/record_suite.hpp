@@ -29,8 +29,7 @@ struct SuiteFiles {
 [[nodiscard]] std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& scale,
                                                   const RecordOptions& options);
 
-/// The files of a folder that may be records, by the ending of their names, in the order of their
-/// names; of anything else the path itself. Throws FileError for a folder without any.
-[[nodiscard]] std::vector<std::string> record_files(const std::string& path);
+/// The files of the folders of a suite that were taken for plain text.
+[[nodiscard]] std::vector<std::string> left_out_files(const SuiteFiles& files);
 
 }  // namespace stillpoint::records

@@ -4,7 +4,6 @@
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/design.hpp>
 
-#include <limits>
 #include <optional>
 
 namespace stillpoint::design {
@@ -12,7 +11,7 @@ namespace stillpoint::design {
 /// The notch that will be built, where it is not the paper's: docs/notches.md.
 struct NotchShape {
   std::optional<double> width{};
-  double hold{std::numeric_limits<double>::infinity()};  ///< of one without a width
+  std::optional<double> hold{};  ///< of one without a width
 };
 
 /// A design with that notch.

@@ -1,49 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/cross_check.hpp>
-#include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/design_result.hpp>
 #include <stillpoint/design/region.hpp>
-#include <stillpoint/design/search.hpp>
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace stillpoint::design {
-
-struct DesignRequest {
-  Problem problem;
-  Limits limits{};
-  SearchOptions search{};
-  std::optional<Pulse> pulse{};  ///< in place of problem.v0; see PulseRequest
-  PulseRanges pulse_ranges{};
-};
-
-/// The design found for an admissible region.
-struct Finding {
-  DesignPoint point;
-  /// The one at which it stops the mass (of ranges: after the strongest hit); empty for a rest off
-  /// centre, within the residual.
-  std::optional<std::int64_t> arrival{};
-  std::vector<Constraint> constraints;
-  Response response;  ///< by the half-cycle map, or under the pulse
-  SearchRecord search;
-  CrossCheck cross_check;
-  /// Empty for a pulse.
-  std::optional<WorksFor> works_for;
-  std::optional<Practice> practice;  ///< of `response`
-  std::optional<PulseCheck> pulse;   ///< if a pulse moves the mass
-};
-
-/// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the
-/// region is empty.
-struct DesignResult : RegionVerdict {
-  DesignRequest request;
-  std::optional<Finding> finding{};
-};
 
 /// The largest R of f and delta at once, whatever the shape of the box.
 [[nodiscard]] double even_tolerance(const Problem& problem, const Limits& limits,
@@ -59,18 +22,13 @@ struct DesignResult : RegionVerdict {
 /// a failed check are results.
 [[nodiscard]] DesignResult design(const DesignRequest& request);
 
-struct PulseRequest {
-  PulseProblem problem;
-  Limits limits{};
-  SearchOptions search{};
-};
 /// That of a request with a pulse. Throws InputError for what a pulse does not take.
 [[nodiscard]] PulseRequest pulse_request(const DesignRequest& request);
 [[nodiscard]] PulseRequest pulse_request(const RegionRequest& request);
 
 /// The answer for a mass that a pulse moves from rest. The region is that of the forced motion
 /// itself: docs/theory.md section 8. In it f2 and f3 are the ends of the f that stay within beta
-/// and return, beta_min is the least beta without limits, delta2 is infinite, since a mass that
+/// and return, beta_min is the least beta without limits, delta2 is empty, since a mass that
 /// leaves from rest pays nothing at the start. The finding's `response` is the forced one, and its
 /// `pulse` says how far the reduction to a velocity is off; the request's v0 is that velocity, or 0
 /// where there is none. The mends name k and lambda instead of v0. Throws InputError for wrong

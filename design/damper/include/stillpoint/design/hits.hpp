@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <optional>
-#include <string_view>
+#include <span>
 #include <vector>
 
 namespace stillpoint::design {
@@ -21,9 +22,8 @@ enum class HitEnd {
 };
 
 /// "held", "centred" and so on.
-[[nodiscard]] std::string_view name(HitEnd end) noexcept;
-/// The end of that name; empty where there is none.
-[[nodiscard]] std::optional<HitEnd> parse_hit_end(std::string_view name) noexcept;
+[[nodiscard]] std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept;
+using stillpoint::name;
 
 /// The V0 between two edges, all of which end alike. The edges themselves belong to `centred`, and
 /// else to the segment below for too_far and to the one above for held.

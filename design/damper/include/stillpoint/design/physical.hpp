@@ -81,8 +81,10 @@ struct PhysicalMend {
   bool upwards{false};
 };
 
-/// Empty for an input without a unit: f_max and the tolerance, and of a pulse k and lambda.
+/// Empty for an input without a unit: f_max, the tolerance and k. lambda is the duration of its
+/// pulse, where that is given.
 [[nodiscard]] std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical,
-                                                        const Mend& mend);
+                                                        const Mend& mend,
+                                                        const std::optional<Pulse>& pulse = {});
 
 }  // namespace stillpoint::design

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/names.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 
 namespace stillpoint::design {
 
@@ -76,9 +77,7 @@ struct Limits {
 void require_valid(const Problem& problem, const Limits& limits = {});
 
 /// "published" or "exact".
-[[nodiscard]] std::string_view name(Criterion criterion) noexcept;
-/// The criterion of that name; empty where there is none.
-[[nodiscard]] std::optional<Criterion> parse_criterion(std::string_view name) noexcept;
-[[nodiscard]] std::span<const std::string_view> criterion_names();
+[[nodiscard]] std::span<const Named<Criterion>> enumerators(Criterion) noexcept;
+using stillpoint::name;
 
 }  // namespace stillpoint::design

@@ -3,10 +3,12 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -73,9 +75,7 @@ enum class PulseWarning {
 };
 
 /// "pulse_not_short" and so on.
-[[nodiscard]] std::string_view name(PulseWarning warning) noexcept;
-/// The warning of that name; empty where there is none.
-[[nodiscard]] std::optional<PulseWarning> parse_pulse_warning(std::string_view name) noexcept;
+[[nodiscard]] std::span<const Named<PulseWarning>> enumerators(PulseWarning) noexcept;
 
 /// The largest of any pulse with any spring of the ranges: docs/theory.md section 15.
 struct PulseWorst {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/design/design_point.hpp>
 #include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search_options.hpp>
 
 #include <optional>
@@ -21,10 +20,6 @@ struct SearchResult {
 /// relative 1e-9 inside. Throws InputError. docs/theory.md section 8.
 [[nodiscard]] std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
                                                  const SearchOptions& options = {});
-
-/// The objective's value of a motion; empty for `robust`, which is none of a motion, and for the
-/// stop time of one that never stops.
-[[nodiscard]] std::optional<double> objective_of(Objective objective, const Response& motion);
 
 /// The objective's value of the best damper, found along f alone and without NLopt, to hold the
 /// search against: the largest tolerance, else the least peak, stop time or acceleration of the

@@ -3,28 +3,13 @@
 
 // What a search looks for, with which algorithm, and how it went.
 
-#include <optional>
-#include <span>
+#include <stillpoint/design/objective.hpp>
+
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stillpoint::design {
-
-/// What makes one admissible damper better than another. The last three optima lie on the edge of
-/// the region, so ask for a tolerance with them.
-enum class Objective {
-  robust,        ///< largest R with every f (1 +- R), Delta (1 +- R) admissible
-  amplitude,     ///< least peak displacement: the largest f
-  time,          ///< least stop time: the smallest f
-  acceleration,  ///< least acceleration of the free motion, transmitted and relative: smallest f
-};
-
-/// "robust", "amplitude", "time" or "acceleration".
-[[nodiscard]] std::string_view name(Objective objective) noexcept;
-/// The objective of that name; empty where there is none.
-[[nodiscard]] std::optional<Objective> parse_objective(std::string_view name) noexcept;
-/// All of them, `robust` first.
-[[nodiscard]] std::span<const std::string_view> objective_names();
 
 struct SearchOptions {
   Objective objective{Objective::robust};
@@ -46,7 +31,7 @@ struct SearchRecord {
 };
 
 /// The NLopt algorithms to choose from.
-[[nodiscard]] std::span<const std::string_view> algorithm_names();
+[[nodiscard]] std::vector<std::string_view> algorithm_names();
 
 /// The version of NLopt that runs, for example "2.7.1".
 [[nodiscard]] std::string nlopt_version();

@@ -6,7 +6,6 @@
 #include <stillpoint/design/record_design.hpp>
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +18,7 @@ struct SpectrumRequest {
   double f{0};
   double delta{0};
   std::optional<Combine> combine{};  ///< as of a RecordDesignRequest
-  double hold{std::numeric_limits<double>::infinity()};
+  std::optional<double> hold{};
   std::optional<double> notch_width{};  ///< not beside a finite hold
   int threads{0};                       ///< 0: all. No result depends on it
 };

@@ -33,7 +33,7 @@ class Ground {
   /// The square of the speed that a passage of a notch without a width takes.
   [[nodiscard]] double notch() const { return half_width_ < 0 ? 2 * oscillator_.delta : 0; }
   /// Whether that notch lets a mass go that it has stopped.
-  [[nodiscard]] bool lets_go() const { return notch() > 0 && std::isfinite(oscillator_.hold); }
+  [[nodiscard]] bool lets_go() const { return notch() > 0 && oscillator_.hold; }
 
   /// Friction just beyond |x| = `distance`.
   [[nodiscard]] double friction(double distance) const {
@@ -47,7 +47,7 @@ class Ground {
   }
   /// The load c that holds a mass at rest at x against a motion in the direction s.
   [[nodiscard]] double capacity(double s, double x) const {
-    return friction_towards(s, x) + (x == 0 && lets_go() ? oscillator_.hold : 0);
+    return friction_towards(s, x) + (x == 0 && lets_go() ? *oscillator_.hold : 0);
   }
 
   /// The y of the next event of the law; infinite where there is none.

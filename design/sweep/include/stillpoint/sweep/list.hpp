@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 #include <stillpoint/sweep/units.hpp>
 
@@ -19,9 +20,8 @@ class LineReader;
 
 enum class ListFormat { csv, jsonl };
 
-[[nodiscard]] std::string_view name(ListFormat format) noexcept;
-[[nodiscard]] std::optional<ListFormat> parse_list_format(std::string_view name) noexcept;
-[[nodiscard]] std::span<const std::string_view> list_format_names();
+[[nodiscard]] std::span<const Named<ListFormat>> enumerators(ListFormat) noexcept;
+using stillpoint::name;
 
 /// The entries of a list, one on each line: CSV with a header that names the columns, or JSON
 /// objects that all have the same keys. Blank lines are skipped. Columns are inputs of a sweep.

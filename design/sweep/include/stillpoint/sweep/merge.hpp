@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/sweep/files_apart.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <stop_token>
@@ -21,8 +23,8 @@ struct MergeWatch {
   std::function<void(const Merged&)> progress{};  ///< called now and then
 };
 
-/// Throws FileError if the output is one of the parts.
-void require_apart(const std::string& output, const std::vector<std::string>& parts);
+/// Throws FileError if what would be written is one of the parts.
+void require_apart(const NamedFile& written, const std::vector<std::string>& parts);
 
 /// Joins the parts of a sweep, in whatever order they are given, into the file that the sweep would
 /// have written in one. Throws records::FileError for a part that is not whole, of another sweep,

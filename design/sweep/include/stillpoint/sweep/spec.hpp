@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/names.hpp>
 #include <stillpoint/core/surface.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/design/problem.hpp>
@@ -29,14 +30,12 @@ enum class SweepKind {
   design,  ///< each entry is a design problem
 };
 
-[[nodiscard]] std::string_view name(SweepKind kind) noexcept;
-[[nodiscard]] std::optional<SweepKind> parse_sweep_kind(std::string_view name) noexcept;
+[[nodiscard]] std::span<const Named<SweepKind>> enumerators(SweepKind) noexcept;
+using stillpoint::name;
 
 enum class RowFormat { csv, npy };
 
-[[nodiscard]] std::string_view name(RowFormat format) noexcept;
-[[nodiscard]] std::optional<RowFormat> parse_row_format(std::string_view name) noexcept;
-[[nodiscard]] std::span<const std::string_view> row_format_names();
+[[nodiscard]] std::span<const Named<RowFormat>> enumerators(RowFormat) noexcept;
 
 /// What a sweep is to compute, and where its rows go. Without `units` everything is dimensionless.
 struct SweepSpec {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <stillpoint/design/constraints.hpp>
+
 #include "region/edges.hpp"
 #include "way/arrival.hpp"
 #include "way/way.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/admissible_region.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,11 +18,11 @@ namespace {
 
 struct Asked {
   const Problem& problem;
-  const Region& region;
+  const Edges& edge;
   double f;
 };
 
-/// One of the conditions of region.hpp.
+/// One of the conditions of constraints.hpp.
 struct Condition {
   std::string_view name;
   std::string_view variable;
@@ -29,10 +31,10 @@ struct Condition {
 };
 
 constexpr std::array<Condition, 5> conditions{{
-    {"dead_zone", "f", "<", [](const Asked& asked) { return asked.region.f1; }},
-    {"start", "delta", "<=", [](const Asked& asked) { return asked.region.delta2; }},
-    {"amplitude", "f", ">=", [](const Asked& asked) { return asked.region.f2; }},
-    {"return", "f", "<=", [](const Asked& asked) { return asked.region.f3; }},
+    {"dead_zone", "f", "<", [](const Asked& asked) { return asked.edge.f1; }},
+    {"start", "delta", "<=", [](const Asked& asked) { return asked.edge.delta2; }},
+    {"amplitude", "f", ">=", [](const Asked& asked) { return asked.edge.f2; }},
+    {"return", "f", "<=", [](const Asked& asked) { return asked.edge.f3; }},
     // Beyond f3, where the motion does not return, nothing bounds Delta.
     {"stop", "delta", ">",
      [](const Asked& asked) { return delta1(asked.problem, asked.f).value_or(0); }},
@@ -46,7 +48,7 @@ Constraint compared(std::string_view name, std::string_view variable, std::strin
   return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
 }
 
-/// `return` and `stop` of a later arrival, as region.hpp has them.
+/// `return` and `stop` of a later arrival, as constraints.hpp has them.
 void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
   const int n = deciding_arrival(problem, f, delta).n;
   if (n > 1) {
@@ -75,10 +77,10 @@ void compare_way(std::array<Constraint, 5>& list, const Problem& problem, double
 
 std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta) {
   require_valid(problem);
-  const Region region = region_edges(problem, {});
+  const Edges edge = edges(problem, {});
   require_within("f", f, 0, largest_square);
   require_within("delta", delta, 0, largest_square);
-  const Asked asked{problem, region, f};
+  const Asked asked{problem, edge, f};
   std::array<Constraint, 5> list;
   std::ranges::transform(conditions, list.begin(), [&](const Condition& condition) {
     return compared(condition.name, condition.variable, condition.relation,

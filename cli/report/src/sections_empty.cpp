@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// What a report says where no damper is admissible.
+#include "format.hpp"
+#include "sections.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace stillpoint::report {
+
+namespace {
+
+/// An input as it can be given, with the value that lets a damper in.
+struct ShownMend {
+  std::string name;
+  double value;
+  bool upwards;
+  std::string unit;  ///< that of the figures for lengths
+
+  /// "at least 168.8 mm", rounded to the safe side.
+  [[nodiscard]] std::string bound(int shown = every_digit) const {
+    return format("at {} {}{}{}", upwards ? "least" : "most", limit_digits(value, upwards, shown),
+                  unit.empty() ? "" : " ", unit);
+  }
+};
+
+ShownMend dimensionless(const design::Mend& mend) {
+  const bool load = mend.field.starts_with("k") || mend.field == "acceleration_max";
+  return {std::string(mend.field), mend.value, mend.upwards, load ? "g" : ""};
+}
+
+std::optional<ShownMend> with_units(const design::Mend& mend, const EmptyTask& task) {
+  const auto now = task.physical ? physical_mend(*task.physical, mend, task.pulse) : std::nullopt;
+  if (!now) {
+    return std::nullopt;
+  }
+  ShownMend shown{std::string(now->name), now->value, now->upwards, std::string(now->unit)};
+  if (shown.unit == "m") {
+    const FigureUnits units(task.physical);
+    shown.value *= units.length / task.physical->scales.length_m;
+    shown.unit = units.length_unit;
+  }
+  return shown;
+}
+
+/// "max_displacement must be at least 168.8 mm".
+std::string words_of(const design::Mend& mend, const EmptyTask& task) {
+  constexpr int in_a_title = 4;
+  const ShownMend shown = with_units(mend, task).value_or(dimensionless(mend));
+  return format("{} must be {}", shown.name, shown.bound(in_a_title));
+}
+
+/// Of several mends that of beta, which is the stroke.
+const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
+  const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
+  return of_beta == mends.end() ? mends.front() : *of_beta;
+}
+
+/// "0.9 to 1.1 times f and 0.95 to 1.05 times delta": that of each side, as it can be asked for.
+std::string least_box(const design::BoxShape& shape, double tolerance) {
+  const auto factors = [&](double low, double high) {
+    return format("{} to {}", limit_digits(1 - tolerance * low, true),
+                  limit_digits(1 + tolerance * high, false));
+  };
+  return format("{} times f and {} times delta", factors(shape.f_low, shape.f_high),
+                factors(shape.delta_low, shape.delta_high));
+}
+
+void add_mend(Section& section, const design::Mend& mend, const EmptyTask& task) {
+  const design::BoxShape& shape = task.limits.shape;
+  if (mend.field == "tolerance" && shape != design::BoxShape{}) {
+    section.row("tolerance", least_box(shape, mend.value));
+    return;
+  }
+  const ShownMend plain = dimensionless(mend);
+  if (const auto now = with_units(mend, task)) {
+    section.row(now->name, format("{}   ({} {})", now->bound(), plain.name, plain.bound()));
+  } else {
+    section.row(plain.name, plain.bound());
+  }
+}
+
+/// " No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.275, delta = 0.4."
+std::string most_tolerant_text(const design::DesignPoint& most, const design::Limits& limits,
+                               const Physical& physical) {
+  const auto percent = [](double tolerance, int shown) {
+    return format("{:.{}g} %", 100 * tolerance, shown);
+  };
+  const int shown = percent(most.tolerance, 4) == percent(limits.tolerance, 4) ? 10 : 4;
+  const bool even = limits.shape == design::BoxShape{};
+  return format(" No damper has {}; the largest is {}, at f = {:.6g}, delta = {}.",
+                even ? "a tolerance of " + percent(limits.tolerance, shown)
+                     : "a box of " + box_text(limits, limits.tolerance),
+                even ? percent(most.tolerance, shown) : box_text(limits, most.tolerance), most.f,
+                length_text(physical, most.delta));
+}
+
+}  // namespace
+
+void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task) {
+  const auto& [region, reason, mends, joint, most_tolerant, intervals] = empty;
+  document.verdict = format("No admissible design: {}.", reason);
+  if (most_tolerant) {
+    document.verdict += most_tolerant_text(*most_tolerant, task.limits, task.physical);
+  }
+  document.tone = Tone::bad;
+  Section& section = document.section("What would make it feasible");
+  if (joint) {
+    section.line(format(
+        "No single change makes it feasible: no damper has a tolerance above {}, whatever beta and "
+        "the limits are, and without a tolerance there is none either. Both of these changes "
+        "together make it feasible:",
+        limit_digits(joint->largest_tolerance, false)));
+  } else if (mends.empty()) {
+    section.line("No change of a single input makes it feasible.");
+  } else {
+    section.line(
+        "Changing any one of these makes it feasible; each value is the nearest that does:");
+  }
+  for (const design::Mend& mend : joint ? joint->mends : mends) {
+    add_mend(section, mend, task);
+  }
+}
+
+std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task) {
+  return empty.mends.empty() ? "No damper is admissible"
+                             : "No damper: " + words_of(named_mend(empty.mends), task);
+}
+
+std::string what_would_help(const design::RegionVerdict& empty, const EmptyTask& task) {
+  std::string all;
+  if (!empty.mends.empty()) {
+    all = words_of(named_mend(empty.mends), task);
+  } else if (empty.joint_mend) {
+    for (const design::Mend& mend : empty.joint_mend->mends) {
+      all += (all.empty() ? "" : " and ") + words_of(mend, task);
+    }
+  }
+  return all.empty() ? all : format(" To get one, {}.", all);
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
+
+namespace stillpoint {
+
+std::span<const Named<Outcome>> enumerators(Outcome) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<Outcome>>({{Outcome::stopped_at_zero, "stopped_at_zero"},
+                                     {Outcome::stopped_in_dead_zone, "stopped_in_dead_zone"},
+                                     {Outcome::stopped_in_notch, "stopped_in_notch"},
+                                     {Outcome::never_stops, "never_stops"},
+                                     {Outcome::caught_at_start, "caught_at_start"},
+                                     {Outcome::running, "running"}});
+  return rows;
+}
+
+std::span<const Named<EventKind>> enumerators(EventKind) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<EventKind>>({{EventKind::start, "start"},
+                                       {EventKind::arrival, "arrival"},
+                                       {EventKind::passage, "passage"},
+                                       {EventKind::turn, "turn"},
+                                       {EventKind::excitation_end, "excitation_end"},
+                                       {EventKind::stick, "stick"},
+                                       {EventKind::release, "release"},
+                                       {EventKind::rest, "rest"},
+                                       {EventKind::end, "end"}});
+  return rows;
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A forced motion that someone watches event by event and piece by piece. It is compiled once, for
+// any watcher: a call through a table costs nothing beside a piece, but another copy of the kernel
+// would.
+
+#include "kernel/exact_sum.hpp"
+#include "kernel/forced_state.hpp"
+#include "kernel/harmonic_piece.hpp"
+#include "kernel/linear_piece.hpp"
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/state.hpp>
+#include <stillpoint/core/surface.hpp>
+
+namespace stillpoint {
+
+/// Units and symbols as in kernel/forced_run.hpp.
+class MotionWatcher {
+ public:
+  static constexpr bool watches = true;
+
+  MotionWatcher() = default;
+  MotionWatcher(const MotionWatcher&) = delete;
+  MotionWatcher& operator=(const MotionWatcher&) = delete;
+  MotionWatcher(MotionWatcher&&) = delete;
+  MotionWatcher& operator=(MotionWatcher&&) = delete;
+  virtual ~MotionWatcher() = default;
+
+  virtual void event(EventKind kind, const ExactSum<double>& now, double u, double v) = 0;
+  /// What goes on from `begin` to the next event.
+  virtual void piece(const ExactSum<double>& begin, int direction,
+                     const HarmonicPiece<double>& piece) = 0;
+  virtual void piece(const ExactSum<double>& begin, int direction,
+                     const LinearPiece<double>& piece) = 0;
+};
+
+/// The state at tau = t_end, or where the motion ends before. The input must be valid.
+ForcedState<double> watched_motion(const Oscillator& oscillator, const Surface& surface,
+                                   const Start& start, const Excitation& excitation, double t_end,
+                                   MotionWatcher& watcher, Patience patience);
+
+}  // namespace stillpoint

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace stillpoint::design {
+
+/// An independent method for the same figures, and its distance from the prediction.
+struct CheckMethod {
+  std::string_view name;  ///< half_cycle_map or runge_kutta
+  double tolerance{0};    ///< for relative_error
+  double peak_amplitude{0};
+  double peak_acceleration{0};
+  double stop_time{0};
+  double arrival_speed{0};
+  double half_cycles{0};
+  double stop_position{0};
+  /// The largest of |stop_position| / peak_amplitude, the error of arrival_speed over v0, and the
+  /// relative errors of the other three.
+  double relative_error{0};
+  double wall_time_s{0};
+  /// False if the design is so close to a tie that the rounding of this method decides whether the
+  /// mass passes x = 0; then only the peak is judged, and relative_error is that of the peak.
+  bool decided{true};
+  /// relative_error <= tolerance and, if decided, the predicted half_cycles and a stop at x = 0.
+  bool passed{false};
+};
+
+}  // namespace stillpoint::design

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// One of the five conditions, all of them edges of the region in f or Delta.
+///
+/// | name      | condition        | value | limit  | the motion ...                              |
+/// |-----------|------------------|-------|--------|---------------------------------------------|
+/// | dead_zone | f < f1           | f     | f1     | has a dead zone narrower than beta          |
+/// | start     | Delta <= Delta2  | Delta | Delta2 | starts                                      |
+/// | amplitude | f >= f2          | f     | f2     | stays within beta                           |
+/// | return    | f <= f3          | f     | f3     | comes back to x = 0                         |
+/// | stop      | Delta > Delta1   | Delta | Delta1 | stops there                                 |
+///
+/// slack is the distance from value to limit, positive inside; the strict ones need slack > 0.
+///
+/// Of a damper that stops at a later arrival, `return` and `stop` compare V0 with the least one
+/// that reaches that arrival and the least that passes it, (47) of docs/theory.md.
+struct Constraint {
+  std::string_view name;
+  std::string_view variable;  ///< f or delta, of which `value` is; v0 of a later arrival
+  std::string_view relation;
+  double value{0};
+  double limit{0};
+  double slack{0};
+  bool satisfied{false};
+};
+
+/// In the order of the table. Throws InputError for a wrong problem and f or delta not in [0,
+/// 1e300].
+[[nodiscard]] std::array<Constraint, 5> constraints(const Problem& problem, double f, double delta);
+
+/// With one more row for each limit that is given: f_max, delta_max, and acceleration, which is
+/// f <= f4.
+[[nodiscard]] std::vector<Constraint> constraints(const Problem& problem, const Limits& limits,
+                                                  double f, double delta);
+
+}  // namespace stillpoint::design

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/design/cross_check.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/region_result.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace stillpoint::design {
+
+struct DesignRequest {
+  Problem problem;
+  Limits limits{};
+  SearchOptions search{};
+  std::optional<Pulse> pulse{};  ///< in place of problem.v0; see PulseRequest
+  PulseRanges pulse_ranges{};
+};
+
+/// The design found for an admissible region.
+struct Finding {
+  DesignPoint point;
+  /// The one at which it stops the mass (of ranges: after the strongest hit); empty for a rest off
+  /// centre, within the residual.
+  std::optional<std::int64_t> arrival{};
+  std::vector<Constraint> constraints;
+  Response response;  ///< by the half-cycle map, or under the pulse
+  SearchRecord search;
+  CrossCheck cross_check;
+  /// Empty for a pulse.
+  std::optional<WorksFor> works_for;
+  std::optional<Practice> practice;  ///< of `response`
+  std::optional<PulseCheck> pulse;   ///< if a pulse moves the mass
+};
+
+/// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the
+/// region is empty.
+struct DesignResult : RegionVerdict {
+  DesignRequest request;
+  std::optional<Finding> finding{};
+};
+
+struct PulseRequest {
+  PulseProblem problem;
+  Limits limits{};
+  SearchOptions search{};
+};
+
+}  // namespace stillpoint::design

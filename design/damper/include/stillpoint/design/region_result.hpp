@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/admissible_region.hpp>
+#include <stillpoint/design/constraints.hpp>
+#include <stillpoint/design/design_point.hpp>
+#include <stillpoint/design/mend.hpp>
+#include <stillpoint/design/practice.hpp>
+#include <stillpoint/design/pulse.hpp>
+#include <stillpoint/design/strips.hpp>
+#include <stillpoint/design/works_for.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// A region, and where it is empty: `reason` says why, `most_tolerant` how much tolerance there is,
+/// and `mends`, or else `joint_mend`, what would help.
+struct RegionVerdict {
+  Region region;
+  std::string reason{};
+  std::vector<Mend> mends{};
+  std::optional<JointMend> joint_mend{};
+  std::optional<DesignPoint> most_tolerant{};  ///< not of parts of a catalogue
+  /// Of admissible f, with a pulse: the region is then that of the forced motion itself.
+  std::optional<std::vector<FrictionInterval>> intervals{};
+};
+
+/// A region, and a damper to hold against it.
+struct RegionRequest {
+  Problem problem;
+  Limits limits{};
+  std::optional<double> f{};
+  std::optional<double> delta{};  ///< with f only
+  std::optional<Pulse> pulse{};   ///< in place of problem.v0
+  PulseRanges pulse_ranges{};
+};
+
+/// The region, and how the damper stands in it. Under a pulse, strips, arrival and works_for are
+/// empty; Delta1 is the least Delta, by either criterion, that stops the mass at its first return.
+struct RegionAnswer : RegionVerdict {
+  std::vector<Strip> strips{};
+  std::optional<double> delta1_published{};  ///< these two with f; of a pulse as delta1_exact
+  std::optional<double> delta1_exact{};      ///< empty also where the motion does not return
+  std::optional<bool> admissible{};          ///< this and what follows with f and delta
+  std::optional<double> tolerance{};         ///< the largest that the damper has
+  std::optional<std::int64_t> arrival{};     ///< of an admissible one, at which it stops
+  std::vector<Constraint> constraints{};
+  std::optional<WorksFor> works_for{};  ///< these two if the point itself is admissible
+  std::optional<Practice> practice{};
+};
+
+}  // namespace stillpoint::design

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/problem.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// The dampers that stop at one arrival, within the limits: docs/theory.md section 12.
+struct Strip {
+  std::int64_t arrival{1};
+  double beta_min{0};             ///< below it there is none, (49)
+  std::optional<double> f_lower;  ///< as in Region; empty if no box of the tolerance asked for fits
+  std::optional<double> f_upper;
+  double tolerance{0};  ///< the largest of any of them, whatever was asked for
+};
+
+/// The strips of the arrivals that are allowed, without those that are empty for any tolerance.
+/// Throws InputError.
+[[nodiscard]] std::vector<Strip> strips(const Problem& problem, const Limits& limits = {});
+
+/// The Delta with which a damper with that f stops the mass at the n-th arrival: the lower edge is
+/// excluded, the peak and the limits are not looked at. Good to a few roundings; empty where there
+/// is none. Throws InputError.
+struct DeltaRange {
+  double low;
+  double high;
+};
+[[nodiscard]] std::optional<DeltaRange> delta_range(const Problem& problem, std::int64_t arrival,
+                                                    double f);
+
+/// The arrival, of those that are allowed, at which the damper stops the mass at x = 0 by the
+/// problem's criterion; empty where it stops at none. The peak and the limits are not looked at.
+/// Throws as admissible() does.
+[[nodiscard]] std::optional<std::int64_t> arrival_of(const Problem& problem, double f,
+                                                     double delta);
+
+}  // namespace stillpoint::design

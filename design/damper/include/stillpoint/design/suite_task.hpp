@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/records/record_suite.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// What should be small: the transmitted acceleration, the largest displacement, the residual one.
+enum class SuiteObjective { acceleration, amplitude, residual };
+
+/// "acceleration", "amplitude" or "residual".
+[[nodiscard]] std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept;
+using stillpoint::name;
+
+/// What becomes of a figure that each record has.
+enum class Combine { max, mean };
+
+[[nodiscard]] std::span<const Named<Combine>> enumerators(Combine) noexcept;
+
+using records::SuiteRecord;
+
+/// The record times its scale.
+[[nodiscard]] Record scaled(const SuiteRecord& record);
+
+/// 0 <= low <= high; low = high fixes the variable.
+struct SearchRange {
+  double low{0};
+  double high{0};
+};
+
+/// Of the combined figures; empty: no limit.
+struct SuiteLimits {
+  std::optional<double> peak{};          ///< > 0
+  std::optional<double> acceleration{};  ///< transmitted, in g; > 0
+  std::optional<double> residual{};      ///< >= 0
+};
+
+struct RecordDesignRequest {
+  std::vector<SuiteRecord> records;
+  SearchRange p{1, 1};  ///< low > 0
+  /// Default: up to the largest load, beyond which nothing moves.
+  std::optional<SearchRange> f{};
+  /// Default: up to (p peak)^2/2 + peak times the largest load, with the largest p and the limit of
+  /// the peak, or without a limit the peak without a damper: the most that the spring and the load
+  /// can give on the way back from there. A notch that takes more stops every return as well.
+  std::optional<SearchRange> delta{};
+  std::optional<double> f_max{};  ///< what can be manufactured: the search ends there at the latest
+  std::optional<double> delta_max{};  ///< the same
+  SuiteObjective objective{SuiteObjective::acceleration};
+  std::optional<Combine> combine{};  ///< default: max below seven records, else mean
+  SuiteLimits limits{};
+  std::optional<double> hold{};         ///< as that of Oscillator
+  std::optional<double> notch_width{};  ///< not beside a hold
+  double tolerance{0.1};                ///< of f and delta, for the sensitivity; in [0, 1)
+  std::int64_t scan_points{10'000};     ///< about so many; in [1, 1e8]
+  int threads{0};                       ///< 0: all. No result depends on it
+};
+
+struct SuiteDamper {
+  double p{1};
+  double f{0};
+  double delta{0};
+};
+
+/// The figures of all records, combined.
+struct SuiteFigures {
+  double peak{0};          ///< largest |x|
+  double acceleration{0};  ///< largest transmitted one, in g
+  double residual{0};      ///< |x| at the final rest
+  double margin{1};        ///< the smallest decision margin of all motions
+  /// False: a motion never rests, or not within 10 000 half-cycles. Then the figures mean nothing.
+  bool settled{true};
+};
+
+/// The one of the figures that the objective is about.
+[[nodiscard]] double value_of(const SuiteFigures& figures, SuiteObjective which);
+
+/// A damper is passed over where a decision of a motion is closer than this to the other outcome:
+/// neither the check nor the world could tell which of the two it is.
+inline constexpr double least_suite_margin = 1e-6;
+
+/// Whether it rests, with that margin, and meets the limits.
+[[nodiscard]] bool admissible(const SuiteFigures& figures, const SuiteLimits& limits);
+
+/// All motions start from rest at x = 0.
+struct SuitePoint {
+  SuiteDamper damper;
+  SuiteFigures figures;
+};
+
+/// How far a search has come.
+struct RecordProgress {
+  std::int64_t evaluations{0};
+  std::int64_t expected{0};  ///< about so many at the end
+  std::optional<SuitePoint>
+      best{};  ///< so far; if none is admissible, what breaks the limits least
+};
+/// Called now and then, once at a time but by several threads; false ends the search.
+using RecordWatch = std::function<bool(const RecordProgress&)>;
+
+}  // namespace stillpoint::design

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stillpoint/design/design_point.hpp>
+#include <stillpoint/design/problem.hpp>
+
+#include <optional>
+
+namespace stillpoint::design {
+
+/// All five constraints and the limits, over the box of relative half-width `limits.tolerance`
+/// around (f, delta): its worst corner is (f (1 - tolerance), delta (1 - tolerance)) for the stop,
+/// because Delta1 falls with f.
+[[nodiscard]] bool admissible(const Problem& problem, const Limits& limits, double f, double delta);
+
+/// The largest tolerance for which the box around (f, delta) is admissible, for any
+/// `limits.tolerance`; empty if the point itself is not.
+[[nodiscard]] std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits,
+                                                      double f, double delta);
+
+/// Of the dampers that the task admits at tolerance 0 the one with the largest tolerance, where
+/// that is less than the one asked for, so that none has it; else empty, also where none has any.
+[[nodiscard]] std::optional<DesignPoint> most_tolerant(const Problem& problem,
+                                                       const Limits& limits);
+
+}  // namespace stillpoint::design

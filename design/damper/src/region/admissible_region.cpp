@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/design/admissible_region.hpp>
+
+#include "region/edges.hpp"
+#include "unit_problem.hpp"
+#include "way/extent.hpp"
+#include "wide.hpp"
+
+#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/oscillator.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+namespace {
+
+Region region_of(const Edges& edge, const Limits& limits) {
+  Region region;
+  region.f1 = edge.f1;
+  region.f2 = edge.f2;
+  region.f3 = edge.f3;
+  if (limits.acceleration_max) {
+    region.f4 = edge.f4;
+  }
+  region.delta2 = edge.delta2;
+  return region;
+}
+
+Conflict conflict_of(const Problem& problem, const Edges& edges, const Limits& limits) {
+  if (!amplitude_fits_return(edges, limits)) {
+    return Conflict::amplitude_against_return;
+  }
+  if (!amplitude_fits_f_max(edges, limits)) {
+    return Conflict::amplitude_against_f_max;
+  }
+  if (edges.f4 < 0) {
+    return Conflict::acceleration_alone;
+  }
+  if (!amplitude_fits_acceleration(edges, limits)) {
+    return Conflict::amplitude_against_acceleration;
+  }
+  if (problem.arrivals > 1) {
+    return Conflict::no_arrival;
+  }
+  if (!stop_fits(problem, edges, limits)) {
+    return limits.delta_max && *limits.delta_max == edges.delta_cap
+               ? Conflict::stop_against_delta_max
+               : Conflict::stop_against_start;
+  }
+  return Conflict::none;
+}
+
+/// Why no way has a point.
+Conflict conflict_of_ways(const Problem& problem, const Limits& limits, const Edges& edge) {
+  const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
+  const auto fits = [&, f_low = f_low, f_high = f_high](double cap) {
+    return lowest_centre(edge.f2, limits.tolerance * f_low) <=
+           highest_centre(cap, limits.tolerance * f_high);
+  };
+  if (!fits(largest_f(problem))) {
+    return Conflict::amplitude_against_return;
+  }
+  if (limits.f_max && !fits(*limits.f_max)) {
+    return Conflict::amplitude_against_f_max;
+  }
+  if (edge.f4 < 0) {
+    return Conflict::acceleration_alone;
+  }
+  return !std::isinf(edge.f4) && !fits(edge.f4) ? Conflict::amplitude_against_acceleration
+                                                : Conflict::no_arrival;
+}
+
+/// V0/(sqrt(2) p), (10), as the least double that leaves an f between the rounded edges.
+double least_beta(Problem problem) {
+  // f2 and f3 are each rounded inwards by an ulp at most and an ulp of beta moves f2 by three, so
+  // the least beta is within an ulp or two of the quotient. A start above it would miss the least
+  // one.
+  constexpr int ulps_below = 4;
+  problem.beta = static_cast<double>(problem.v0 / (root(Wide(2)) * problem.p));
+  for (int i = 0; i < ulps_below; ++i) {
+    problem.beta = std::nextafter(problem.beta, 0.0);
+  }
+  while (!amplitude_fits_return(edges(problem, {}), {})) {
+    problem.beta = std::nextafter(problem.beta, HUGE_VAL);
+  }
+  return problem.beta;
+}
+
+}  // namespace
+
+Region admissible_region(const Problem& problem, const Limits& limits) {
+  require_valid(problem, limits);
+  const bool plain = is_plain(problem, limits);
+  const Edges edge = edges(problem, limits);
+  Region region = region_of(edge, limits);
+  region.beta_min =
+      plain ? least_beta(problem)
+            : unit::peak(largest_f(problem) / problem.p / problem.v0) * problem.v0 / problem.p;
+  for_each_way(problem, limits, [&](const Way& way) {
+    if (const auto ends = feasible_f(way)) {
+      region.f_lower = std::min(ends->low, region.f_lower.value_or(HUGE_VAL));
+      region.f_upper = std::max(ends->high, region.f_upper.value_or(0));
+    }
+    return true;
+  });
+  region.feasible = region.f_lower.has_value();
+  if (!region.feasible) {
+    region.conflict =
+        plain ? conflict_of(problem, edge, limits) : conflict_of_ways(problem, limits, edge);
+  }
+  return region;
+}
+
+double delta1_published(const Problem& problem, double f) {
+  require_valid(problem);
+  require_within("f", f, 0, largest_square);
+  Problem published = problem;
+  published.criterion = Criterion::published;
+  return unchecked_delta1(published, f);
+}
+
+std::optional<double> delta1_exact(const Problem& problem, double f) {
+  require_valid(problem);
+  require_within("f", f, 0, largest_square);
+  if (f > edges(problem, {}).f3) {
+    return std::nullopt;
+  }
+  Problem exact = problem;
+  exact.criterion = Criterion::exact;
+  return unchecked_delta1(exact, f);
+}
+
+std::optional<double> delta1(const Problem& problem, double f) {
+  return problem.criterion == Criterion::published ? delta1_published(problem, f)
+                                                   : delta1_exact(problem, f);
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/design/admissible_region.hpp>
+
+#include "region/edges.hpp"
+#include "way/way.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// What no damper does.
+std::string no_way(const Problem& problem, const std::string& box) {
+  const bool ranges = problem.v0_low || problem.p_high;
+  return fmt::format(
+      "no damper {} within {} half-cycle{}{}{}",
+      problem.residual ? "brings the mass to rest within the residual" : "stops the mass at x = 0",
+      problem.arrivals, problem.arrivals > 1 ? "s" : "",
+      ranges ? ", for every hit and spring of the ranges" : "", box);
+}
+
+/// Two numbers with six digits, or with all if six do not distinguish them.
+std::pair<std::string, std::string> told_apart(double a, double b) {
+  std::pair six{fmt::format("{:.6g}", a), fmt::format("{:.6g}", b)};
+  return six.first != six.second ? six : std::pair{fmt::format("{}", a), fmt::format("{}", b)};
+}
+
+/// f2 is above `most`, which is `what`.
+std::string too_much_friction(const Region& region, double most, std::string_view rival,
+                              std::string_view what, const std::string& box) {
+  const auto [least, allowed] = told_apart(region.f2, most);
+  return fmt::format(
+      "amplitude and {} exclude each other: a peak within beta needs f >= f2 = {}, {} {}{}", rival,
+      least, what, allowed, box);
+}
+
+std::string acceleration_alone(const Problem& problem, const Limits& limits) {
+  const auto [least, most] = told_apart(problem.p * problem.v0, *limits.acceleration_max);
+  return fmt::format(
+      "even without friction the transmitted acceleration is p V0 = {} g, above the limit of {} g",
+      least, most);
+}
+
+/// Of one hit and one spring.
+std::string no_arrival(const Problem& problem, const Limits& limits, const std::string& box) {
+  const Edges edge = edges(problem, limits);
+  const double f = highest_centre(edge.f_cap, limits.tolerance) * (1 - limits.tolerance);
+  const double delta = highest_centre(edge.delta_cap, limits.tolerance) * (1 - limits.tolerance);
+  const auto last = static_cast<int>(problem.arrivals);
+  const double pass = way_speeds(Way(problem, {}, last), f, delta).pass;
+  const auto [least, most] = told_apart(problem.v0, pass);
+  return problem.v0 >= pass
+             ? fmt::format(
+                   "even with the largest friction allowed the mass passes x = 0 {} times: v0 = "
+                   "{}, it would have to be below {}{}",
+                   last, least, most, box)
+             : fmt::format(
+                   "no damper stops the mass at any of its first {} arrivals within the limits{}",
+                   last, box);
+}
+
+/// `rival` bounds Delta from above, by `what`.
+std::string too_fast(const Problem& problem, const Limits& limits, std::string_view rival,
+                     std::string_view what, const std::string& box) {
+  const Edges edge = edges(problem, limits);
+  const double f = highest_centre(edge.f_cap, limits.tolerance);
+  const auto [least, most] =
+      told_apart(delta1(problem, f * (1 - limits.tolerance)).value_or(0), edge.delta_cap);
+  return fmt::format(
+      "stop and {} exclude each other: even at the largest f, {:.6g}, stopping needs delta > {}, "
+      "{} {}{}",
+      rival, f, least, what, most, box);
+}
+
+}  // namespace
+
+std::string reason(const Region& region, const Problem& problem, const Limits& limits) {
+  const std::string box =
+      limits.tolerance > 0 ? fmt::format(", with a tolerance of {:g}", limits.tolerance) : "";
+  switch (region.conflict) {
+    case Conflict::none:
+      break;
+    case Conflict::amplitude_against_return:
+      return problem.residual
+                 ? too_much_friction(region, largest_f(problem), "return",
+                                     "coming to rest within the residual needs f <=", box)
+                 : too_much_friction(region, region.f3, "return",
+                                     "coming back to x = 0 needs f <= f3 =", box);
+    case Conflict::amplitude_against_f_max:
+      return too_much_friction(region, *limits.f_max, "f_max", "f_max is", box);
+    case Conflict::amplitude_against_acceleration:
+      return too_much_friction(
+          region, *region.f4, "acceleration",
+          fmt::format("a transmitted acceleration within {:.6g} g needs f <= f4 =",
+                      *limits.acceleration_max),
+          box);
+    case Conflict::acceleration_alone:
+      return acceleration_alone(problem, limits);
+    case Conflict::narrower_than_rounding:
+      return "what the constraints leave lies between neighbouring doubles: no damper is that "
+             "exact";
+    case Conflict::no_arrival:
+      return is_plain(problem, limits) ? no_arrival(problem, limits, box) : no_way(problem, box);
+    case Conflict::stop_against_start:
+      return too_fast(problem, limits, "start", "starting needs delta <= delta2 =", box);
+    case Conflict::stop_against_delta_max:
+      return too_fast(problem, limits, "delta_max", "delta_max is", box);
+  }
+  return {};
+}
+
+}  // namespace stillpoint::design

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "ranges_task.hpp"
+
+#include <stillpoint/design/design.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+BOOST_AUTO_TEST_SUITE(ranges_mends_test)
+
+// What would help where no damper serves the ranges or has the tolerance.
+
+namespace {
+
+using namespace stillpoint;
+using namespace stillpoint::design;
+using namespace stillpoint::design_test;
+using namespace stillpoint::design_test::in_ranges;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_tolerance_that_no_damper_has_is_said_with_the_largest) {
+  constexpr double more =
+      1e-7;  // relative, of the largest tolerance: its search, and that of a box
+  constexpr int points = 100;
+  int at_fault = 0;
+  int not_at_fault = 0;
+  for (int i = 0; i < 300; ++i) {
+    RandomSource random(1'207'000 + static_cast<std::uint64_t>(i));
+    Task task = random_task(random);
+    Problem& problem = task.problem;
+    Limits& limits = task.limits;
+    problem.beta *= 0.95;
+    limits.tolerance = random.uniform(0.05, 0.9);
+    const auto region_with = [&](double tolerance) {
+      return admissible_region(problem, with_tolerance(limits, tolerance)).feasible;
+    };
+    const auto most = most_tolerant(problem, limits);
+    BOOST_TEST_CONTEXT(context_of(task)) {
+      BOOST_TEST(most.has_value() == (!region_with(limits.tolerance) && region_with(0)));
+      if (!most) {
+        ++not_at_fault;
+        continue;
+      }
+      ++at_fault;
+      const auto& [f, delta, tolerance] = *most;
+      BOOST_TEST(tolerance < limits.tolerance);
+      BOOST_TEST(admissible(problem, with_tolerance(limits, tolerance), f, delta));
+      BOOST_TEST(!region_with(tolerance * (1 + more)));
+      for (int k = 0; k < points; ++k) {
+        const auto other = largest_tolerance(
+            problem, limits, problem.v0 * problem.p * random.log_uniform(0.003, 0.4),
+            problem.v0 * problem.v0 * random.uniform(0, 0.5));
+        BOOST_TEST(other.value_or(0) <= tolerance * (1 + more));
+      }
+    }
+  }
+  BOOST_TEST(at_fault > 100);
+  BOOST_TEST(not_at_fault > 50);
+  // As above, with one hit, and where amplitude and return leave (f3 - f2)/(f3 + f2).
+  const Problem wide = ranged(0.9, 1.1, 0.95, 1.05, 1);
+  const auto in_ranges = answer({wide, {.tolerance = 0.3}, {}, {}}).most_tolerant;
+  BOOST_REQUIRE(in_ranges.has_value());
+  BOOST_TEST(std::abs(100 * in_ranges->tolerance - 21.7164) < two_decimals);
+  const auto one_hit = design::design({{1, 1, 0.8}, {.tolerance = 0.3}, {}, {}}).most_tolerant;
+  BOOST_REQUIRE(one_hit.has_value());
+  const double f3 = 1 / std::sqrt(8.0);
+  BOOST_TEST(std::abs(one_hit->tolerance - (f3 - 0.225) / (f3 + 0.225)) < more);
+  BOOST_TEST(std::abs(one_hit->f - (f3 + 0.225) / 2) < more);
+}
+
+BOOST_AUTO_TEST_CASE(a_mend_is_the_nearest_that_helps) {
+  int mended = 0;
+  for (int i = 0; i < 60 && mended < 60; ++i) {
+    RandomSource random(1'205'000 + static_cast<std::uint64_t>(i));
+    Task task = random_task(random);
+    task.problem.beta *= 0.8;
+    const auto fits = [](const Task& now) {
+      return admissible_region(now.problem, now.limits).feasible;
+    };
+    for (const Mend& mend : mends(task.problem, task.limits)) {
+      constexpr double beyond = 1e-6;
+      const auto with = [&](double value) {
+        Task now = task;
+        Problem& problem = now.problem;
+        if (mend.field == "v0_low") {
+          problem.v0_low = value;
+        } else if (mend.field == "v0_high" || mend.field == "v0") {
+          problem.v0 = value;
+        } else if (mend.field == "p_low" || mend.field == "p") {
+          problem.p = value;
+        } else if (mend.field == "p_high") {
+          problem.p_high = value;
+        } else if (mend.field == "beta") {
+          problem.beta = value;
+        } else if (mend.field == "residual") {
+          problem.residual = value;
+        } else if (mend.field == "arrivals") {
+          problem.arrivals = static_cast<std::int64_t>(value);  // rounded down
+        } else if (mend.field == "f_max") {
+          now.limits.f_max = value;
+        } else if (mend.field == "delta_max") {
+          now.limits.delta_max = value;
+        } else if (mend.field == "acceleration_max") {
+          now.limits.acceleration_max = value;
+        } else {
+          now.limits.tolerance = value;
+        }
+        return now;
+      };
+      ++mended;
+      BOOST_TEST_CONTEXT(mend.field << " = " << mend.value << ", " << context_of(task)) {
+        BOOST_TEST(fits(with(mend.value)));
+        BOOST_TEST(!fits(with(mend.value * (mend.upwards ? 1 - beyond : 1 + beyond))));
+      }
+    }
+  }
+  BOOST_TEST(mended > 20);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
