@@ -158,7 +158,7 @@ FirstReturn WorstReturn::worst_of(const Case& one, double f) const {
 }
 
 FirstReturn WorstReturn::at(double f) const {
-  const auto known = std::ranges::find(recent_, f, &FirstReturn::f);
+  const auto* const known = std::ranges::find(recent_, f, &FirstReturn::f);
   if (known != recent_.end()) {
     return *known;
   }
