@@ -57,8 +57,8 @@ void vary_period(RecordDesignRequest& request, double shortest_s, double longest
 
 std::string notch_words(const RecordDesignRequest& request) {
   return request.notch_width ? fmt::format("{:.4g} mm wide", 1e3 * *request.notch_width / metre)
-         : !request.hold ? std::string("the paper's")
-                                    : fmt::format("holds {:.4g} g", *request.hold);
+         : !request.hold     ? std::string("the paper's")
+                             : fmt::format("holds {:.4g} g", *request.hold);
 }
 
 std::vector<NamedSuite> suites(const std::string& folder,

@@ -84,17 +84,6 @@ BOOST_AUTO_TEST_CASE(the_region_names_its_forbidden_sides_and_fills_the_toleranc
   BOOST_TEST(!drawn.inset);
 }
 
-/// A half sine of 0.2 g is less than f: without friction it would move by some tenths.
-BOOST_AUTO_TEST_CASE(a_motion_that_never_starts_is_drawn_on_the_scale_of_that_without_friction) {
-  SimulationRequest request;
-  request.oscillator = {.p = 1, .f = 0.3};
-  request.excitation = HalfSine{.k = 0.2, .lambda = 1};
-  const HtmlPage held = page(MotionReport{request, simulate(request)});
-  const figures::FigureAxis& y = figure(held, "motion").y;
-  BOOST_TEST(y.most > 0.1);
-  BOOST_TEST(y.most < 1);
-}
-
 /// A point near the edge f3 = 0.35355 leaves a tolerance of 0.0015 %.
 BOOST_AUTO_TEST_CASE(a_tolerance_too_small_to_see_is_enlarged) {
   BOOST_TEST(figure(region(0.9, 0.35355, 0.3), "region").inset.has_value());

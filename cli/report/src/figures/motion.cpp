@@ -81,13 +81,6 @@ figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUni
   constexpr double much = 1.4;
   constexpr double words = 0.08;  // room for the peak
   const double largest = std::max(most, -least);
-  if (largest == 0) {  // held throughout
-    for (const State& state : motion.frictionless) {
-      least = std::min(least, state.x);
-      most = std::max(most, state.x);
-    }
-    return axis_around(units.x_label, least * units.length, most * units.length);
-  }
   for (const State& state : motion.frictionless) {
     least = least < 0 ? std::min(least, std::max(state.x, -much * largest)) : 0;
     most = most > 0 ? std::max(most, std::min(state.x, much * largest)) : 0;
