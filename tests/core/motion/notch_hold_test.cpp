@@ -174,7 +174,8 @@ BOOST_AUTO_TEST_CASE(a_batch_takes_a_hold) {
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_hold_is_refused) {
-  for (const double hold : {-1.0, -infinite, infinite, std::numeric_limits<double>::quiet_NaN(), 1e200}) {
+  for (const double hold :
+       {-1.0, -infinite, infinite, std::numeric_limits<double>::quiet_NaN(), 1e200}) {
     BOOST_CHECK_THROW((void)run({1, 0, 1, hold}, {0, 0}, constant(1), 10), InputError);
   }
 }
