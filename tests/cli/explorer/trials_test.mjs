@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ten things that someone tries who opens the page for the first time.
 import assert from "node:assert/strict";
-import { mkdtempSync, openSync, closeSync, ftruncateSync, rmSync } from "node:fs";
+import { mkdtempSync, openSync, closeSync, ftruncateSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -57,7 +57,7 @@ test("an impossible stroke is explained, and what it needs is offered", () =>
     }
   }));
 
-test("a record of 100 MB is refused with the bound, and a small one is not", () =>
+test("a record of 100 MB is refused with the bound, and a small one that is dropped is not", () =>
   with_page(isolator, {}, async (page) => {
     const folder = mkdtempSync(join(tmpdir(), "explorer-"));
     try {
@@ -74,9 +74,18 @@ test("a record of 100 MB is refused with the bound, and a small one is not", () 
     } finally {
       rmSync(folder, { recursive: true });
     }
-    await page.setInputFiles(
-      "#record-file",
-      new URL("../../../data/records/near_fault_pulse.txt", import.meta.url).pathname,
+    const small = new URL("../../../data/records/near_fault_pulse.txt", import.meta.url).pathname;
+    await page.evaluate(
+      (text) => {
+        const dropped = new DataTransfer();
+        dropped.items.add(new File([text], "near_fault_pulse.txt"));
+        for (const kind of ["dragover", "drop"]) {
+          document.body.dispatchEvent(
+            new DragEvent(kind, { dataTransfer: dropped, bubbles: true, cancelable: true }),
+          );
+        }
+      },
+      readFileSync(small, "utf8"),
     );
     await page.waitForSelector("#record-locked");
     const shown = await page.getAttribute("#record-locked", "data-value");
@@ -93,10 +102,8 @@ test("a record of 100 MB is refused with the bound, and a small one is not", () 
         "--delta-m",
         String(delta),
       ],
-      ...[
-        "--record",
-        new URL("../../../data/records/near_fault_pulse.txt", import.meta.url).pathname,
-      ],
+      "--record",
+      small,
     ]);
     assert.equal(Number(shown), report.physical.locked_from_s);
     for (const [id, value] of [
