@@ -366,7 +366,7 @@ Document document(const DesignReport& report) {
     add_region(document, result.region, physical);
   }
   if (!result.finding) {
-    add_emptiness(document, result, {limits, pulse, physical});
+    add_emptiness(document, result, {problem, limits, pulse, physical});
     if (report.catalogue) {
       add_parts(document, *report.catalogue, {problem, limits, physical});
     }

@@ -57,7 +57,7 @@ HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits
                          {},
                          {}};
   if (!report.result.finding) {
-    const EmptyTask task{limits, pulse, report.physical};
+    const EmptyTask task{problem, limits, pulse, report.physical};
     drawn.mend = mend_title(report.result, task);
     page.verdict += what_would_help(report.result, task);
     page.figures = {pulse_region_figure(drawn, units)};
@@ -91,7 +91,7 @@ HtmlPage page(const DesignReport& report) {
     return pulse_page(std::move(page), report, units);
   }
   if (!report.result.finding) {
-    const EmptyTask task{limits, pulse, report.physical};
+    const EmptyTask task{problem, limits, pulse, report.physical};
     page.verdict += what_would_help(report.result, task);
     page.figures = {region_figure(
         {problem, limits, report.result.region, {}, mend_title(report.result, task)}, units)};
@@ -131,7 +131,7 @@ std::vector<Figure> drawings(const RegionReport& report) {
              answer.tolerance.value_or(0)};
   }
   const std::string mend =
-      answer.region.feasible ? "" : mend_title(answer, {limits, pulse, report.physical});
+      answer.region.feasible ? "" : mend_title(answer, {problem, limits, pulse, report.physical});
   std::vector<Figure> figures{
       pulse ? pulse_region_figure({design::pulse_request(report.request).problem, limits,
                                    answer.region, *answer.intervals, point, mend},
@@ -149,8 +149,8 @@ std::vector<Figure> drawings(const RegionReport& report) {
 HtmlPage page(const RegionReport& report) {
   HtmlPage page = page_of(document(report));
   if (!report.answer.region.feasible) {
-    page.verdict += what_would_help(report.answer,
-                                    {report.request.limits, report.request.pulse, report.physical});
+    const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
+    page.verdict += what_would_help(report.answer, {problem, limits, pulse, report.physical});
   }
   page.figures = drawings(report);
   return page;

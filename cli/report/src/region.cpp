@@ -117,7 +117,7 @@ Document document(const RegionReport& report) {
     document.verdict = feasible_f(answer);
     document.tone = Tone::good;
   } else {
-    add_emptiness(document, answer, {limits, pulse, report.physical});
+    add_emptiness(document, answer, {problem, limits, pulse, report.physical});
   }
   if (report.catalogue) {
     document.verdict += format(" {}.", how_many_fit(report.catalogue->parts));

@@ -68,6 +68,7 @@ struct Optimum {
 
 /// A task without an admissible damper.
 struct EmptyTask {
+  const design::Problem& problem;
   const design::Limits& limits;
   const std::optional<design::Pulse>& pulse;
   const Physical& physical;

@@ -97,13 +97,25 @@ std::string most_tolerant_text(const design::DesignPoint& most, const design::Li
                 length_text(physical, most.delta));
 }
 
+/// The reason in the units of the task. A pulse, or a catalogue that misses the region, has one
+/// without numbers that have a unit.
+std::string reason_in_units(const design::RegionVerdict& empty, const EmptyTask& task) {
+  if (!task.physical || task.pulse || empty.region.conflict == design::Conflict::none) {
+    return empty.reason;
+  }
+  const FigureUnits units(task.physical);
+  return design::reason(empty.region, task.problem, task.limits,
+                        {units.length, units.length_unit, units.velocity, units.velocity_unit});
+}
+
 }  // namespace
 
 void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task) {
-  const auto& [region, reason, mends, joint, most_tolerant, intervals] = empty;
-  document.verdict = format("No admissible design: {}.", reason);
-  if (most_tolerant) {
-    document.verdict += most_tolerant_text(*most_tolerant, task.limits, task.physical);
+  const auto& mends = empty.mends;
+  const auto& joint = empty.joint_mend;
+  document.verdict = format("No admissible design: {}.", reason_in_units(empty, task));
+  if (empty.most_tolerant) {
+    document.verdict += most_tolerant_text(*empty.most_tolerant, task.limits, task.physical);
   }
   document.tone = Tone::bad;
   Section& section = document.section("What would make it feasible");

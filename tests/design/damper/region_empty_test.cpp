@@ -143,6 +143,14 @@ BOOST_AUTO_TEST_CASE(stop_against_delta_max_is_explained) {
   BOOST_TEST(admissible_region(exact, {std::nullopt, 0.06, 0}).feasible);
 }
 
+BOOST_AUTO_TEST_CASE(a_reason_is_in_the_units_that_are_asked_for) {
+  const Problem problem{1, 1, 1.1};
+  const Limits limits{std::nullopt, 0.06, 0};
+  const std::string text =
+      reason(admissible_region(problem, limits), problem, limits, {1000, "mm", 2, "m/s"});
+  BOOST_TEST(text.find("delta > 62.5 mm, delta_max is 60 mm") != std::string::npos, text);
+}
+
 BOOST_AUTO_TEST_CASE(a_region_narrower_than_rounding_is_explained) {
   Region region;
   region.conflict = Conflict::narrower_than_rounding;

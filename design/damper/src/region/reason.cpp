@@ -23,9 +23,12 @@ std::string no_way(const Problem& problem, const std::string& box) {
 }
 
 /// Two numbers with six digits, or with all if six do not distinguish them.
-std::pair<std::string, std::string> told_apart(double a, double b) {
-  std::pair six{fmt::format("{:.6g}", a), fmt::format("{:.6g}", b)};
-  return six.first != six.second ? six : std::pair{fmt::format("{}", a), fmt::format("{}", b)};
+std::pair<std::string, std::string> told_apart(double a, double b, const std::string& unit = {}) {
+  const std::string behind = unit.empty() ? "" : " " + unit;
+  std::pair six{fmt::format("{:.6g}{}", a, behind), fmt::format("{:.6g}{}", b, behind)};
+  return six.first != six.second
+             ? six
+             : std::pair{fmt::format("{}{}", a, behind), fmt::format("{}{}", b, behind)};
 }
 
 /// f2 is above `most`, which is `what`.
@@ -45,13 +48,15 @@ std::string acceleration_alone(const Problem& problem, const Limits& limits) {
 }
 
 /// Of one hit and one spring.
-std::string no_arrival(const Problem& problem, const Limits& limits, const std::string& box) {
+std::string no_arrival(const Problem& problem, const Limits& limits, const ReasonUnits& units,
+                       const std::string& box) {
   const Edges edge = edges(problem, limits);
   const double f = highest_centre(edge.f_cap, limits.tolerance) * (1 - limits.tolerance);
   const double delta = highest_centre(edge.delta_cap, limits.tolerance) * (1 - limits.tolerance);
   const auto last = static_cast<int>(problem.arrivals);
   const double pass = way_speeds(Way(problem, {}, last), f, delta).pass;
-  const auto [least, most] = told_apart(problem.v0, pass);
+  const auto [least, most] =
+      told_apart(problem.v0 * units.velocity, pass * units.velocity, units.velocity_unit);
   return problem.v0 >= pass
              ? fmt::format(
                    "even with the largest friction allowed the mass passes x = 0 {} times: v0 = "
@@ -63,12 +68,13 @@ std::string no_arrival(const Problem& problem, const Limits& limits, const std::
 }
 
 /// `rival` bounds Delta from above, by `what`.
-std::string too_fast(const Problem& problem, const Limits& limits, std::string_view rival,
-                     std::string_view what, const std::string& box) {
+std::string too_fast(const Problem& problem, const Limits& limits, const ReasonUnits& units,
+                     std::string_view rival, std::string_view what, const std::string& box) {
   const Edges edge = edges(problem, limits);
   const double f = highest_centre(edge.f_cap, limits.tolerance);
   const auto [least, most] =
-      told_apart(delta1(problem, f * (1 - limits.tolerance)).value_or(0), edge.delta_cap);
+      told_apart(delta1(problem, f * (1 - limits.tolerance)).value_or(0) * units.delta,
+                 edge.delta_cap * units.delta, units.delta_unit);
   return fmt::format(
       "stop and {} exclude each other: even at the largest f, {:.6g}, stopping needs delta > {}, "
       "{} {}{}",
@@ -77,7 +83,8 @@ std::string too_fast(const Problem& problem, const Limits& limits, std::string_v
 
 }  // namespace
 
-std::string reason(const Region& region, const Problem& problem, const Limits& limits) {
+std::string reason(const Region& region, const Problem& problem, const Limits& limits,
+                   const ReasonUnits& units) {
   const std::string box =
       limits.tolerance > 0 ? fmt::format(", with a tolerance of {:g}", limits.tolerance) : "";
   switch (region.conflict) {
@@ -103,11 +110,12 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
       return "what the constraints leave lies between neighbouring doubles: no damper is that "
              "exact";
     case Conflict::no_arrival:
-      return is_plain(problem, limits) ? no_arrival(problem, limits, box) : no_way(problem, box);
+      return is_plain(problem, limits) ? no_arrival(problem, limits, units, box)
+                                       : no_way(problem, box);
     case Conflict::stop_against_start:
-      return too_fast(problem, limits, "start", "starting needs delta <= delta2 =", box);
+      return too_fast(problem, limits, units, "start", "starting needs delta <= delta2 =", box);
     case Conflict::stop_against_delta_max:
-      return too_fast(problem, limits, "delta_max", "delta_max is", box);
+      return too_fast(problem, limits, units, "delta_max", "delta_max is", box);
   }
   return {};
 }

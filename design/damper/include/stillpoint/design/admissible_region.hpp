@@ -46,9 +46,17 @@ struct Region {
 /// strips, the other edges those of the first arrival. Throws InputError (problem.hpp).
 [[nodiscard]] Region admissible_region(const Problem& problem, const Limits& limits = {});
 
+/// What the deltas and velocities of a sentence are multiplied with, and the unit behind them.
+struct ReasonUnits {
+  double delta{1};
+  std::string delta_unit{};
+  double velocity{1};
+  std::string velocity_unit{};
+};
+
 /// Why the region is empty, as a sentence with the numbers; empty if it is not.
 [[nodiscard]] std::string reason(const Region& region, const Problem& problem,
-                                 const Limits& limits = {});
+                                 const Limits& limits = {}, const ReasonUnits& units = {});
 
 /// Delta1(f) of the paper, (26). Throws InputError unless f in [0, 1e300].
 [[nodiscard]] double delta1_published(const Problem& problem, double f);
