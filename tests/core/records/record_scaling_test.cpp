@@ -181,6 +181,7 @@ BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
   }
   const auto paths = [&](const auto& files) {
     std::vector<std::string> list;
+    list.reserve(files.size());
     for (const auto& [name, text] : files) {
       list.push_back(folder.path(name));
     }
