@@ -5,6 +5,7 @@
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/design/design.hpp>
 
 #include <algorithm>
 
