@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/region.hpp"
 #include "pulse_scan.hpp"
+#include "random_pulse.hpp"
 #include "random_source.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
@@ -34,17 +35,6 @@ constexpr double inset = 1e-8;
 constexpr double sampled = 0.01;
 /// A tolerance beyond this is not looked for.
 constexpr double widest = 0.995;
-
-Pulse pulse_of(int kind, double k, double lambda) {
-  switch (kind) {
-    case 0:
-      return HalfSine{k, lambda};
-    case 1:
-      return Rectangle{k, lambda};
-    default:
-      return FullSine{k, lambda};
-  }
-}
 
 struct Ends {
   double low{1};

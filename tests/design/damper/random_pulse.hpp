@@ -29,8 +29,8 @@ inline bool admissible(const design::PulseRequest& request, double f, double del
          motion.peak_absolute_acceleration <= limits.acceleration_max.value_or(HUGE_VAL);
 }
 
-inline design::Pulse random_pulse(RandomSource& random, double k, double lambda) {
-  switch (random.pick(3)) {
+inline design::Pulse pulse_of(int kind, double k, double lambda) {
+  switch (kind) {
     case 0:
       return HalfSine{k, lambda};
     case 1:
@@ -38,6 +38,10 @@ inline design::Pulse random_pulse(RandomSource& random, double k, double lambda)
     default:
       return FullSine{k, lambda};
   }
+}
+
+inline design::Pulse random_pulse(RandomSource& random, double k, double lambda) {
+  return pulse_of(random.pick(3), k, lambda);
 }
 
 inline design::PulseRequest random_request(RandomSource& random) {
