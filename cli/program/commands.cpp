@@ -32,7 +32,7 @@ Simulation free_simulation(SimulationRequest request) {
   } catch (const TooManyHalfCycles& excess) {
     const double minutes = excess.bound().value_or(0) / half_cycles_per_minute;
     if (minutes > 2 && excess.bound() <= limit) {
-      remark(fmt::format("up to {:.3g} half-cycles: this may take some {:.3g} minutes",
+      remark(fmt::format("up to {:.3g} half-cycles: this may take about {:.3g} minutes",
                          *excess.bound(), minutes));
     }
   }

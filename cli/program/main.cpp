@@ -43,7 +43,8 @@ void explore(const std::optional<std::string>& wanted, Output& output) {
   }
   const std::optional<std::string> page = report::explorer();
   if (!page) {
-    throw UsageError("explore: the page is not installed: ./dev explorer in the source makes it");
+    throw UsageError(
+        "explore: the page is not installed: ./dev explorer in the source directory makes it");
   }
   if (wanted == "path") {
     output.print(*page + "\n");
@@ -77,7 +78,7 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
   }
   if (settings.flag("quiet")) {
     if (settings.flag("verbose")) {
-      throw UsageError("quiet and verbose exclude each other: give one of them");
+      throw UsageError("quiet and verbose cannot be combined: give one of them");
     }
     hush();
   }

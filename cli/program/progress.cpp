@@ -93,7 +93,7 @@ void Progress::announce_minutes(double done) {
   announced_ = true;
   const double left_s = end_ > 0 ? seconds_left(done, seconds) : 0;
   if (left_s > long_s) {
-    fmt::print(stderr, "stillpoint: {}: some {:.0f} minutes to go\n", line_(done, seconds),
+    fmt::print(stderr, "stillpoint: {}: about {:.0f} minutes to go\n", line_(done, seconds),
                left_s / 60);
   }
 }

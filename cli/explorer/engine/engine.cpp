@@ -82,7 +82,8 @@ ordered_json said_by(Command command, const Settings& settings, const json& want
   switch (command) {
     case Command::design:
       if (settings.has("record") || settings.has("records-list")) {
-        throw UsageError("a design under records is for the program: stillpoint design --record");
+        throw UsageError(
+            "a design under records needs the installed program: stillpoint design --record");
       }
       return said_of(answers::answer(design_input(settings)), wanted);
     case Command::region:
@@ -90,7 +91,7 @@ ordered_json said_by(Command command, const Settings& settings, const json& want
     case Command::simulate:
       return said_of(motion_report(settings, always), wanted);
     default:
-      throw UsageError(fmt::format("{} is for the program alone", name(command)));
+      throw UsageError(fmt::format("{} works only on the command line", name(command)));
   }
 }
 

@@ -88,7 +88,7 @@ const dimensionless_fields = [
   },
   {
     name: "v0",
-    label: "hit velocity V₀",
+    label: "velocity of the hit V₀",
     least: 0,
     most: 5,
     two: true,

@@ -91,7 +91,7 @@ class Fields {
         max: name === "arrivals" ? String(field.most - field.least) : String(slider_steps),
         "aria-label": two ? `${label}, ${end === "low" ? "weakest" : "strongest"}` : label,
       });
-      if (two && end === "low") slider.setAttribute("title", "pull it away for a range of hits");
+      if (two && end === "low") slider.setAttribute("title", "drag it away for a range of hits");
       slider.addEventListener("input", () => this.slid(field, end, false));
       slider.addEventListener("change", () => this.slid(field, end, true));
       slide.append(slider);

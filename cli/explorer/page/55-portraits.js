@@ -100,7 +100,7 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
     {
       ...portrait,
       title: "Where the energy goes",
-      name: "Energy over time: what is left, and what friction and notch took.",
+      name: "Energy over time: what is left, and what friction and the notch have taken.",
     },
   );
   const line = (/** @type {Float64Array} */ list) => plot.line(times, scaled(list));

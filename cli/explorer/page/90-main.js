@@ -166,7 +166,7 @@ class Bench {
     document.body.classList.remove("loading");
     document.body.classList.toggle("stale", message !== null);
     const unknown = this.unknown?.length
-      ? `The link holds what this page does not know: ${this.unknown.join(", ").slice(0, 200)}.`
+      ? `The link has keys that this page does not know: ${this.unknown.join(", ").slice(0, 200)}.`
       : "";
     const doubts = message === null ? this.doubts.map((text) => text.replace("--", "")) : [];
     const notice = [message ?? "", ...doubts, unknown]
@@ -182,7 +182,7 @@ class Bench {
       this.frames.put_off("preset", () => this.show_preset());
     }
     if (message !== null && !this.design) {
-      el("verdict").textContent = "Nothing is computed until that is mended.";
+      el("verdict").textContent = "Nothing is computed until that is corrected.";
       document.body.classList.add("nothing");
     }
     this.fields.blame(message);

@@ -139,7 +139,8 @@ answers::DesignTask design_input(const Settings& settings) {
   task.catalogue = catalogue(settings, given);
   task.trade_offs = settings.integer("trade-off");
   if (task.trade_offs && pulse) {
-    throw UsageError("trade-off and pulse exclude each other: the front is that of a velocity");
+    throw UsageError(
+        "trade-off and pulse cannot be combined: the front is for a hit given as a velocity");
   }
   return task;
 }

@@ -30,11 +30,11 @@ void refuse_others(const Settings& settings, const ExcitationKind* kind) {
     }
     if (kind == nullptr) {
       throw UsageError(
-          fmt::format("{} is for an excitation: give --excitation as well", option.name));
+          fmt::format("{} needs an excitation: give --excitation as well", option.name));
     }
     if (!option.shapes(kind->load)) {
       throw UsageError(
-          fmt::format("{} and excitation {} exclude each other", option.name, kind->name));
+          fmt::format("{} and excitation {} cannot be combined", option.name, kind->name));
     }
   }
 }
@@ -145,7 +145,7 @@ void require_no_pulse_options(const Settings& settings) {
   // A scene's excitation is for simulate, and these are its options.
   for (const Option& option : options()) {
     if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
-      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", option.name));
+      throw UsageError(fmt::format("{} needs a pulse: give --pulse as well", option.name));
     }
   }
 }

@@ -27,7 +27,7 @@ void require_no_rivals(const Settings& settings, Command command) {
     }
     const auto [first, alone] = given.emplace(rivals, option.name);
     if (!alone) {
-      throw UsageError(fmt::format("{} and {} exclude each other: give one of them", first->second,
+      throw UsageError(fmt::format("{} and {} cannot be combined: give one of them", first->second,
                                    option.name));
     }
   }
@@ -51,7 +51,7 @@ bool is_physical(const Settings& settings, Command command) {
   const Option* const physical = first_in(Units::physical, settings);
   if (plain != nullptr && physical != nullptr) {
     throw UsageError(
-        fmt::format("{} and {} exclude each other: give everything in metres and seconds, or "
+        fmt::format("{} and {} cannot be combined: give everything in metres and seconds, or "
                     "everything dimensionless",
                     plain->name, physical->name));
   }

@@ -68,7 +68,7 @@ bool designs_under_records(const Settings& settings) {
   const bool records = settings.has("record") || settings.has("records-list");
   for (const std::string_view hit : {"v0", "velocity", "pulse"}) {
     if (records && settings.has(hit)) {
-      throw UsageError(fmt::format("{} and records exclude each other: give one of them", hit));
+      throw UsageError(fmt::format("{} and records cannot be combined: give one of them", hit));
     }
   }
   return records;
@@ -78,10 +78,10 @@ void require_options_for(const Settings& settings, DesignFor design) {
   for (const Option& option : options()) {
     const DesignFor only = option.design_for();
     if (only != DesignFor::both && only != design && settings.has(option.name)) {
-      throw UsageError(design == DesignFor::records
-                           ? fmt::format("{} is not for a design under records", option.name)
-                           : fmt::format("{} is for a design under records: give --record as well",
-                                         option.name));
+      throw UsageError(
+          design == DesignFor::records
+              ? fmt::format("{} cannot be used in a design under records", option.name)
+              : fmt::format("{} needs a design under records: give --record as well", option.name));
     }
   }
 }
@@ -89,7 +89,7 @@ void require_options_for(const Settings& settings, DesignFor design) {
 report::RecordDesignInput record_design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::records);
   if (settings.flag("resume") && !settings.has("part")) {
-    throw UsageError("resume is for a part of a design: give --part as well");
+    throw UsageError("resume needs a part of a design: give --part as well");
   }
   const auto periods = search_range(settings, "search-period");
   const MotionInput start = suite_motion(settings, periods);
@@ -162,7 +162,7 @@ report::RecordDesignInput record_design_input(const Settings& settings,
   now.task = record_design_identity(settings, input.request);
   if (const std::string differs = difference(scan.label, now); !differs.empty()) {
     throw records::FileError({.kind = "part", .path = scan.label.path},
-                             "was made of other records, or by another version: " + differs);
+                             "was made from other records, or by another version: " + differs);
   }
   return input;
 }

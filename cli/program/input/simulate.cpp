@@ -35,7 +35,7 @@ void add_output(const Settings& settings, SimulationRequest& request) {
   if (trajectory) {
     request.samples = samples;
   } else if (settings.has("samples")) {
-    throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
+    throw UsageError("samples needs a trajectory: give --trajectory FILE as well");
   }
 }
 
@@ -44,7 +44,7 @@ std::optional<double> free_end(const Settings& settings, const Physical& physica
   const auto t_end = end_of_run(settings, physical);
   if (t_end && !settings.has("trajectory")) {
     throw UsageError(fmt::format(
-        "{} is for a trajectory or an excitation: give --trajectory FILE or --excitation as well",
+        "{} needs a trajectory or an excitation: give --trajectory FILE or --excitation as well",
         settings.has("end-time") ? "end-time" : "t-end"));
   }
   if (t_end) {

@@ -39,7 +39,7 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings,
     return std::make_shared<sweep::List>(*path, format, units);
   }
   if (format) {
-    throw UsageError("list-format is for a list: give --list FILE as well");
+    throw UsageError("list-format needs a list: give --list FILE as well");
   }
   return {};
 }
@@ -52,7 +52,7 @@ std::optional<sweep::ListExtent> extent_of_list(const Settings& settings, const 
   const std::string path = *settings.text("list");
   if (path == "-" || sweep::is_special_file(path)) {
     throw UsageError(
-        "part and a list on standard input exclude each other: the list is read twice");
+        "part and a list on standard input cannot be combined: the list is read twice");
   }
   sweep::List whole(path, spec.list->format(), spec.units);
   return read_to_end(whole);
@@ -118,7 +118,7 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   for (const Quantity other :
        {Quantity::f, Quantity::delta, Quantity::x0, Quantity::hold, Quantity::notch_width}) {
     if (given(settings, spec, other)) {
-      throw UsageError(fmt::format("{0} and {1} exclude each other: {0} asks for a design", beta,
+      throw UsageError(fmt::format("{0} and {1} cannot be combined: {0} asks for a design", beta,
                                    option_name(other, spec.units)));
     }
   }
@@ -132,12 +132,12 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
     for (const char* const other :
          {"excitation", "record", "friction-zones", "t-end", "end-time", "half-cycle-limit"}) {
       if (settings.has(other)) {
-        throw UsageError(fmt::format("{} and {} exclude each other", beta, other));
+        throw UsageError(fmt::format("{} and {} cannot be combined", beta, other));
       }
     }
     for (const char* const other : {"pulse", "catalogue", "objective"}) {
       if (settings.has("trade-off") && settings.has(other)) {
-        throw UsageError(fmt::format("trade-off and {} exclude each other in a sweep", other));
+        throw UsageError(fmt::format("trade-off and {} cannot be combined in a sweep", other));
       }
     }
     return;
@@ -146,12 +146,12 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
     const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate) &&
                             option.traits.role == Role::input;
     if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
-      throw UsageError(fmt::format("{} is for designs: give --{} as well", option.name, beta));
+      throw UsageError(fmt::format("{} needs a design: give --{} as well", option.name, beta));
     }
   }
   for (const char* const end : {"t-end", "end-time"}) {
     if (spec.kind == SweepKind::free && settings.has(end)) {
-      throw UsageError(fmt::format("{} is for an excitation: give --excitation as well", end));
+      throw UsageError(fmt::format("{} needs an excitation: give --excitation as well", end));
     }
   }
 }
@@ -233,7 +233,7 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
   const auto asked = settings.text("columns");
   const bool times = settings.flag("times");
   if (asked && times) {
-    throw UsageError("columns and times exclude each other: name stop_time among the columns");
+    throw UsageError("columns and times cannot be combined: name stop_time among the columns");
   }
   return asked ? sweep::parse_columns(*asked, spec.kind, spec.units)
                : sweep::default_columns(spec, times);
@@ -245,13 +245,13 @@ std::optional<sweep::AskedReduction> reduction(const Settings& settings, const S
     for (const char* const option : {"histogram", "best"}) {
       if (settings.has(option)) {
         throw UsageError(
-            fmt::format("{} is for a sweep without rows: give --reduce as well", option));
+            fmt::format("{} needs a sweep without rows: give --reduce as well", option));
       }
     }
     return std::nullopt;
   }
   if (settings.has("format")) {
-    throw UsageError("format and reduce exclude each other: the report is JSON");
+    throw UsageError("format and reduce cannot be combined: the report is JSON");
   }
   sweep::AskedReduction asked;
   for (const std::string& bins : settings.texts("histogram")) {

@@ -37,7 +37,7 @@ const std::array command_helps{
     command_row(Command::design, "design a damper that stops at x = 0 on the first return"),
     command_row(Command::region, "the admissible region of f and delta, without a search"),
     command_row(Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory"),
-    command_row(Command::spectrum, "one damper under records over the period, beside f alone"),
+    command_row(Command::spectrum, "one damper under records against the period, beside f alone"),
     command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
     command_row(Command::accuracy,
                 "time and error of each method on one motion, against 50 digits"),
@@ -48,7 +48,7 @@ const std::array command_helps{
 
 constexpr std::string_view about =
     "Designs friction dampers. A linear oscillator with constant friction f and point friction "
-    "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move further than "
+    "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move farther than "
     "beta.";
 
 /// What CLI11 collects for one subcommand; texts, which are converted once the command is known.

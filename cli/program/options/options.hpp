@@ -98,8 +98,9 @@ struct OptionTraits {
   FileUse file{FileUse::none};
   std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
   bool first_is_default{false};            ///< of the values
-  bool repeats{false};             ///< may be given several times; a file to what takes a suite
-  RangeEnd range{RangeEnd::none};  ///< LOW:HIGH is a value as well, of designs
+  bool repeats{
+      false};  ///< may be given several times; for a file, only by commands that take a suite
+  RangeEnd range{RangeEnd::none};  ///< for designs LOW:HIGH is a value as well
   DesignFor design{DesignFor::both};
   Load load{Load::none};
 };

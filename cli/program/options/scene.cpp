@@ -101,12 +101,12 @@ std::string joined_texts(const Option& option, const nlohmann::json& list) {
   std::string text;
   for (const nlohmann::json& entry : list) {
     if (!entry.is_string()) {
-      throw InputError(std::string(option.name), entry.dump(), "must be a text in quotes");
+      throw InputError(std::string(option.name), entry.dump(), "must be a string in quotes");
     }
     text += (text.empty() ? "" : "\n") + entry.get<std::string>();
   }
   if (text.empty()) {
-    throw InputError(std::string(option.name), list.dump(), "must have at least one text");
+    throw InputError(std::string(option.name), list.dump(), "must have at least one string");
   }
   return text;
 }
@@ -124,7 +124,7 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
         throw wrong_type(fmt::format(
             "a number{}{}",
             option.traits.dimension == Dimension::none ? ""
-                                                       : ", or a text of a number with its unit",
+                                                       : ", or a string with a number and its unit",
             option.takes_range_in(command) ? ", or a range [LOW, HIGH]" : ""));
       }
       return value.get<double>();
@@ -141,7 +141,7 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
         return joined_texts(option, value);
       }
       if (!value.is_string()) {
-        throw wrong_type("a text in quotes");
+        throw wrong_type("a string in quotes");
       }
       return value.get<std::string>();
     case OptionKind::flag:
@@ -161,7 +161,7 @@ void set_key(Settings& settings, const std::string& key, const nlohmann::json& v
   }
   if (settings.has(option->name)) {
     throw UsageError(
-        fmt::format("{} is set twice in the scene: a key can stand only once", shown(key)));
+        fmt::format("{} is set twice in the scene: a key may appear only once", shown(key)));
   }
   const bool is_range = value.is_array() || is_text_of(value, ':');
   if (option->takes_range_in(command) && option->kind_in(command) == OptionKind::number &&

@@ -79,7 +79,7 @@ void follow_pulse(Settings& scene) {
   }
   for (const std::string_view start : {"v0", "velocity"}) {
     if (scene.has(start)) {
-      throw UsageError(fmt::format("{} and pulse exclude each other: give one of them", start));
+      throw UsageError(fmt::format("{} and pulse cannot be combined: give one of them", start));
     }
   }
   scene.set(*find_option("excitation"), *scene.known("pulse"));

@@ -41,7 +41,7 @@ constexpr const char* peak_doc = R"(peak(f, delta, v0, p, *, threads=0)
 The largest |x| of the free motion from x = 0, dimensionless, in constant time.
 
 f, delta, v0, p  numbers or float64 arrays that broadcast together; arrays in C order are not copied
-threads          of an array; 0: as many as the machine runs at once
+threads          of an array; 0: one per hardware thread
 
 Returns a float, or an array of the common shape. Raises InputError, which names a wrong entry.)";
 
@@ -52,10 +52,10 @@ constexpr const char* motions_doc =
 The free motions from x = 0 of many dampers, dimensionless.
 
 f, delta, v0, p   numbers or float64 arrays that broadcast together; arrays in C order are not copied
-times             stop_time as well
+times stop_time as well
 acceleration      peak_absolute_acceleration as well
-half_cycle_limit  a motion that may have more half-cycles is refused
-threads           0: as many as the machine runs at once; no result depends on it
+half_cycle_limit  refuse a motion that may have more half-cycles
+threads           0: one per hardware thread; no result depends on it
 
 Returns Fields of arrays of the common shape: peak_amplitude, half_cycles, outcome (the index in
 stillpoint.outcomes, uint8), stop_position. Where a motion never stops, half_cycles and stop_time

@@ -99,8 +99,8 @@ that need all of them: what design finds in one run.
 
 parts  paths of all its files, in any order
 
-Raises InputError for a part that is missing, doubled, cut short or of another design, and where
-the records have changed.)");
+Raises InputError if a part is missing, double, cut short or of another design, or if the records
+have changed.)");
 }
 
 }  // namespace stillpoint::python

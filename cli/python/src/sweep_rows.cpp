@@ -184,13 +184,13 @@ void add_sweep(py::module_& module) {
   py::class_<Sweep, Result>(module, "Sweep",
                             "What sweep found: the fields of its report as attributes, and table.")
       .def_property_readonly("table", &Sweep::table,
-                             "a structured array with a field for each column; None where the rows "
+                             "a structured array with a field for each column; None if the rows "
                              "went to a file, and with reduce");
   module.def(
       "sweep", &run_sweep, py::arg("scene") = py::none(), py::pos_only(),
       documentation(Command::sweep,
                     "Many motions, or with beta many designs, over a grid or a list. An axis "
-                    "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
+                    "is a number, an array, or a string: \"first:last:count\", with \":log\", or "
                     "\"a,b,c\". The result has a table, a structured array with a field for each "
                     "column; outcome is an index in stillpoint.outcomes. With output the rows "
                     "go to that file instead. With reduce there are no rows, but counts, extremes, "

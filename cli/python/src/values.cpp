@@ -117,7 +117,7 @@ json to_json(const std::string& field, py::handle value) {
     return list(field, value);
   }
   throw InputError(field, py::repr(value).cast<std::string>(),
-                   "must be a number, a text or a list of them");
+                   "must be a number, a string or a list of them");
 }
 
 std::string to_path(const std::string& field, py::handle value) {

@@ -59,20 +59,18 @@ ordered_json method_json(const peers::MethodRow& now, bool used) {
 std::string_view reason(const SimulationRequest& request) {
   const auto& [p, f, delta, hold] = request.oscillator;
   if (!is_forced(request) && !request.surface.plain()) {
-    return "from edge to edge and turn to turn the motion is a closed form, and so are the "
-           "instants "
-           "between";
+    return "between edges and turns the motion is a closed form, and so are its times";
   }
   if (!is_forced(request)) {
     return f > 0 && delta > 0
                ? "the half-cycle map is exact from peak to peak, one square root each, and has no "
                  "step or tolerance to choose"
-               : "one friction alone ends in a closed form, an exact remainder, however many "
-                 "half-cycles it takes";
+               : "with only one friction the end is a closed form, an exact remainder, for any "
+                 "number of half-cycles";
   }
   return std::holds_alternative<Record>(request.excitation)
              ? "between samples the motion is a closed form with constant coefficients, and each "
-               "interval is proved to hold no event or searched for it"
+               "interval is proved to contain no event or searched for one"
              : "between events the motion is a closed form, and the first event is found by a "
                "bound that cannot step over it";
 }

@@ -50,7 +50,7 @@ std::string reduction_text(const design::PulseCheck& check) {
   if (!check.start) {
     return "not used: this pulse leaves no velocity";
   }
-  std::string text = format("not used; to a velocity, the peak would be {} this",
+  std::string text = format("not used; with a velocity in its place, the peak would be {} this",
                             off_by(check.peak_error.value_or(0)));
   for (const design::PulseWarning warning : check.warnings) {
     text += "; " + warning_text(warning, check);
@@ -92,7 +92,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     }
   }
   if (response.half_cycles == 0) {
-    section.line("This notch holds the mass all through the pulse.", Tone::bad);
+    section.line("This notch holds the mass throughout the pulse.", Tone::bad);
     return;
   }
   section.row("outcome", outcome_phrase(response.outcome));
@@ -107,7 +107,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
                                  *response.stop_time < *paper.stop_time ? "earlier" : "later"));
   }
   section.row("acceleration",
-              format("up to {:.4g} g is transmitted, {} ({:.4g} g with the paper's, outside of it)",
+              format("up to {:.4g} g is transmitted, {} ({:.4g} g outside the paper's notch)",
                      response.peak_absolute_acceleration,
                      shape.width ? "the notch included" : "outside the notch",
                      paper.peak_absolute_acceleration));
@@ -117,7 +117,7 @@ std::string judgement(const design::CheckMethod& method) {
   if (!method.passed) {
     return "disagrees";
   }
-  return method.decided ? "agrees" : "agrees in the peak; too near a tie to tell more";
+  return method.decided ? "agrees" : "agrees in the peak; too close to a tie to compare more";
 }
 
 /// In eight characters.
@@ -213,15 +213,13 @@ std::string felt(const design::Finding& finding, const Response& response,
 /// Of the ranges of a pulse; a range of k alone needs no samples.
 void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
                const Physical& physical) {
-  answer.row(
-      "ranges",
-      format(
-          "up to {}, {} and {} with any pulse and spring; the motion shown has the largest peak, "
-          "of lambda = {} and p = {:.6g}{}",
-          length_shown(physical, check.worst->peak), acceleration_shown(check.worst->acceleration),
-          time_shown(physical, check.worst->stop_time),
-          frequency_text(physical, design::angular_frequency(check.pulse)), check.p,
-          sampled ? "; lambda/p is sampled" : ""));
+  answer.row("ranges", format("up to {}, {} and {} with any pulse and spring in the ranges; the "
+                              "motion shown has the largest peak, at lambda = {} and p = {:.6g}{}",
+                              length_shown(physical, check.worst->peak),
+                              acceleration_shown(check.worst->acceleration),
+                              time_shown(physical, check.worst->stop_time),
+                              frequency_text(physical, design::angular_frequency(check.pulse)),
+                              check.p, sampled ? "; lambda/p is sampled" : ""));
 }
 
 /// What it does, and how far it can be trusted.
@@ -271,8 +269,8 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
     constexpr double beyond_use = 0.9;
     if (tolerance > beyond_use && !limits.delta_max) {
       answer.row("note",
-                 "nothing bounds delta, so that almost any tolerance is possible: --delta-max "
-                 "keeps the notch small");
+                 "nothing bounds delta, so almost any tolerance is possible: --delta-max keeps the "
+                 "notch small");
     }
   }
 }

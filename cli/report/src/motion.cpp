@@ -110,7 +110,7 @@ std::string verdict(const MotionReport& report) {
   }
   if (report.answer.forced && response.outcome == Outcome::stopped_at_zero &&
       response.peak_amplitude == 0) {
-    return "It never moves: friction holds it under the whole load.";
+    return "It never moves: friction holds it throughout the load.";
   }
   std::string text = format("It {}", outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {

@@ -35,7 +35,7 @@ std::string lock_words(const SpectrumReport& report) {
   return count == 0 ? ""
                     : format(
                           "at {} of {} periods the notch holds it to the end of a record, "
-                          "against up to {}",
+                          "and transmits up to {}",
                           count, points.size(), acceleration_shown(most));
 }
 

@@ -232,7 +232,7 @@ std::string text(const Document& document, const TextOptions& options) {
     text += "\n" + rendered.styled(Tone::heading, section.heading) + "\n" + rendered(section);
   }
   if (more) {
-    text += "\n" + rendered(Line{"--verbose says more.", Tone::faint});
+    text += "\n" + rendered(Line{"--verbose shows more.", Tone::faint});
   }
   return text;
 }

@@ -35,10 +35,11 @@ class ForcedTrajectory::Pieces {
 
   void add(const Piece& piece, double t_end) {
     if (static_cast<std::int64_t>(pieces_.size()) >= most_) {
-      throw InputError("t_end", t_end,
-                       fmt::format("the motion up to there has more than {} pieces, too many for a "
-                                   "trajectory",
-                                   most_));
+      throw InputError(
+          "t_end", t_end,
+          fmt::format("the motion up to that time has more than {} pieces, too many for a "
+                      "trajectory",
+                      most_));
     }
     pieces_.push_back(piece);
   }

@@ -79,7 +79,7 @@ void check_count(const Row& row, std::size_t expected, std::size_t first_line,
     reader.refuse(fmt::format("{} columns: must be time and value, or value alone", row.count));
   }
   if (row.count != expected) {
-    reader.refuse(fmt::format("{} column{}, but {} in line {}", row.count,
+    reader.refuse(fmt::format("{} column{}, but {} on line {}", row.count,
                               row.count == 1 ? "" : "s", expected, first_line));
   }
 }
@@ -125,11 +125,10 @@ class TimeColumn {
       return;
     }
     if (!(time > before_)) {
-      reader.refuse(
-          fmt::format("time {}: must be more than {}, the time before it", time, before_));
+      reader.refuse(fmt::format("time {}: must be more than the previous time, {}", time, before_));
     }
     if (!clock.tells_apart(before_, time)) {
-      reader.refuse(fmt::format("time {} {}: is too close to {}, the time before it", time,
+      reader.refuse(fmt::format("time {} {}: is too close to the previous time, {}", time,
                                 clock.unit, before_));
     }
   }
@@ -179,16 +178,16 @@ RecordFile read_columns(RecordReader& reader) {
     file.record.values.push_back(reader.parse_acceleration(row.columns[count - 1]));
   }
   if (file.record.values.empty()) {
-    reader.refuse("the file ends without a value");
+    reader.refuse("the file has no values");
   }
   if (count == most_columns) {
-    reader.refuse_step(first_line, "there are times beside the values");
+    reader.refuse_step(first_line, "the file gives a time with each value");
     times.move_to(file.record);
   } else if (options.step) {
     file.record.step = *options.step / options.clock.per_tau;
   } else {
     throw InputError::missing(
-        "record-step", fmt::format("record {}, line {}: values without times need the step in {}",
+        "record-step", fmt::format("record {}, line {}: values without times need their step in {}",
                                    reader.path(), first_line, options.clock.unit));
   }
   return file;

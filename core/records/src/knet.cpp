@@ -134,7 +134,7 @@ RecordFile read_knet(RecordReader& reader) {
     }
     value = *acceleration;
   }
-  const std::string description = fmt::format("{}; the mean of the counts, {:.6g}, is taken off",
+  const std::string description = fmt::format("{}; the mean of the counts, {:.6g}, is subtracted",
                                               single_spaced(header.description), mean);
   return {{std::move(values), step, {}},
           printable(description, longest_description),

@@ -85,7 +85,7 @@ double parse_number(std::string_view field, std::string_view text) {
   const ScannedNumber scanned = scan_number(text);
   if (scanned.fault == NumberFault::out_of_range) {
     throw InputError(std::string(field), std::string(text),
-                     "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+                     "must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");
   }
   if (scanned.fault != NumberFault::none) {
     throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a finite number");

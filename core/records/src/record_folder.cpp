@@ -82,7 +82,7 @@ std::vector<std::string> record_files(const std::string& path) {
   if (found.records.empty()) {
     throw FileError({"record", path},
                     found.plain_text.empty()
-                        ? fmt::format("this folder has no record: no name ends in {} {}",
+                        ? fmt::format("this folder has no record: no file name ends in {} {}",
                                       fmt::join(record_endings, " "), fmt::join(text_endings, " "))
                         : fmt::format("this folder has no record: {} begins with text",
                                       shortened(found.plain_text.front(), longest_path)));

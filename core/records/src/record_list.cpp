@@ -44,7 +44,7 @@ Column header_column(const FilePlace& place, std::string_view line) {
       return column;
     }
   }
-  throw FileError(place, "must be the header file,scale, file,peak or file,spectrum");
+  throw FileError(place, "must be a header: file,scale or file,peak or file,spectrum");
 }
 
 /// Throws InputError.

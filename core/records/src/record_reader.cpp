@@ -40,8 +40,8 @@ RecordReader::RecordReader(std::string_view text, const std::string& path,
   const auto* const found = std::ranges::find_if(rest_, is_binary);
   if (found != rest_.end()) {
     const auto line = 1 + std::count(rest_.begin(), found, '\n');
-    refuse(static_cast<std::size_t>(line),
-           fmt::format("is not text: it holds the byte 0x{:02X}", static_cast<unsigned>(*found)));
+    refuse(static_cast<std::size_t>(line), fmt::format("is not text: it contains the byte 0x{:02X}",
+                                                       static_cast<unsigned>(*found)));
   }
 }
 

@@ -28,7 +28,7 @@ std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTar
   for (ListedRecord& listed : read_record_list(*files.list)) {
     if (of_all.is_given() && listed.target.is_given()) {
       throw FileError({"records-list", *files.list},
-                      fmt::format("its targets and {} exclude each other",
+                      fmt::format("its targets and {} cannot be combined",
                                   of_all.peak ? "record-peak" : "record-spectrum"));
     }
     if (of_all.is_given()) {

@@ -48,7 +48,7 @@ std::vector<std::string_view> words_that_touch(std::string_view line) {
 }
 
 [[noreturn]] void refuse_too_many(const RecordReader& reader, const ValueBlock& block) {
-  reader.refuse(fmt::format("too many values: more than {} = {} in line {}", block.count_name,
+  reader.refuse(fmt::format("too many values: more than {} = {} on line {}", block.count_name,
                             block.count, block.count_line));
 }
 
@@ -132,7 +132,7 @@ std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
     }
   }
   if (values.size() < block.count) {
-    reader.refuse(fmt::format("too few values: the file ends after {}, but {} = {} in line {}",
+    reader.refuse(fmt::format("too few values: the file ends after {}, but {} = {} on line {}",
                               values.size(), block.count_name, block.count, block.count_line));
   }
   check_end(reader, block);

@@ -63,7 +63,7 @@ void require_valid(const Problem& problem, const Limits& limits) {
     require_within("shape", side, 0, 1);
   }
   if (!(std::max({f_low, f_high, delta_low, delta_high}) > 0)) {
-    throw InputError("tolerance", 0.0, "must be above 0 on one side of f or delta at least");
+    throw InputError("tolerance", 0.0, "must be above 0 on at least one side of f or delta");
   }
   if (limits.f_max) {
     require_within("f_max", *limits.f_max, smallest_limit, largest_square);

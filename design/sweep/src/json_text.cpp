@@ -82,7 +82,7 @@ class JsonCheck {
     if (!seen_.back().insert(key).second) {
       throw records::FileError(
           std::move(place),
-          fmt::format("{} is set twice: a key can stand only once", shown_key(key)));
+          fmt::format("{} is set twice: a key may appear only once", shown_key(key)));
     }
     if (seen_.size() == 1) {
       outer_ = key;
@@ -110,8 +110,8 @@ class JsonCheck {
     constexpr std::size_t deepest = 16;  // a scene has three
     seen_.emplace_back();
     if (seen_.size() > deepest) {
-      refuse({},
-             fmt::format("is nested deeper than {} levels, which no {} is", deepest, file_.kind));
+      refuse({}, fmt::format("is nested deeper than {} levels: no {} needs so many", deepest,
+                             file_.kind));
     }
     return true;
   }

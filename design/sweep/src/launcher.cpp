@@ -40,11 +40,12 @@ class Launchers {
 
   [[nodiscard]] SweepPart part() {
     if (words_.empty()) {
-      refuse(job_ ? fmt::format("GNU parallel says that this is job {}, but not of how many: give "
-                                "auto/N",
-                                *job_)
-                  : "no launcher says which part this is: start it with Slurm, mpirun or GNU "
-                    "parallel, or give I/N");
+      refuse(
+          job_ ? fmt::format(
+                     "GNU parallel says that this is job {}, but not of how many jobs: give auto/N",
+                     *job_)
+               : "no launcher says which part this is: start it with Slurm, mpirun or GNU "
+                 "parallel, or give I/N");
     }
     // One process alone says little: each task of an array is the only one of its step.
     std::stable_partition(words_.begin(), words_.end(),
@@ -109,7 +110,7 @@ class Launchers {
     const std::int64_t from_first = *task - value("SLURM_ARRAY_TASK_MIN").value_or(1);
     const std::int64_t step = std::max<std::int64_t>(value("SLURM_ARRAY_TASK_STEP").value_or(1), 1);
     if (from_first % step != 0) {
-      throw InputError(id, environment_(id), "is not at the array's step: give --part I/N");
+      throw InputError(id, environment_(id), "is not a step of the array: give --part I/N");
     }
     add("an array of Slurm", id, from_first / step + 1, *count);
   }

@@ -30,8 +30,8 @@ class RowHandler {
   explicit RowHandler(JsonRow& row) : row_(row) {}
 
   bool null() { return refuse_value("null"); }
-  bool boolean(bool /*value*/) { return refuse_value("a truth value"); }
-  bool string(std::string& /*value*/) { return refuse_value("a text"); }
+  bool boolean(bool /*value*/) { return refuse_value("a boolean"); }
+  bool string(std::string& /*value*/) { return refuse_value("a string"); }
   bool binary(json::binary_t& /*value*/) { return refuse_value("binary"); }
   bool start_array(std::size_t /*size*/) { return refuse_value("an array"); }
   static bool end_array() { return false; }

@@ -55,7 +55,7 @@ class ListSource : public SweepSource {
     if (digest && !stop_.stop_requested() && (next_ != entries || digest_.value() != digest)) {
       throw records::FileError(
           {.kind = "list", .path = list_->source()},
-          fmt::format("its first {} entries are not those that the interrupted sweep had read",
+          fmt::format("its first {} entries differ from those that the interrupted sweep read",
                       entries));
     }
   }

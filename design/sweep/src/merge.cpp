@@ -36,7 +36,7 @@ std::vector<Seal> read_seals(const std::vector<std::string>& paths) {
     order.add(seal.label);
     seal.label.task.clear();
     if (seal.npy_fields != seals.front().npy_fields) {
-      refuse_rows(seal, "has numbers in another order of bytes");
+      refuse_rows(seal, "has numbers in a different byte order");
     }
   }
   std::vector<Seal> ordered;

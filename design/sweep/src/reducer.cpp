@@ -176,7 +176,7 @@ AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns
     result.edges.push_back(edges[i]);
   }
   if (std::ranges::adjacent_find(result.edges, std::greater_equal()) != result.edges.end()) {
-    throw wrong(option, text, "must have rising edges");
+    throw wrong(option, text, "must have increasing edges");
   }
   return result;
 }

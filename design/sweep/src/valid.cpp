@@ -72,7 +72,7 @@ void require_one_hit(const SweepSpec& spec) {
   for (const Quantity other : others) {
     if (given(spec, other)) {
       throw InputError(option_name(other, spec.units), "an input",
-                       spec.pulse ? "must be left out with a pulse, which is the hit"
+                       spec.pulse ? "must be left out: the pulse is the hit"
                                   : "must be left out without a pulse");
     }
   }
@@ -106,10 +106,10 @@ void require_inputs(const SweepSpec& spec) {
     const auto other =
         swept.axis.has_ranges() ? other_end(swept.quantity) : std::optional<Quantity>();
     if (other && !contains(inputs(spec.kind), *other)) {
-      refuse("must be first:last:count or numbers: a range LOW:HIGH is for designs");
+      refuse("must be first:last:count or numbers: a range LOW:HIGH needs a design");
     }
     if (spec.list && (spec.list->has(swept.quantity) || (other && spec.list->has(*other)))) {
-      refuse("is a column of the list as well: give only one of them");
+      refuse("is also a column of the list: give only one of them");
     }
     if (spec.list && swept.axis.size() > 1 && swept.quantity != Quantity::trade_off) {
       refuse("must be one number beside a list");
@@ -136,7 +136,7 @@ void require_columns(const SweepSpec& spec) {
     }
     if (contains(inputs(spec.kind), column) && !given(spec, column)) {
       throw InputError("columns", std::string(name(column, spec.units)),
-                       "is an input that is not given");
+                       "is an input, but it is not given");
     }
   }
 }

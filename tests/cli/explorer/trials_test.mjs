@@ -42,7 +42,7 @@ test("a frequency in the field of the period is a frequency", () =>
 test("an impossible stroke is explained, and what it needs is offered", () =>
   with_page(isolator, {}, async (page) => {
     await type(page, "max-displacement", "50mm");
-    assert.match(await words(page, "#verdict"), /^No damper will do\. To stay within 50\smm/);
+    assert.match(await words(page, "#verdict"), /^No damper works\. To stay within 50\smm/);
     assert.deepEqual(Object.values(await numbers(page)), [null, null, null, null, null]);
     assert.equal(await page.inputValue("#set-delta"), "");
     const offers = await page.locator("#verdict button").all();

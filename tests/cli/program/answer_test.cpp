@@ -33,7 +33,7 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
     const bool table =
         spectrum || contains(text, "\nParts, best") || contains(text, "\nTrade-off of");
     BOOST_TEST(lines.size() <= lines_at_most + (table ? lines_of_a_table : 0), text);
-    BOOST_TEST(lines.back() == "  --verbose says more.");
+    BOOST_TEST(lines.back() == "  --verbose shows more.");
     for (const std::string& line : lines) {
       BOOST_TEST(line.size() <= columns, line);
     }

@@ -148,7 +148,7 @@ BOOST_FIXTURE_TEST_CASE(rest_under_a_load_ends_its_half_cycle_and_its_trajectory
 BOOST_FIXTURE_TEST_CASE(limit_of_half_cycles_refuses_a_longer_motion, Sandbox) {
   const Arguments scene = at_rest("--excitation harmonic --k 0.2 --lambda 1 --t-end 200");
   check_refused(*this, {joined(scene, "--half-cycle-limit 5"),
-                        {"half-cycle-limit", "more half-cycles than are allowed", "5 by tau"}});
+                        {"half-cycle-limit", "more half-cycles than allowed", "5 by tau"}});
   BOOST_TEST(report_of(*this, joined(scene, "--half-cycle-limit 100"))["response"]["half_cycles"]
                  .get<double>() > 5);
 }

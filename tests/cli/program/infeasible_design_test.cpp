@@ -46,8 +46,8 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
   const ProgramRun text = run(design(0.6));
   BOOST_TEST(text.exit_code == 3);
   BOOST_TEST(text.err.empty(), text.err);
-  check_contains(text.out, {"No admissible design", "amplitude and return exclude each other",
-                            "0.8485281374", "1.178511302", "0.7071067812"});
+  check_contains(text.out, {"No admissible design", "amplitude and return conflict", "0.8485281374",
+                            "1.178511302", "0.7071067812"});
 }
 
 // (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.

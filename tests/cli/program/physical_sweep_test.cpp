@@ -256,7 +256,7 @@ Arguments sweep(const Arguments& more) {
 }
 
 const std::vector<Wrong> wrongs{
-    {sweep("--p 1 --delta-m 0"), {"p and velocity", "exclude each other"}},
+    {sweep("--p 1 --delta-m 0"), {"p and velocity", "cannot be combined"}},
     {sweep("--period 1 --delta 0"), {"delta is dimensionless", "--delta-m"}},
     {"sweep --velocity 1 --period 1 --max-displacement 1 --delta-max 1",
      {"delta-max is dimensionless", "--delta-max-m"}},
@@ -280,7 +280,7 @@ const std::vector<Wrong> wrongs{
     {sweep("--delta-m 0"), {"period is missing"}},
     {sweep("--period 1 --delta-m 0 --columns stop_time"),
      {"columns = \"stop_time\"", "stop_time_s"}},
-    {sweep("--period 1 --max-displacement 1"), {"max-displacement and f exclude each other"}},
+    {sweep("--period 1 --max-displacement 1"), {"max-displacement and f cannot be combined"}},
 };
 
 }  // namespace

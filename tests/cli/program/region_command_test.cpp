@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
   BOOST_TEST(report["region"]["mends"].size() == 3U);
   const ProgramRun text = run(empty);
   BOOST_TEST(text.exit_code == 3);
-  BOOST_TEST(contains(text.out, "amplitude and return exclude each other"));
+  BOOST_TEST(contains(text.out, "amplitude and return conflict"));
 }
 
 BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {

@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(with_a_pulse_serves_region_and_sweep) {
   check_refusal(run("simulate bad.json --f 0.01 --delta 0"),
                 {"pulse = harmonic", "half-sine, full-sine or rectangle"});
   write("both.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "v0": 1})");
-  check_refusal(run("simulate both.json --f 0.01 --delta 0"), {"v0 and pulse exclude each other"});
+  check_refusal(run("simulate both.json --f 0.01 --delta 0"), {"v0 and pulse cannot be combined"});
 }
 
 BOOST_AUTO_TEST_CASE(takes_hyphens_and_underscores_alike) {

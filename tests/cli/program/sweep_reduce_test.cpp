@@ -235,9 +235,9 @@ BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
   };
   check("1-of-2.json", {"2/2", "is missing"});
   check("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
-  check("1-of-2.json torn.json", {"torn.json", "not a whole part"});
-  check("1-of-2.json changed.json", {"changed.json", "not a whole part"});
-  check("1-of-2.json whole.json", {"whole.json", "not a whole part"});
+  check("1-of-2.json torn.json", {"torn.json", "not a complete part"});
+  check("1-of-2.json changed.json", {"changed.json", "not a complete part"});
+  check("1-of-2.json whole.json", {"whole.json", "not a complete part"});
   check("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
 }
 
@@ -270,9 +270,9 @@ const Wrong wrong_reductions[] = {
     {joined(motions, "--reduce --best stop_time:0"), {"best", "stop_time:0", "1 to"}},
     {joined(motions, "--reduce --best stop_time"), {"best"}},
     {joined(motions, "--reduce --best stop_time:5:first"), {"best", "smallest"}},
-    {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "rising"}},
+    {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "increasing"}},
     {joined(motions, "--reduce --histogram stop_time:1"), {"histogram", "1 to"}},
-    {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "rising"}}};
+    {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "increasing"}}};
 
 }  // namespace
 

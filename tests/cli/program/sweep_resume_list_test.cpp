@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
   for (const std::string& wrong : {other, rows(10, "0.1,0.5")}) {
     const ProgramRun changed = resume(*this, wrong);
     BOOST_TEST(changed.exit_code == 2);
-    BOOST_TEST(contains(changed.err, "are not those"), changed.err);
+    BOOST_TEST(contains(changed.err, "differ from those"), changed.err);
     BOOST_TEST(contents() == before);
   }
 

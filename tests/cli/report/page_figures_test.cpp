@@ -412,7 +412,7 @@ BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
       "between the strips it leaves the mass off centre, below them it lets it pass more "
       "often.");
   BOOST_TEST(contains(caption({.v0 = 1.1, .p = 1, .beta = 2, .v0_low = 0.9}),
-                      "for every hit and spring of the ranges; outside"));
+                      "for every hit and spring in the ranges; outside"));
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -127,7 +127,7 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const std::vector<Fig
   if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
     figure.marks.back().name =
         format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
-    figure.caption = "The arrow points to the damper, which lies far outside of this figure.";
+    figure.caption = "The arrow points to the damper, which lies far outside this figure.";
   }
 }
 
@@ -146,14 +146,14 @@ std::string strips_caption(const Problem& problem) {
       problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "";
   if (problem.v0_low || problem.p_high) {
     return format(
-        "A damper in a strip {} at that arrival, for every hit and spring of the ranges{}; "
+        "A damper in a strip {} at that arrival, for every hit and spring in the ranges{}; "
         "outside, "
         "some of them end otherwise.",
         end, order);
   }
   return format("A damper in a strip {} at that arrival{}; {}.", end, order,
                 problem.residual
-                    ? "outside of the strips it rests too far off centre, or later"
+                    ? "outside the strips it rests too far off centre, or later"
                     : "between the strips it leaves the mass off centre, below them it "
                       "lets it pass more often");
 }

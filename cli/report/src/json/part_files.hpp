@@ -35,7 +35,7 @@ template <class Part>
   } catch (const std::exception&) {
     throw records::FileError(
         {.kind = "part", .path = path},
-        fmt::format("is not a whole part of {}: it was cut short or has changed", whole));
+        fmt::format("is not a complete part of {}: it was cut short or has changed", whole));
   }
 }
 

@@ -18,7 +18,8 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr double first_kutta_step = 1e-3;  // of 1 / p; the controller mends a poor choice at once
+constexpr double first_kutta_step =
+    1e-3;  // of 1 / p; the controller corrects a poor choice at once
 
 /// From rest at a turn or with a speed at x = 0, to the next of them.
 class Slides {

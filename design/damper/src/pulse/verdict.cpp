@@ -94,17 +94,17 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
     case Conflict::amplitude_against_return:
       if (amplitude.islands().empty()) {
         return fmt::format(
-            "amplitude and return exclude each other: coming back to x = 0 needs f <= {:.6g}, and "
-            "with that the peak is {:.6g} at least, beyond beta = {:.6g}",
+            "amplitude and return conflict: coming back to x = 0 needs f <= {:.6g}, and "
+            "then the peak is at least {:.6g}, beyond beta = {:.6g}",
             last.f * k, last.peak * region.length_unit(), problem.beta);
       }
       return fmt::format(
-          "amplitude and return exclude each other: a peak within beta needs f >= {:.6g}, coming "
+          "amplitude and return conflict: a peak within beta needs f >= {:.6g}, coming "
           "back to x = 0 needs f <= {:.6g}{}",
           amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
     case Conflict::amplitude_against_f_max:
       return fmt::format(
-          "amplitude and f_max exclude each other: a peak within beta needs f >= {:.6g}, f_max is "
+          "amplitude and f_max conflict: a peak within beta needs f >= {:.6g}, f_max is "
           "{:.6g}{}",
           amplitude.islands().front().low * k, *limits.f_max, box);
     case Conflict::acceleration_alone:
@@ -112,12 +112,12 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
                          *limits.acceleration_max, box);
     case Conflict::amplitude_against_acceleration:
       return fmt::format(
-          "amplitude and acceleration exclude each other: no f that returns keeps both the peak "
+          "amplitude and acceleration conflict: no f that returns keeps both the peak "
           "within beta and the transmitted acceleration within {:.6g} g{}",
           *limits.acceleration_max, box);
     default:
       return fmt::format(
-          "stop and delta_max exclude each other: no f that meets the other requirements arrives "
+          "stop and delta_max conflict: no f that meets the other requirements arrives "
           "slowly enough for delta <= {:.6g}{}",
           *limits.delta_max, box);
   }

@@ -45,7 +45,7 @@ void require_range(const char* field, const SearchRange& range, double low, doub
   require_within(field, range.high, low, high);
   if (range.high < range.low) {
     throw InputError(field, fmt::format("{}:{}", range.low, range.high),
-                     "must have the low end first");
+                     "must have its low end first");
   }
 }
 
@@ -75,7 +75,7 @@ void keep_below(std::optional<SearchRange>& range, const std::optional<double>& 
   range = range.value_or(SearchRange{0, *most});
   if (range->low > *most) {
     throw InputError(field, *most,
-                     fmt::format("must be at least {}, where its search begins", range->low));
+                     fmt::format("must be at least {}, where the search begins", range->low));
   }
   range->high = std::min(range->high, *most);
 }
@@ -217,7 +217,7 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   const auto evaluated = std::ssize(scan.figures);
   if (scanned != nullptr && evaluated != all) {
     throw InputError("scanned", fmt::format("{} dampers", evaluated),
-                     fmt::format("must be {}, as the scan has", all));
+                     fmt::format("must be {}, the number of the scan", all));
   }
   SuiteFigures unknown;
   unknown.settled = false;

@@ -53,7 +53,7 @@ const std::vector<Wrong> scenes{
     scene(R"({"v0": true, "p": 1, "beta": 1})", {"v0 = true", "a number"}),
     scene(R"({"v0": {"low": 1}, "p": 1, "beta": 1})", {"a number, or a range [LOW, HIGH]"}),
     scene(R"({"v0": [1], "p": 1, "beta": 1})", {"v0 = [1]", "a number"}),
-    scene("{" + good + R"(, "objective": 1})", {"objective = 1", "a text"}),
+    scene("{" + good + R"(, "objective": 1})", {"objective = 1", "a string"}),
     scene("{" + good + R"(, "json": "yes"})", {"json = \"yes\"", "true or false"}),
     scene("{" + good + R"(, "samples": 2.5})", {"samples = 2.5", "a whole number"}),
     scene(R"({"v0": NaN, "p": 1, "beta": 1})", {"v0", "not valid JSON"}),
@@ -64,7 +64,7 @@ const std::vector<Wrong> scenes{
     scene(R"({"v0": 1, "p": 1, "beta": 1e400})",
           {"line 1, column 27: beta = 1e400: must have a magnitude up to 1.8e308"}),
     scene(R"({"v0": 1, "p": 1, "beta": -1})", {"beta = -1", "from 1e-300"}),
-    scene("{" + good + R"(, "velocity": 1})", {"v0 and velocity", "exclude"}),
+    scene("{" + good + R"(, "velocity": 1})", {"v0 and velocity", "cannot be combined"}),
     scene(R"({"v0": 1, "p": 1})", {"beta is missing"}),
     // Where a value stands in its file: of a wrong type, out of range, within the excitation, one
     // end of a range, and one that makes another value wrong.
@@ -86,7 +86,7 @@ const std::vector<Wrong> scenes{
      {"samples = 18446744073709551615", "whole number"},
      R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "trajectory": "t.csv",
          "samples": 18446744073709551615})"},
-    {"design - --velocity 1", {"p and velocity", "exclude each other"}, "{" + good + "}"},
+    {"design - --velocity 1", {"p and velocity", "cannot be combined"}, "{" + good + "}"},
 };
 
 }  // namespace

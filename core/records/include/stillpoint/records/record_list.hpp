@@ -10,8 +10,9 @@ namespace stillpoint::records {
 
 /// A line of a list of records.
 struct ListedRecord {
-  std::string path;  ///< beside the list if it is there, else from where the program runs
-  double scale{1};   ///< not 0
+  std::string
+      path;         ///< in the list's folder if it is there, else relative to the working directory
+  double scale{1};  ///< not 0
   RecordTarget target{};
 };
 

@@ -94,8 +94,9 @@ struct PulseCheck {
   double shortness{0};              ///< p / lambda, the paper's eps for p = 1
   double friction_ratio{0};         ///< f / k
   ForcedResponse response;
-  std::optional<EquivalentStart> start;  ///< of the reduction; these three not for a full sine
-  std::optional<double> peak_error;      ///< of the reduced motion's peak, relative to the true one
+  std::optional<EquivalentStart>
+      start;                         ///< of the reduction; these three are empty for a full sine
+  std::optional<double> peak_error;  ///< of the reduced motion's peak, relative to the true one
   std::optional<double> stop_time_error;  ///< of start.tau + its stop time, likewise; empty also
                                           ///< where it does not stop at x = 0
   std::vector<PulseWarning> warnings;     ///< why it would be off

@@ -62,8 +62,9 @@ struct SweepSpec {
   Excitation excitation;                   ///< of forced motions, as is
   std::optional<double> t_end;             ///< required if the excitation never ends
 
-  design::Problem task;  ///< of design problems, less the inputs that are given; as are
-  std::optional<design::Pulse> pulse;  ///< in place of v0: one of its kind, less k and lambda
+  design::Problem task;  ///< of design problems, without the inputs that are given; so are
+  std::optional<design::Pulse>
+      pulse;  ///< in place of v0: a pulse of its kind, without k and lambda
   design::Limits limits;
   design::SearchOptions search;
   std::vector<design::Part> parts;  ///< if any, a design is the best of these
