@@ -80,7 +80,7 @@ std::vector<Part> thousand_parts() {
   return parts;
 }
 
-/// What the ranges and the residual make of a task.
+/// A task with ranges and a residual.
 struct Variation {
   std::string name;
   std::function<void(Problem&)> apply;
@@ -151,7 +151,7 @@ std::vector<Case> cases() {
                    [=](double beta) { (void)design::trade_off(problem(beta, arrivals), {}, 25); }});
   }
   for (const auto& row : pulses) {
-    const auto pulse = row.second;  // a lambda of C++20 in clang 14 does not capture a binding
+    const auto pulse = row.second;  // clang 14 lambdas do not capture structured bindings
     all.push_back({fmt::format("mends, {}", row.first), [=](double beta) {
                      // A tolerance of 90 % is more than any of them has.
                      (void)design::mends(design::PulseProblem{pulse, 1, most_of_free * beta},

@@ -51,7 +51,7 @@ std::vector<Record> eleven(const Record& record) {
   return list;
 }
 
-/// Of the dampers that are run one by one: under one record, to its end.
+/// For the dampers run one by one: under one record, to its end.
 peers::Scene scene(const Dampers& dampers, Eigen::Index i, const Record& record) {
   return {{dampers.p[i], dampers.f[i], dampers.delta[i]},
           {},

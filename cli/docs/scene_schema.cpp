@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A number, and in a text a number with its unit.
+/// A number, or a string with a number and its unit.
 ordered_json number_type(Dimension dimension) {
   if (dimension == Dimension::none) {
     return {{"type", "number"}};
@@ -72,7 +72,7 @@ ordered_json type_of(const Option& option) {
   return {};
 }
 
-/// "; may carry a unit: m, cm or mm"
+/// "; may have a unit: m, cm or mm"
 std::string units_text(const Option& option) {
   const std::string names = records::unit_names(option.traits.dimension);
   return names.empty() ? "" : "; in a string it may have a unit: " + names;

@@ -27,7 +27,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A scene may serve several commands; what this one does not use is said, not passed over.
+/// A scene may serve several commands; a note names the keys that this one does not use.
 void note_unused(const Settings& scene, const Settings& settings, Command command) {
   for (const auto& [option, entry] : scene.entries()) {
     if (!find_option(option)->serves(command) || !settings.has(option)) {
@@ -82,7 +82,7 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
     }
     hush();
   }
-  // What --open needs, before anything long is done: a browser, and a page for it.
+  // Checks what --open needs before anything long is done: a browser, and a page for it.
   const bool opens = settings.flag("open") && find_option("open")->serves(invocation.command);
   const std::vector<std::string> opener = opens ? report::browser() : std::vector<std::string>();
   std::optional<report::TemporaryPage> temporary;

@@ -30,7 +30,8 @@ void note_interrupt(int /*signal*/) {
   interrupt_seen = true;
 }
 
-/// What handled an interrupt before. One that comes once this one does is not forgotten.
+/// The previous handler of interrupts. An interrupt that comes after this one is installed is not
+/// lost.
 auto handle_interrupts() {
   interrupt_seen = false;
   return std::signal(SIGINT, note_interrupt);

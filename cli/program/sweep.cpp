@@ -23,7 +23,7 @@ using sweep::SweepEnd;
 using sweep::SweepSpec;
 using sweep::SweepSummary;
 
-/// What the user can do about an error, now that `left` is there.
+/// What the user can do about an error, given what is `left`.
 std::string advice(const std::exception& error, const sweep::LeftRows& left) {
   const auto* const file = dynamic_cast<const records::FileError*>(&error);
   if (file == nullptr || left.file.empty()) {

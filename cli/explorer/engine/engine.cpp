@@ -37,7 +37,7 @@ bool always() {
   return true;
 }
 
-/// A text is read as on the command line, anything else as in a scene.
+/// A string is read as on the command line, anything else as in a scene.
 Settings given(Command command, const json& options) {
   Settings texts;
   json scene = json::object();
@@ -77,7 +77,7 @@ ordered_json said_of(const Report& report, const json& wanted) {
           {"figures", drawn}};
 }
 
-/// Suites of records and sweeps are for the program alone.
+/// Suites of records and sweeps need the installed program.
 ordered_json said_by(Command command, const Settings& settings, const json& wanted) {
   switch (command) {
     case Command::design:
@@ -117,7 +117,7 @@ void motion(const json& options, int points) {
   }
 }
 
-/// As free_batch answers, without its lanes, which are a tenth of all code here.
+/// The results of free_batch, without its lanes, which would be a tenth of all code here.
 void batch(const json& options, std::size_t size, const double* columns) {
   const Settings settings = given(Command::simulate, options);
   const MotionInput input = motion_input(settings, Command::simulate, true);
@@ -135,7 +135,7 @@ void batch(const json& options, std::size_t size, const double* columns) {
   }
 }
 
-/// The text that `work` returns; what is wrong with the input as {"error": ...}.
+/// The text that `work` returns; wrong input as {"error": ...}.
 template <class Work>
 const char* answered(const Work& work) {
   try {

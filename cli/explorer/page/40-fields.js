@@ -15,7 +15,7 @@ class Fields {
   }
 
   /**
-   * Shows these options; the report, where there is one, says what they amount to.
+   * Shows these options; the report, if there is one, gives their values.
    * @param {Options} options
    * @param {any} report
    */
@@ -130,7 +130,7 @@ class Fields {
         const rest = without(options, [field.name, ...rivals(field.name)]);
         if (field.absent_at_least && place("low") === 0) return rest;
         if (!field.two) return { ...rest, [field.name]: one("low") };
-        // Two handles that lie together move together, unless the lower one is pulled down.
+        // Two handles at the same place move together, unless the lower one is dragged down.
         const was_range = (options[field.name] ?? "").includes(":");
         if (!was_range && end === "high") return { ...rest, [field.name]: one("high") };
         const low = Math.min(place("low"), place("high"));
@@ -184,7 +184,7 @@ class Fields {
     );
   }
 
-  /** Of a field that no report gives back: in metres, or as it stands. @param {string | undefined} text */
+  /** For a field that no report returns: in metres, or as given. @param {string | undefined} text */
   number_of(text = "") {
     const value = parseFloat(text);
     if (Number.isNaN(value)) return null;

@@ -3,7 +3,7 @@
 "use strict";
 
 /**
- * What is said where a condition is violated: what goes wrong, and the bound.
+ * The sentence for a violated condition: what goes wrong, and the bound.
  * @param {any} constraint
  * @param {any} report
  * @returns {Part[]}

@@ -75,7 +75,7 @@ class HitsView {
     fill(el("hit-key"), ...this.keys());
   }
 
-  /** The parts in words, also those that are too narrow for their names; of many, what there is. */
+  /** The parts in words, including those too narrow for their names; if there are many, a summary. */
   keys() {
     const key = (/** @type {string} */ ends, /** @type {Part[]} */ ...limit) =>
       make(

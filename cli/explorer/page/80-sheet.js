@@ -158,7 +158,7 @@ function performance_rows({ report, motion }) {
   ]);
 }
 
-/** How hits of each strength end; where that changes many times, between which strengths it does. @param {Sheet} sheet */
+/** How hits of each strength end; if that changes many times, the strengths between which it does. @param {Sheet} sheet */
 function hit_rows({ report }) {
   const { physical, hits } = report;
   const suffix = physical ? "_m_per_s" : "";
@@ -222,7 +222,7 @@ function plate_copy(id) {
   return plate;
 }
 
-/** A text that breaks between its words alone: browsers break after each hyphen too. @param {string} text @returns {Part[]} */
+/** A text that breaks only between words: browsers also break after each hyphen. @param {string} text @returns {Part[]} */
 function whole_words(text) {
   return text
     .split(/(\s+)/)

@@ -123,7 +123,7 @@ class AnswerView {
         options[name].includes(":")
       )
         return;
-      // On the edge itself one damper is left, without any tolerance: a fiftieth beyond it, there are some.
+      // On the edge itself only one damper is left, without any tolerance: a fiftieth beyond it, there are more.
       const least = name === "max-displacement" || name === "beta" || name === "p";
       const better = Number((value * (least ? 1.02 : 0.98)).toPrecision(3));
       const button = make("button", { type: "button" }, `${title} `, number(better, unit));

@@ -22,7 +22,8 @@ std::optional<double> time_unit(const Physical& physical) {
   return physical ? std::optional(physical->scales.time_s) : std::nullopt;
 }
 
-/// UsageError where an option of an excitation is set that `kind` does not take; null takes none.
+/// Throws UsageError if an option of an excitation is set that `kind` does not take; null takes
+/// none.
 void refuse_others(const Settings& settings, const ExcitationKind* kind) {
   for (const Option& option : options()) {
     if (option.traits.load == Load::none || !settings.has(option.name)) {
@@ -39,7 +40,7 @@ void refuse_others(const Settings& settings, const ExcitationKind* kind) {
   }
 }
 
-/// The angular frequency, from what it was given as. tau is the time over `time_s`.
+/// The angular frequency, however it was given. tau is the time over `time_s`.
 double lambda(const Settings& settings, const ExcitationKind& kind,
               const std::optional<double>& time_s) {
   if (const auto hertz = settings.number("excitation-frequency")) {
@@ -113,7 +114,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, const 
   if (kind->wave != nullptr) {
     input.excitation = kind->wave(wave(settings, "excitation", *kind, time_unit(physical)));
   } else {
-    // One that is scaled to its spectrum at the period of a motion needs that there is one motion.
+    // Scaling a record to its spectrum at the period of the motion requires a single motion.
     input = record(settings,
                    physical ? records::RecordClock{"s", physical->scales.time_s, p.value_or(1)}
                             : records::RecordClock{"tau", 1, p.value_or(1)},
@@ -142,7 +143,7 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
 }
 
 void require_no_pulse_options(const Settings& settings) {
-  // A scene's excitation is for simulate, and these are its options.
+  // A scene's excitation serves simulate, and these are its options.
   for (const Option& option : options()) {
     if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
       throw UsageError(fmt::format("{} needs a pulse: give --pulse as well", option.name));

@@ -22,10 +22,10 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A scan keeps some 100 bytes of each.
+/// A scan keeps about 100 bytes for each.
 constexpr std::int64_t most_scan_points = 10'000'000;
 
-/// "LOW:HIGH", each with its unit where it has one.
+/// "LOW:HIGH", each with a unit if it has one.
 std::optional<design::SearchRange> search_range(const Settings& settings, const char* name) {
   const auto text = settings.text(name);
   if (!text) {
@@ -39,7 +39,7 @@ std::optional<design::SearchRange> search_range(const Settings& settings, const 
   return design::SearchRange{low, high};
 }
 
-/// With the longest period where only the range of the search is given.
+/// With the longest period if only the range of the search is given.
 MotionInput suite_motion(const Settings& settings,
                          const std::optional<design::SearchRange>& periods) {
   Settings whole = settings;

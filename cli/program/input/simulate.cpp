@@ -39,7 +39,7 @@ void add_output(const Settings& settings, SimulationRequest& request) {
   }
 }
 
-/// The end of a free motion is that of its trajectory.
+/// For a free motion the end is that of its trajectory.
 std::optional<double> free_end(const Settings& settings, const Physical& physical) {
   const auto t_end = end_of_run(settings, physical);
   if (t_end && !settings.has("trajectory")) {
@@ -65,7 +65,7 @@ std::optional<double> half_cycle_limit(const Settings& settings) {
 }
 
 report::MotionReport simulate_input(const Settings& settings) {
-  // A motion needs a start, unless something shakes it out of rest.
+  // A motion needs a start, unless an excitation moves it from rest.
   const bool from_rest = excitation_type(settings) || settings.has("k");
   const MotionInput motion = motion_input(settings, Command::simulate, from_rest);
   report::MotionReport input;

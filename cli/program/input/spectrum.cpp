@@ -14,7 +14,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A page still shows as many.
+/// A page can still show this many.
 constexpr std::int64_t most_periods = 10'000;
 
 std::vector<double> periods(const Settings& settings) {

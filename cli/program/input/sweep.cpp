@@ -44,7 +44,7 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings,
   return {};
 }
 
-/// A part of a list depends on the length of all of it.
+/// A part of a list depends on the length of the whole list.
 std::optional<sweep::ListExtent> extent_of_list(const Settings& settings, const SweepSpec& spec) {
   if (!spec.part || !spec.list) {
     return std::nullopt;
@@ -62,7 +62,7 @@ bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
   return settings.has(option_name(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
 }
 
-/// What is dimensionless by a length that a physical sweep does not have, and has a rival in
+/// Options made dimensionless by a length that a physical sweep does not have, with rivals in
 /// metres, seconds or hertz.
 void refuse_dimensionless(const Settings& settings) {
   for (const Option& plain : options()) {
@@ -99,7 +99,7 @@ std::optional<SweepUnits> units(const Settings& settings) {
   return units;
 }
 
-/// What an excitation is made dimensionless with.
+/// The scales that make an excitation dimensionless.
 std::optional<design::PhysicalInput> physical_scales(const std::optional<SweepUnits>& units) {
   if (!units) {
     return std::nullopt;
@@ -125,7 +125,7 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   return SweepKind::design;
 }
 
-/// Options that only one kind uses are refused with another, not ignored.
+/// Options that only one kind uses are refused with the others, not ignored.
 void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   const std::string beta = option_name(Quantity::beta, spec.units);
   if (spec.kind == SweepKind::design) {
@@ -184,8 +184,7 @@ void add_front(const Settings& settings, SweepSpec& spec) {
       {Quantity::trade_off, Axis(1, static_cast<double>(*count), *count, Axis::Spacing::linear)});
 }
 
-/// Where nothing else is given a motion starts from x = 0, and from rest if something else moves
-/// it.
+/// By default a motion starts from x = 0, and from rest if something else moves it.
 void add_axes(const Settings& settings, SweepSpec& spec) {
   const bool may_rest = spec.kind == SweepKind::forced ||
                         (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
@@ -239,7 +238,7 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
                : sweep::default_columns(spec, times);
 }
 
-/// What is kept of the rows that are not written.
+/// What is kept from the rows that are not written.
 std::optional<sweep::AskedReduction> reduction(const Settings& settings, const SweepSpec& spec) {
   if (!settings.flag("reduce")) {
     for (const char* const option : {"histogram", "best"}) {

@@ -34,24 +34,24 @@ constexpr std::string_view output = "Output";
 constexpr CommandSet every = design | region | simulate | sweep | accuracy;
 /// One motion.
 constexpr CommandSet motions = simulate | accuracy;
-/// What takes metres and seconds.
+/// Commands that take metres and seconds.
 constexpr CommandSet in_metres = every;
-/// A suite of records, and nothing else.
+/// Commands that take a suite of records and no other load.
 constexpr CommandSet of_suites = design | spectrum;
-/// What makes a report.
+/// Commands that make a report.
 constexpr CommandSet reporting = every | spectrum;
 constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
-/// What takes a load with a wave, or a pulse.
+/// Commands that take a load with a wave, or a pulse.
 constexpr CommandSet of_waves = design | region | of_excitations;
-/// What takes acceleration records.
+/// Commands that take acceleration records.
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
 
-/// Of a design for a hit, then what only one under records has.
+/// Those of a design for a hit, then those that only a design under records has.
 std::vector<std::string_view> all_objectives() {
   std::vector<std::string_view> both = names<design::Objective>();
   for (const std::string_view name : names<design::SuiteObjective>()) {
@@ -68,7 +68,7 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
   return {name, kind, placeholder, group, std::move(help), commands, std::move(traits)};
 }
 
-/// What a sweep varies, without a unit and with one, and what has a unit and is one number.
+/// An input that a sweep varies, without a unit and with one, and a single number with a unit.
 OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
   return {.sweeps = true, .rivals = rivals, .units = dimensionless, .range = range};
 }
@@ -81,7 +81,7 @@ OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = Ran
   traits.sweeps = true;
   return traits;
 }
-/// Of the two kinds of design only that for a hit, or only that under records.
+/// For only one of the two kinds of design: for a hit, or under records.
 OptionTraits for_hits(OptionTraits traits = {}) {
   traits.design = DesignFor::hit;
   return traits;

@@ -24,7 +24,7 @@ using cli::Settings;
 
 namespace {
 
-/// An option in Python; lambda is a word of the language.
+/// An option in Python; lambda is a keyword of the language.
 std::string keyword_of(const Option& option) {
   std::string keyword(option.name);
   std::ranges::replace(keyword, '-', '_');

@@ -26,8 +26,8 @@ using cli::Command;
 
 namespace {
 
-/// The region of v0, p and beta alone, which is there at once: the rest of the report when someone
-/// looks.
+/// The region for only v0, p and beta, which is available at once; the rest of the report is made
+/// when it is read.
 class Bounds final : public Result {
  public:
   explicit Bounds(const design::Problem& problem)
@@ -96,7 +96,7 @@ constexpr std::array rows{
         "an axis as of sweep, beside the same damper without its notch."},
 };
 
-/// Those of v0, p and beta where nothing else is given, and these as floats.
+/// v0, p and beta, if nothing else is given and these are floats.
 std::unique_ptr<Bounds> bounds(PyObject* const* values, Py_ssize_t count, PyObject* names) {
   static const std::array<PyObject*, 3> keys{PyUnicode_InternFromString("v0"),
                                              PyUnicode_InternFromString("p"),

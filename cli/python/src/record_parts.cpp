@@ -44,7 +44,7 @@ class DesignPart final : public Result {
   report::RecordScan scan_;
 };
 
-/// One may stand without a list.
+/// A single one may be given without a list.
 std::vector<std::string> paths(const py::object& given) {
   if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) {
     return {to_path("parts", given)};

@@ -14,7 +14,7 @@
 
 namespace stillpoint::python {
 
-/// What a command found. Its report is made when someone looks.
+/// What a command found. Its report is made when it is read.
 class Result {
  public:
   Result() = default;

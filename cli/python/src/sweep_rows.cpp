@@ -48,7 +48,7 @@ py::dtype dtype_of(const SweepSpec& spec) {
 /// The bytes of a file without its header.
 class RowsInMemory final : public sweep::RowSink {
  public:
-  /// `size` is that of all rows where it is known.
+  /// `size` is that of all rows, if known.
   explicit RowsInMemory(std::size_t size) { bytes_.reserve(size); }
 
   [[nodiscard]] const sweep::SweepState& found() const override { return nothing_; }
@@ -115,7 +115,7 @@ class SweepWithoutRows final : public Sweep {
   report::ReductionReport report_;
 };
 
-/// Only a plane of f and delta has a map.
+/// Only a sweep over f and delta has a map.
 std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
   try {
     return sweep::SweepMap(spec);

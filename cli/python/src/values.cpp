@@ -24,7 +24,7 @@ json integer(const std::string& field, py::handle value) {
   return whole;
 }
 
-/// In the words of the command line, which takes no other.
+/// As on the command line, which takes nothing else.
 json number(const std::string& field, py::handle value) {
   const double number = PyFloat_AS_DOUBLE(value.ptr());
   return std::isfinite(number) ? number

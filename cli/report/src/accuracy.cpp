@@ -25,12 +25,12 @@ std::string exponent(double error) {
   return error == 0 ? "0" : format("{:.1e}", error);
 }
 
-/// As --json has it.
+/// As in --json.
 std::string_view not_run(peers::Run run) {
   return run == peers::Run::nothing_moves ? "nothing_moves" : "too_long";
 }
 
-/// "tolerance 1e-09"; "" where it has none.
+/// "tolerance 1e-09"; "" if it has none.
 std::string setting(const peers::MethodRow& now) {
   return now.knob.empty() ? "" : format("{} {:.3g}", now.knob, now.setting);
 }
@@ -124,7 +124,7 @@ ordered_json json(const AccuracyReport& report) {
 
 namespace {
 
-/// All digits, and with physical input what people think in.
+/// All digits, and with physical input the usual units as well.
 std::string exact_text(const Physical& physical, double value, const std::string& words) {
   return format("{:.17g}{}", value, physical ? " = " + words : "");
 }
@@ -159,7 +159,7 @@ TableRow method_row(const peers::MethodRow& now) {
 
 namespace {
 
-/// What simulate's own method does.
+/// The accuracy of simulate's own method.
 std::string verdict(const peers::MethodRow& kernel, bool stops) {
   if (kernel.run != peers::Run::done) {
     return "";

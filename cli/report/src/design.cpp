@@ -182,7 +182,8 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
-/// Of a notch: 20 mm, or 1, 2 or 5 times a power of ten where that is above a fifth of the peak.
+/// The width of a notch: 20 mm, or 1, 2 or 5 times a power of ten if that is above a fifth of the
+/// peak.
 double example_width_m(double peak_m) {
   constexpr double usual = 0.02;
   const double most = peak_m / 5;
@@ -210,7 +211,7 @@ std::string felt(const design::Finding& finding, const Response& response,
                 with_unit(example_m, "m"));
 }
 
-/// Of the ranges of a pulse; a range of k alone needs no samples.
+/// For the ranges of a pulse; a range of only k needs no samples.
 void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
                const Physical& physical) {
   answer.row("ranges", format("up to {}, {} and {} with any pulse and spring in the ranges; the "
@@ -304,7 +305,7 @@ void add_task(Document& document, const design::DesignRequest& request, const Ph
   task.row("objective", std::string(name(search.objective)));
 }
 
-/// The choice among parts and the front, where they are asked for.
+/// The choice among parts and the front, if requested.
 void add_choices(Document& document, const DesignReport& report, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   if (report.catalogue) {

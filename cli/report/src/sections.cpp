@@ -257,8 +257,8 @@ void add_metrics(Section& section, const Response& response, const Physical& phy
   }
 }
 
-/// The two motions' margins are not one quantity: docs/theory.md section 6, docs/forced.md section
-/// 7.
+/// The margins of the two motions are different quantities: docs/theory.md section 6,
+/// docs/forced.md section 7.
 void add_margin(Section& section, const Response& response, std::string_view meaning) {
   if (response.decision_margin) {
     section.row("decision margin",

@@ -9,7 +9,7 @@ namespace stillpoint::report {
 
 std::string interval_text(const design::ServedInterval& interval) {
   if (!interval.high) {
-    constexpr int shown = 3;  // as of an interval
+    constexpr int shown = 3;  // as in an interval
     return format("at least {}", limit_digits(interval.low, true, shown));
   }
   constexpr double nothing = 1e-6;  // of the high end

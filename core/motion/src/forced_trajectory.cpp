@@ -17,7 +17,7 @@
 
 namespace stillpoint {
 
-/// What goes on between two events.
+/// The motion between two events.
 class ForcedTrajectory::Pieces {
  public:
   struct Rest {
@@ -69,7 +69,7 @@ class ForcedTrajectory::Pieces {
   std::vector<Piece> pieces_;
 };
 
-/// Records what the run shows.
+/// Records what the run reports.
 class ForcedTrajectory::Watcher final : public MotionWatcher {
  public:
   Watcher(ForcedTrajectory& path, Pieces& pieces) : path_(path), pieces_(pieces) {}

@@ -36,7 +36,7 @@ Simulation free_simulation(const SimulationRequest& request) {
   return result;
 }
 
-/// The end of the run, if that is told; the t_end of a free motion is that of its trajectory.
+/// The end of the run, if given; the t_end of a free motion is that of its trajectory.
 std::optional<double> run_end(const SimulationRequest& request) {
   return is_forced(request) ? request.t_end : std::nullopt;
 }

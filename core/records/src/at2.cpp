@@ -19,7 +19,7 @@ namespace stillpoint::records {
 
 namespace {
 
-/// NPTS must be in one of these lines; it does not count in a comment (#).
+/// NPTS must be in one of these lines, not in a comment (#).
 constexpr std::size_t longest_header = 32;
 
 struct Header {
@@ -122,7 +122,7 @@ void check_trailer(RecordReader& reader, const Header& header) {
 std::vector<double> read_values(RecordReader& reader, const Header& header) {
   const std::size_t count = header.counts.count;
   std::vector<double> values;
-  // The header may promise more than the file holds: a value takes two bytes.
+  // The header may promise more than the file contains: a value takes two bytes.
   values.reserve(std::min(count, reader.bytes_left() / 2 + 1));
   while (values.size() < count && reader.next()) {
     const auto words = words_in(reader);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t most_columns = 2;
 
-/// The columns of a line. Those beyond the most that there may be are counted, not kept.
+/// The columns of a line. Those beyond the allowed number are counted, not kept.
 struct Row {
   std::array<std::string_view, most_columns> columns;
   std::size_t count{0};
@@ -63,7 +63,7 @@ std::string_view without_comment(std::string_view line, std::string& description
   return trimmed(line.substr(0, at));
 }
 
-/// Text in front of the values is most likely a heading.
+/// Text before the values is most likely a heading.
 void check_heading(const Row& row, const RecordReader& reader) {
   if (scan_fortran_number(row.columns[0]).fault == NumberFault::no_number) {
     reader.refuse_word(row.columns[0],
@@ -84,7 +84,7 @@ void check_count(const Row& row, std::size_t expected, std::size_t first_line,
   }
 }
 
-/// The times of a file. They become the step h = t_1 if they are 0, h, 2 h, ... but for the
+/// The times of a file. They become the step h = t_1 if they are 0, h, 2 h, ... except for the
 /// rounding of doubles:
 ///
 ///     t_0 = 0  and  |t_i - i h| <= 2^-51 t_i  for every i.

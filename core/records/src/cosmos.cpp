@@ -38,7 +38,7 @@ bool is_cosmos(RecordReader reader) {
   return reader.next() && has(upper_case(reader.line()), "(FORMAT V");
 }
 
-/// A value of the real header. Those that are unknown are not above 0, as a rule -999.
+/// A value of the real header. Unknown ones are not above 0, usually -999.
 struct RealValue {
   std::size_t number{0};  ///< from 1
   double value{0};

@@ -47,7 +47,7 @@ double positive(const RecordReader& reader, std::string_view key, std::string_vi
   return scanned.value;
 }
 
-/// 3920(gal)/6182761: gal for so many counts.
+/// 3920(gal)/6182761: gal for that many counts.
 double gal_per_count(const RecordReader& reader, std::string_view text) {
   const std::size_t slash = text.find('/');
   const std::string_view gal = trimmed(text.substr(0, slash));

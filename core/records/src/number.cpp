@@ -30,7 +30,7 @@ std::string with_c_exponent(std::string_view text) {
     const std::size_t sign = text.size() - exponent_length;
     const bool has_point = text.substr(0, sign).find('.') != std::string_view::npos;
     if (is_sign(text[sign]) && has_point) {
-      result.insert(sign, 1, 'e');  // without a mantissa or digits around it still not a number
+      result.insert(sign, 1, 'e');  // still not a number: no mantissa, or no digits around it
     }
   }
   return result;

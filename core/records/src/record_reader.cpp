@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr char end_of_dos_file = '\x1A';
 
-/// Bytes that no text has. A form feed and DOS's end of file may be in a trailer.
+/// Bytes that text does not contain. A form feed and DOS's end of file may be in a trailer.
 bool is_binary(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte < 0x20U && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != end_of_dos_file;

@@ -15,7 +15,7 @@ namespace stillpoint::records {
 
 namespace {
 
-/// Files and folders, with what each is scaled by.
+/// Files and folders, each with its scale.
 std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTarget& of_all) {
   std::vector<ListedRecord> asked;
   asked.reserve(files.paths.size());

@@ -80,7 +80,7 @@ std::string moved(std::string_view number, int power_of_ten) {
     const auto [stop, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
     if (error != std::errc()) {
-      return std::string(number);  // beyond any double, and said to be
+      return std::string(number);  // beyond any double, and reported as such
     }
   }
   constexpr long long far = 1'000'000'000;

@@ -137,7 +137,7 @@ class CatalogueReader {
     return part;
   }
 
-  /// The value of a cell in dimensionless units, of which one is `unit` of the cell's.
+  /// The value of a cell in dimensionless units, of which one is `unit` in the cell's units.
   double number(std::string_view field, std::string_view text, double unit) const {
     double value = 0;
     try {

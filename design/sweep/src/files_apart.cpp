@@ -10,7 +10,7 @@ namespace stillpoint::sweep {
 
 namespace {
 
-/// What cannot be a name is refused where the file is written.
+/// Invalid names are refused where the file is written.
 bool may_be_a_file(const NamedFile& output) {
   return !output.path.empty() && output.path != "-" && !is_special_file(output.path);
 }

@@ -49,9 +49,9 @@ class NotingIterator {
   const char** read_;
 };
 
-/// Reads a text through for what json::parse passes over or words badly: equal keys, of which it
-/// keeps the last, a deep value, which it would print by recursion until the stack ends, and
-/// numbers beyond a double. Throws FileError. The parser calls a function for each part of the
+/// Scans a text for what json::parse ignores or reports badly: equal keys, of which it keeps the
+/// last; deep values, which it would print by recursion until the stack overflows; and numbers
+/// beyond a double. Throws FileError. The parser calls a function for each part of the
 /// text.
 class JsonCheck {
  public:
@@ -120,7 +120,7 @@ class JsonCheck {
     return true;
   }
 
-  /// Of the library's message "[...] parse error at ...: ... - CAUSE; last read: ...".
+  /// The cause in the library's message "[...] parse error at ...: ... - CAUSE; last read: ...".
   static std::string cause(std::string_view message) {
     constexpr std::string_view dash = " - ";
     if (const std::size_t begin = message.find(dash); begin != std::string_view::npos) {
@@ -129,7 +129,7 @@ class JsonCheck {
     return records::printable(message.substr(0, message.find("; last read")), 150);
   }
 
-  /// Of the key that has just been read, up to its closing quote.
+  /// The place of the key that has just been read, up to its closing quote.
   records::FilePlace place_of_key() {
     const auto is_quote = [this](const char* at) {
       return *at == '"' && (at == text_.data() || at[-1] != '\\');

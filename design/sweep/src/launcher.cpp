@@ -16,7 +16,7 @@ namespace stillpoint::sweep {
 
 namespace {
 
-/// Of any variable: far beyond every launcher, and differences stay whole numbers.
+/// For any variable: far beyond every launcher, and differences stay exact.
 constexpr std::int64_t farthest = 1'000'000'000'000;
 
 /// What one launcher says.
@@ -47,7 +47,7 @@ class Launchers {
                : "no launcher says which part this is: start it with Slurm, mpirun or GNU "
                  "parallel, or give I/N");
     }
-    // One process alone says little: each task of an array is the only one of its step.
+    // A single process says little: each task of an array is the only one of its step.
     std::stable_partition(words_.begin(), words_.end(),
                           [](const Word& word) { return word.part.count > 1; });
     const Word& first = words_.front();
@@ -99,7 +99,7 @@ class Launchers {
     return number && count;
   }
 
-  /// Tasks have numbers from MIN on, in steps.
+  /// Tasks are numbered from MIN on, in steps.
   void add_array() {
     const char* const id = "SLURM_ARRAY_TASK_ID";
     const auto task = value(id);

@@ -24,7 +24,7 @@ std::string_view without_quotes(std::string_view text) {
 
 using nlohmann::json;
 
-/// What the parser calls for each part of the text; false ends it.
+/// The parser's callbacks for each part of the text; false ends it.
 class RowHandler {
  public:
   explicit RowHandler(JsonRow& row) : row_(row) {}
@@ -85,7 +85,7 @@ class RowHandler {
       return refuse_value("a number");
     }
     row_.fields.back().second = value;
-    return true;  // the parser lets no number pass that is beyond a double
+    return true;  // the parser refuses numbers beyond a double
   }
 
   JsonRow& row_;

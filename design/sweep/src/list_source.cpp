@@ -91,8 +91,8 @@ class ListSource : public SweepSource {
     next_ += size;
   }
 
-  /// Reads the next entry, or gives the last one again for the next damper of its front. What is
-  /// wrong with it is kept until the `size` entries before it in this block have been given.
+  /// Reads the next entry, or returns the last one again for the next damper of its front. An error
+  /// is kept until the `size` entries before it in this block have been returned.
   bool has_next(Index size) {
     if ((next_ + size) % of_each_ != 0) {
       return true;

@@ -98,7 +98,7 @@ class Joiner {
   std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 20U);
 };
 
-/// Of the whole sweep: that of the first part, but with all rows.
+/// The header of the whole sweep: that of the first part, but with all rows.
 std::string header_of(const Seal& first) {
   if (first.format == RowFormat::npy) {
     return npy_header(first.npy_fields, first.label.whole.entries);

@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 
 constexpr auto seal_schema = "stillpoint/sweep-part/1";
 constexpr std::string_view seal_mark = "#stillpoint-part ";
-constexpr std::int64_t longest_seal = std::int64_t{1} << 26U;  // as of a checkpoint
+constexpr std::int64_t longest_seal = std::int64_t{1} << 26U;  // as for a checkpoint
 constexpr std::size_t place_digits = 20;
 
 /// The value of the 20 digits with which a seal ends, before " " and after "\n".

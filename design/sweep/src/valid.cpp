@@ -24,7 +24,7 @@ bool contains(std::span<const Quantity> quantities, Quantity quantity) {
   return std::ranges::find(quantities, quantity) != quantities.end();
 }
 
-/// What has a unit, in it: the kernel would name dimensionless numbers.
+/// Checks values with a unit in that unit: the kernel would name dimensionless numbers.
 void require_in_units(const std::string& field, records::Dimension dimension, double value,
                       double least) {
   const auto units = records::units_of(dimension);
@@ -63,7 +63,7 @@ bool may_be_left_out(const SweepSpec& spec, Quantity input) {
   return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
 }
 
-/// Of designs, the inputs of the hit that the entries do not have.
+/// For designs, the inputs of the hit that the entries do not have.
 void require_one_hit(const SweepSpec& spec) {
   constexpr std::array of_velocity{Quantity::v0, Quantity::v0_low};
   constexpr std::array of_pulse{Quantity::k, Quantity::k_low, Quantity::lambda,
@@ -171,7 +171,7 @@ void check(const Corner& corner, const SweepSpec& spec) {
   require_valid(oscillator, surface);
 }
 
-/// There are no more of them than the largest: every value of a sensible axis is looked at.
+/// The largest is small, so every value of a sensible axis is checked.
 void check_arrivals(const SweepSpec& spec) {
   const auto found = std::ranges::find(spec.axes, Quantity::arrivals, &SweepAxis::quantity);
   const std::int64_t count = found == spec.axes.end() ? 0 : found->axis.size();
@@ -180,8 +180,8 @@ void check_arrivals(const SweepSpec& spec) {
   }
 }
 
-/// Of `corner` the axes before `next` are set. Of an axis without ranges the ends are corners, of
-/// one with ranges all values: each has two ends.
+/// The axes of `corner` before `next` are set. The corners of an axis without ranges are its ends;
+/// of one with ranges, all its values: each has two ends.
 void check_corners(const SweepSpec& spec, Corner& corner, std::size_t next = 0) {
   if (next == spec.axes.size()) {
     return check(corner, spec);

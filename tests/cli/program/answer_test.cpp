@@ -14,7 +14,7 @@ namespace {
 using namespace stillpoint::cli_test;
 
 constexpr std::size_t columns = 80;
-constexpr std::size_t lines_at_most = 16;  ///< some ten, with title, blank lines and long rows
+constexpr std::size_t lines_at_most = 16;  ///< about ten, with title, blank lines and long rows
 /// Parts or a trade-off were asked for: 20 rows and what stands around them.
 constexpr std::size_t lines_of_a_table = 26;
 
@@ -40,7 +40,7 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
     const std::string full = run({command, entry.path().string(), "--verbose"}).out;
     BOOST_TEST(lines_of(full).size() > lines.size());
     BOOST_TEST(!contains(full, "--verbose"));
-    // Where a scene is not for region or simulate, these print nothing.
+    // If a scene is not for region or simulate, these print nothing.
     const std::string region = run({"region", entry.path().string(), "--verbose"}).out;
     const std::string motion = run({"simulate", entry.path().string(), "--verbose", "--f", "0.02",
                                     contains(full, " mm") ? "--delta-m" : "--delta", "0.001"})

@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(robust_design_has_the_largest_tolerance) {
 }
 
 BOOST_AUTO_TEST_CASE(optimum_stands_beside_that_along_f) {
-  constexpr double same = 2e-9;  // both stay a relative 1e-9 inside of open edges
+  constexpr double same = 2e-9;  // both stay a relative 1e-9 inside open edges
   const Arguments plain("design --v0 1 --p 1 --beta 2 --tolerance 0.05");
   for (const std::string objective : {"robust", "amplitude", "time", "acceleration"}) {
     for (const Arguments& more : {Arguments{}, Arguments("--arrivals 3 --f-max 0.02"),

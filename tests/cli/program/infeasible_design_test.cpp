@@ -14,7 +14,7 @@
 
 BOOST_AUTO_TEST_SUITE(infeasible_design_test)
 
-// What design says where no damper is admissible.
+// What design says if no damper is admissible.
 
 namespace {
 
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart
   BOOST_TEST(contains(text.out, "22.2198 %"), text.out);
 }
 
-/// Nobody is left alone with a tolerance that no damper has: the theory's largest is 36.3 %.
+/// A tolerance that no damper has gets an explanation: the theory's largest is 36.3 %.
 BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_enough) {
   const Arguments impossible = design(0.6, "--tolerance 0.5");
   const ProgramRun text = run(impossible);

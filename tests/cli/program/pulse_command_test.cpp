@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(no_design_says_what_mends_it_in_terms_of_the_pulse) {
   BOOST_TEST((inputs == std::vector<std::string>{"k", "lambda", "p", "beta"}));
 }
 
-/// A pulse that was given in seconds is mended in seconds, as it can be asked for.
+/// For a pulse given in seconds the suggested change is in seconds, as it can be given.
 BOOST_AUTO_TEST_CASE(a_duration_mends_as_it_is_printed) {
   const auto lasting = [](const std::string& duration) {
     return joined({"design", "--pulse-duration", duration},

@@ -23,7 +23,7 @@ namespace data = boost::unit_test::data;
 /// Of a figure worked out by hand, after its way through metres.
 constexpr double hand_tolerance = 1e-12;
 
-/// A damper that does not move, so that every figure is known: it passes the load on.
+/// A damper that does not move, so every figure is known: it transmits the load.
 const Arguments held("design --record a.txt --period 2.8s --search-f 2:2 --search-delta-m 0:0");
 
 /// A search under it takes seconds.

@@ -29,7 +29,7 @@ constexpr double hand_tolerance = 1e-12;
 /// 0.25 g for 5 s.
 constexpr const char* long_load = "0 0.25\n1 0.25\n2 0.25\n3 0.25\n4 0.25\n5 0.25\n";
 
-/// What the displacement under a load that stays overshoots to.
+/// The overshoot of the displacement under a constant load.
 const double overshoot = 1 + std::exp(-std::numbers::pi * 0.05 / std::sqrt(1 - 0.05 * 0.05));
 
 const Arguments moved("simulate --f 0.05 --delta-m 1mm --period 2.8s");

@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(limits_count_for_a_point) {
   BOOST_TEST(report_of(*this, region(joined(point, "--tolerance 0.1")))["admissible"] == true);
 }
 
-/// A point that is served has all three blocks; one that is not still has its hits.
+/// An admissible point has all three blocks; another still has its hits.
 BOOST_AUTO_TEST_CASE(a_point_says_what_it_serves) {
   const json good = report_of(*this, region("--f 0.3 --delta 0.4 --acceleration-max 1.1"));
   BOOST_TEST(near(good["works_for"]["v0"][0], std::sqrt(0.8), 1e-15));
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
   BOOST_TEST(report_of(*this, again)["region"] == report["region"]);
 }
 
-/// A mend speaks of what was given: whoever gave a stiffness is told a stiffness.
+/// A suggested change is in the terms given: for a stiffness it is a stiffness.
 BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
   const auto isolator = [](const std::string& stiffness) {
     return Arguments{"region", "--velocity", "0.4", "--stiffness", stiffness, "--max-displacement",

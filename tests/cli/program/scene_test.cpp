@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(gives_way_to_flags) {
   BOOST_TEST(report["input"]["p"] == 1);
 }
 
-// One of these at most can be given; so the flag's stands, whatever the file has.
+// At most one of these can be given, so the flag wins, whatever the file has.
 BOOST_AUTO_TEST_CASE(gives_way_to_flags_that_exclude_its_keys) {
   write("plain.json", R"({"v0": 1, "p": 1, "beta": 0.9})");
   write("pulse.json", R"({"pulse": "half-sine", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");

@@ -19,7 +19,7 @@ Arguments simulate(const char* f, const char* delta, const Arguments& more = {})
   return joined({"simulate", "--v0", "1", "--p", "1", "--f", f, "--delta", delta}, more);
 }
 
-/// What is instant has five seconds, also under sanitizers on a loaded machine.
+/// An instant command gets five seconds, also under sanitizers on a loaded machine.
 Surroundings impatient() {
   return {.patience = std::chrono::seconds(5)};
 }

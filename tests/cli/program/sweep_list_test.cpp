@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(of_many_entries_comes_through_whole_and_in_order) {
   }
 }
 
-/// The entries around one that would take too long are computed, and its row says why it is not.
+/// The entries around one that would take too long are computed, and its row says why it was not.
 BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
   const std::string text = "f,delta,x0\n0.1,0.2,0\n1e-12,1e-30,0\n0.02,0.03,0.5\n";
   const Arguments plainly("sweep --v0 1 --p 1 --list - --times");

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const Arguments grid("sweep --v0 1 --p 1 --f 0.02:0.35:13 --delta 0:0.5:5");
 
-/// While it lives, no program that is started can write a file beyond so many bytes: it gets
+/// While it lives, no program started can write a file beyond this many bytes: it gets
 /// SIGXFSZ, or an error where that is ignored.
 class WriteLimit {
  public:

@@ -146,7 +146,7 @@ struct Reduced : Sandbox {
     return answer.json();
   }
 
-  /// Asserts that it says of its rows what is true of them.
+  /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {
     const SweepTable table = read_csv(run(sweep).out);
     const json found = report(joined(sweep, more));

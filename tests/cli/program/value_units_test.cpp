@@ -158,7 +158,7 @@ BOOST_FIXTURE_TEST_CASE(natural_frequency_stands_for_its_period, Sandbox) {
   BOOST_TEST(
       without_wall_times(report_of(*this, joined("design --natural-frequency 0.25Hz", rest))) ==
       without_wall_times(report_of(*this, joined("design --period 4s", rest))));
-  // The mend of p is in hertz, and mends.
+  // The suggested change of p is in hertz, and works.
   const Arguments narrow("region --velocity 0.4 --max-displacement 0.1");
   const ProgramRun empty = run(joined(narrow, "--natural-frequency 0.25"));
   BOOST_TEST(empty.exit_code == 3);
@@ -218,7 +218,7 @@ BOOST_FIXTURE_TEST_CASE(pulses_of_a_design_are_in_seconds, Sandbox) {
       "period": "2.8s", "max_displacement": "100mm"})");
   BOOST_TEST(without_wall_times(report_of(*this, "design scene.json")) ==
              without_wall_times(in_seconds));
-  // Another hit takes the place of the pulse with all that is its.
+  // Another hit replaces the pulse and all its options.
   BOOST_TEST(run("region scene.json --velocity 0.2").exit_code == 0);
 }
 

@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
   BOOST_TEST(contains(caption, "1.0000"), caption);
 }
 
-/// Of springs that vary, as of one: no part of the plane that is forbidden stays without a word.
+/// For springs that vary, as for one: no forbidden part of the plane is left without words.
 BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
   design::DesignRequest request;
   request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};

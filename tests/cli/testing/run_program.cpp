@@ -166,7 +166,7 @@ class FileActions {
 
 using Clock = std::chrono::steady_clock;
 
-/// SIGINT as a program in the foreground has it, wherever the tests run.
+/// SIGINT as for a program in the foreground, wherever the tests run.
 class Attributes {
  public:
   Attributes() {

@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-// A notch that holds only so much, docs/notches.md rule 1, with inputs for which the answer is
+// A notch of limited capacity, docs/notches.md rule 1, with inputs for which the answer is
 // simple.
 
 namespace stillpoint::test {

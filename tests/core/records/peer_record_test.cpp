@@ -152,7 +152,7 @@ const std::vector<Good> units{
 BOOST_TEST_DECORATOR(*boost::unit_test::tolerance(4 * std::numeric_limits<double>::epsilon()))
 BOOST_DATA_TEST_CASE(peer_record_is_read, data::make(peer), good) {
   check_read("record.AT2", good);
-  check_read("record.txt", good);  // told by NPTS, not by its name
+  check_read("record.txt", good);  // recognised by NPTS, not by its name
 }
 
 BOOST_TEST_DECORATOR(*boost::unit_test::tolerance(4 * std::numeric_limits<double>::epsilon()))

@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(units_that_csmip_leaves_out_are_those_of_the_option) {
   check_pulse(records::parse_record(text, "a", given), 1, 1e-5);
 }
 
-// Laid out as the networks' own files are, with numbers of ours.
+// Laid out like the networks' own files, with our numbers.
 BOOST_AUTO_TEST_CASE(layouts_of_published_files_are_read) {
   const std::vector<double> expected{1, -0.5, 0.25};
   const auto check = [&](const std::string& text, double step) {
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(fields_without_a_format_part_at_a_sign) {
 }
 
 BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
-  // To read the rest of the line again for each value takes 400 000 times 400 kB on the average: a
+  // Reading the rest of the line again for each value would take 400 000 times 400 kB on average: a
   // minute.
   constexpr std::size_t count = 400'000;
   const std::string length = "     2.000000";
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
 
 namespace {
 
-/// 50 Hz for so many seconds.
+/// 50 Hz for this many seconds.
 std::string knet_heading(const std::string& duration) {
   const std::string text = text_of("EW");
   return replaced(text.substr(0, text.find("    8000     8073")), "Time(s)  2",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// Files of the networks that are wrong: each is refused in one line, with file and line.
+// Wrong files of the networks: each is refused in one line, with file and line.
 
 #include "refusal.hpp"
 #include "samples.hpp"
@@ -34,7 +34,7 @@ using stillpoint::test::refusal_of;
 using stillpoint::test::replaced;
 using stillpoint::test::text_of;
 
-/// Of a sample, what stands in place of what, and what the refusal says.
+/// For a sample: what replaces what, and what the refusal says.
 struct Wrong {
   std::string old;
   std::string now;

@@ -50,7 +50,7 @@ int arrival_by_map(const Problem& problem, Wide f, Wide delta) {
       return n;
     }
     if (arrival < d) {
-      return 0;  // it stops here, but the published criterion does not vouch for it
+      return 0;  // it stops here, but the published criterion does not guarantee it
     }
     r = std::sqrt(t * t - d);
   }

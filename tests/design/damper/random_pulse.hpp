@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Random tasks with a pulse, and what its own motion says of a damper.
+// Random tasks with a pulse, and the judgement of a damper by its own motion.
 
 #include "random_source.hpp"
 

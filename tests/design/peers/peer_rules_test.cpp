@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(other_excitations_follow_the_same_rules) {
   }
 }
 
-// Notches that hold only so much or have a width, and friction in zones: docs/notches.md section 2.
+// Notches with a capacity or a width, and friction in zones: docs/notches.md section 2.
 // The peers share only the rules with the kernel.
 BOOST_AUTO_TEST_CASE(random_real_notches_follow_the_same_rules) {
   test::Dice dice(40403);

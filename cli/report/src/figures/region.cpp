@@ -27,7 +27,8 @@ using design::Region;
 
 constexpr int steps = 200;  // of a curve over f
 
-/// What the five constraints and the limits leave, tolerance aside. Empty where that is nothing.
+/// What the five constraints and the limits leave, regardless of the tolerance. Empty if that is
+/// nothing.
 std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const RegionSpan& span,
                                             double unit) {
   std::vector<FigurePoint> lower;
@@ -72,7 +73,7 @@ void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {
   figure.curves.push_back(std::move(exact));
 }
 
-/// From 0, but nearer where what there is to see would be small.
+/// From 0, but closer if the interesting part would be small.
 FigureAxis axis_of(std::string label, double least, double most, double all) {
   constexpr double margin = 1.15;
   constexpr double small = 0.25;

@@ -92,7 +92,7 @@ ordered_json cross_check_json(const design::CrossCheck& check) {
   return {{"passed", check.passed}, {"methods", methods}};
 }
 
-/// How the design stands under its pulse.
+/// The design under its pulse.
 ordered_json pulse_check_json(const design::PulseCheck& check) {
   ordered_json warnings = ordered_json::array();
   for (const design::PulseWarning warning : check.warnings) {

@@ -17,7 +17,7 @@
 
 namespace stillpoint::report {
 
-/// Of everything else in a part.
+/// The digest of everything else in a part.
 [[nodiscard]] nlohmann::ordered_json digest_json(const nlohmann::ordered_json& report);
 
 /// The part of a `whole` in a file, which `part_from` makes of its JSON. Throws records::FileError

@@ -53,7 +53,7 @@ ordered_json intervals_json(const std::optional<std::vector<design::FrictionInte
   return list;
 }
 
-/// The constraints and limits that exclude each other, by name; null where none do.
+/// The constraints and limits that conflict, by name; null where none do.
 ordered_json conflict_json(design::Conflict conflict) {
   switch (conflict) {
     case design::Conflict::none:

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Without what is beyond a double.
+/// Without values beyond a double.
 std::optional<double> finite(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
@@ -41,7 +41,7 @@ void add_region(ordered_json& json, const design::PhysicalInput& physical,
   json["delta2_m"] = number(finite(times(region.delta2, physical.scales.length_m)));
 }
 
-/// Null where that input alone cannot mend it.
+/// Null if that input alone cannot make it feasible.
 void add_mends(ordered_json& json, design::PhysicalInput physical,
                const std::vector<design::Mend>& mends) {
   const auto mended = [&](std::string_view field, bool by_stiffness) -> std::optional<double> {

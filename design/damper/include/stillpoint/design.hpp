@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All of stillpoint::design; it includes what it uses of stillpoint::core.
+// All of stillpoint::design; it includes what it uses from stillpoint::core.
 
 #include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/built_notch.hpp>

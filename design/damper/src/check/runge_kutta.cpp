@@ -60,7 +60,7 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
     motion.stopped = true;
     motion.stop_position = position * v0 / oscillator.p;
   };
-  // As the region compares it: scaled by v0 first, an exact tie could round to the other side.
+  // Compared as in the region: if scaled by v0 first, an exact tie could round to the other side.
   if (2 * oscillator.delta > v0 * v0) {
     stop(0);
     return motion;

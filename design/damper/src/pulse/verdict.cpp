@@ -19,7 +19,7 @@ FirstReturn last_return(const PulseRegion& region) {
   return last;
 }
 
-/// A task with some of its requirements alone.
+/// A task with only some of its requirements.
 bool leaves_any(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
   if (!beta) {
     problem.beta = HUGE_VAL;
@@ -41,7 +41,7 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
     }
   }
   edges.f1 = problem.beta * problem.p * problem.p;
-  // What returns up to there does so up to k, and moves as little as you like.
+  // What returns up to there does so up to k, and moves arbitrarily little.
   const bool up_to_k = last.f >= nearest_to_k;
   edges.f3 = (up_to_k ? 1 : last.f) * region.f_unit();
   edges.beta_min = up_to_k ? 0 : least_peak * region.length_unit();
@@ -123,7 +123,7 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
   }
 }
 
-/// Of an f between two intervals that return the nearer end of either.
+/// For an f between two intervals that return, the nearer end of either.
 Constraint return_of(const PulseRegion& region, const FirstReturn& motion, double f) {
   const double last = last_return(region).f * region.f_unit();
   Constraint back{"return", "f", "<=", f, last, last - f, motion.returns};

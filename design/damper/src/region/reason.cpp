@@ -12,7 +12,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// What no damper does.
+/// The requirement that no damper meets.
 std::string no_way(const Problem& problem, const std::string& box) {
   const bool ranges = problem.v0_low || problem.p_high;
   return fmt::format(
@@ -46,7 +46,7 @@ std::string acceleration_alone(const Problem& problem, const Limits& limits) {
       least, most);
 }
 
-/// Of one hit and one spring.
+/// For one hit and one spring.
 std::string no_arrival(const Problem& problem, const Limits& limits, const ReasonUnits& units,
                        const std::string& box) {
   const Edges edge = edges(problem, limits);

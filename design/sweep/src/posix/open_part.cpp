@@ -28,8 +28,8 @@ void lock(const OpenPart& files) {
   }
 }
 
-/// False if there is none. The lock of a sweep that is alive is checked before anything else is
-/// said about its file; it ends with that sweep, however that ends. FILE.part is never a link.
+/// False if there is none. The lock of a running sweep is checked before anything else about its
+/// file; it ends with that sweep, however that ends. FILE.part is never a link.
 bool open_existing(OpenPart& files) {
   files.descriptor = Descriptor(::open(files.part().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
   if (files.descriptor.is_open()) {
@@ -69,7 +69,7 @@ void create(OpenPart& files) {
   }
 }
 
-/// Cuts off what came after the last checkpoint.
+/// Cuts off what was written after the last checkpoint.
 void cut_back(OpenPart& files, bool checkpoint_exists) {
   struct stat status {};
   if (::fstat(files.descriptor.number(), &status) != 0) {

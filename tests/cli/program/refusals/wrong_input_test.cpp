@@ -164,7 +164,7 @@ BOOST_FIXTURE_TEST_CASE(no_text_is_taken_for_a_number, Sandbox) {
   BOOST_TEST(contents().empty());
 }
 
-/// Of every option of every command, so many that no process is started for each.
+/// For every option of every command, too many to start a process for each.
 BOOST_AUTO_TEST_CASE(no_option_takes_a_text_for_a_number) {
   for (const cli::Option& option : cli::options()) {
     if (option.kind != cli::OptionKind::number && option.kind != cli::OptionKind::integer) {

@@ -66,7 +66,7 @@ const std::vector<Wrong> scenes{
     scene(R"({"v0": 1, "p": 1, "beta": -1})", {"beta = -1", "from 1e-300"}),
     scene("{" + good + R"(, "velocity": 1})", {"v0 and velocity", "cannot be combined"}),
     scene(R"({"v0": 1, "p": 1})", {"beta is missing"}),
-    // Where a value stands in its file: of a wrong type, out of range, within the excitation, one
+    // The place of a value in its file: of a wrong type, out of range, within the excitation, one
     // end of a range, and one that makes another value wrong.
     scene("{\n  // the stroke\n  \"v0\": 1, \"p\": 1,\n  \"beta\": \"x\"\n}",
           {"scene from standard input, line 4, column 3: beta = \"x\": must be a number"}),

@@ -15,18 +15,18 @@
 
 namespace stillpoint::report {
 
-/// `spec` and what came of it; of rows in a file.
+/// `spec` and its outcome, for rows in a file.
 [[nodiscard]] Document document(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary);
 [[nodiscard]] nlohmann::ordered_json json(const sweep::SweepSpec& spec,
                                           const sweep::SweepSummary& summary);
 
-/// The map, and the document where the rows went to a file.
+/// The map, and the document if the rows went to a file.
 [[nodiscard]] figures::HtmlPage page(const sweep::SweepSpec& spec,
                                      const sweep::SweepSummary& summary,
                                      const sweep::SweepMap& map);
 
-/// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s", after `seconds` of a run that began with some
-/// rows.
+/// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s", after `seconds` of a run that began with
+/// `begun_with` rows.
 [[nodiscard]] std::string progress_words(double rows, std::int64_t begun_with,
                                          const std::optional<std::int64_t>& total, double seconds);
 

@@ -17,7 +17,7 @@ struct ListedRecord {
 };
 
 /// CSV with the header file,scale or file,peak or file,spectrum; blank lines and those that begin
-/// with # are passed over. Throws FileError, with the line, for what is wrong.
+/// with # are skipped. Throws FileError, with the line, for what is wrong.
 [[nodiscard]] std::vector<ListedRecord> read_record_list(const std::string& path);
 
 }  // namespace stillpoint::records

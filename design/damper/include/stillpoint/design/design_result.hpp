@@ -25,8 +25,8 @@ struct DesignRequest {
 /// The design found for an admissible region.
 struct Finding {
   DesignPoint point;
-  /// The one at which it stops the mass (of ranges: after the strongest hit); empty for a rest off
-  /// centre, within the residual.
+  /// The one at which it stops the mass (with ranges: after the strongest hit); empty for a rest
+  /// off centre, within the residual.
   std::optional<std::int64_t> arrival{};
   std::vector<Constraint> constraints;
   Response response;  ///< by the half-cycle map, or under the pulse

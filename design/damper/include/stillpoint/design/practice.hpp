@@ -8,9 +8,9 @@
 
 namespace stillpoint::design {
 
-/// What engineers ask of an isolator, of a free motion from x = 0 with the peak A; dimensionless:
-/// forces over the weight, energies over m g H. docs/theory.md section 11. What does not exist
-/// (without friction, without a stop at x = 0) is empty, as is what no double holds.
+/// What engineers want to know about an isolator, for a free motion from x = 0 with the peak A;
+/// dimensionless: forces over the weight, energies over m g H. docs/theory.md section 11. What does
+/// not exist (without friction, without a stop at x = 0) is empty, as is what a double cannot hold.
 struct Practice {
   std::optional<double> secant_stiffness;    ///< (f + p^2 A)/A; p^2 is the spring's
   std::optional<double> equivalent_damping;  ///< of a full cycle of amplitude A, (43)
@@ -27,7 +27,7 @@ struct Practice {
   std::optional<double> notch_width_min;
 };
 
-/// Of a motion with that response. Empty if nothing moves.
+/// For a motion with that response. Empty if nothing moves.
 [[nodiscard]] std::optional<Practice> practice(const Oscillator& oscillator,
                                                const Response& response,
                                                const std::optional<double>& acceleration_max);
@@ -35,7 +35,7 @@ struct Practice {
 /// f + Delta/w: what the mass feels inside a notch of width w > 0, away from the spring, which adds
 /// p^2 w/2 at most.
 [[nodiscard]] double notch_acceleration(double f, double delta, double width);
-/// The least width that keeps that at or below `limit`; empty where even f alone is not below it.
+/// The least width that keeps that at or below `limit`; empty if even f alone is not below it.
 [[nodiscard]] std::optional<double> least_notch_width(double f, double delta, double limit);
 
 }  // namespace stillpoint::design
