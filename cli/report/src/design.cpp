@@ -294,12 +294,9 @@ Optimum optimum_of(const design::DesignResult& result) {
 
 namespace {
 
-/// A pulse is shown in place of the velocity to which it reduces.
 void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
-  design::Problem shown = problem;
-  shown.v0 = pulse ? 0 : problem.v0;
-  Section& task = add_problem(document, shown, limits, physical);
+  Section& task = add_problem(document, problem, limits, physical, pulse.has_value());
   if (pulse) {
     add_pulse(task, *pulse, ranges, physical);
   }

@@ -160,8 +160,8 @@ ordered_json json(const DesignReport& report) {
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   ordered_json task = task_json(problem, limits);
   add_pulse(task, pulse, ranges);
-  if (pulse && problem.v0 == 0) {
-    task["v0"] = nullptr;  // a full sine leaves none
+  if (pulse) {
+    task["v0"] = number(result.reduced_v0);
   }
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);
