@@ -3,6 +3,7 @@
 #include "figures/report_figures.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
@@ -21,16 +22,6 @@ using figures::HtmlPage;
 using figures::Ink;
 
 namespace {
-
-HtmlPage page_of(const Document& document) {
-  return {.title = document.title,
-          .verdict = document.verdict,
-          .answer = html(document.answer),
-          .figures = {},
-          .body = html(document),
-          .report = text(document, {.verbosity = Verbosity::full}),
-          .footer = {}};
-}
 
 /// The design as its pulse moves it, from rest.
 DrawnMotion motion_under(const design::Finding& found, double beta) {

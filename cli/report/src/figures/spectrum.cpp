@@ -2,6 +2,7 @@
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
 
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/spectrum.hpp>
 
@@ -147,14 +148,9 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
 }
 
 figures::HtmlPage page(const SpectrumReport& report) {
-  const Document words = document(report);
-  return {.title = words.title,
-          .verdict = words.verdict,
-          .answer = html(words.answer),
-          .figures = spectrum_figures(report.result, FigureUnits(report.physical)),
-          .body = html(words),
-          .report = text(words, {.verbosity = Verbosity::full}),
-          .footer = {}};
+  figures::HtmlPage page = page_of(document(report));
+  page.figures = spectrum_figures(report.result, FigureUnits(report.physical));
+  return page;
 }
 
 }  // namespace stillpoint::report

@@ -57,6 +57,14 @@ RecordScan record_scan_from(ordered_json document) {
 
 }  // namespace
 
+Document document(const RecordScan& scan) {
+  Document document;
+  document.title = fmt::format("Part {} of a design", sweep::text(scan.label.part));
+  document.verdict =
+      fmt::format("{} of {} dampers.", scan.figures.size(), scan.label.whole.entries);
+  return document;
+}
+
 ordered_json json(const RecordScan& scan) {
   ordered_json columns;
   for (const auto& [column, member] : scan_columns) {
