@@ -70,10 +70,8 @@ void add_outcomes(Document& document, const SweepState& state, bool design) {
 ordered_json json(const SweepReport& report) {
   const auto& [spec, summary, map] = report;
   const bool design = spec.kind == SweepKind::design;
-  ordered_json columns = ordered_json::array();
-  for (const Quantity column : spec.columns) {
-    columns.push_back(name(column, spec.units));
-  }
+  const ordered_json columns =
+      list_json(spec.columns, [&](Quantity column) { return name(column, spec.units); });
   const SweepState& state = summary.state;
   return {
       {"schema", "stillpoint/sweep-report/1"},
