@@ -28,7 +28,7 @@ using std::numbers::pi;
 
 BOOST_FIXTURE_TEST_CASE(half_cycles_are_those_that_are_counted, Sandbox) {
   for (const Arguments& arguments : {s3, s4, harmonic, pulse("half-sine"), pulse("full-sine")}) {
-    const json report = report_of(*this, arguments);
+    const json report = reported(arguments);
     const json& response = report["response"];
     const json& list = report["half_cycles"];
     BOOST_TEST(list.size() == response["half_cycles"]);
@@ -47,9 +47,9 @@ BOOST_FIXTURE_TEST_CASE(half_cycles_are_those_that_are_counted, Sandbox) {
 }
 
 BOOST_FIXTURE_TEST_CASE(half_cycles_are_capped_as_asked, Sandbox) {
-  const json all = report_of(*this, s3);
+  const json all = reported(s3);
   for (const std::size_t most : {0U, 1U, 30U, 65U, 66U}) {
-    const json report = report_of(*this, joined(s3, {"--max-half-cycles", std::to_string(most)}));
+    const json report = reported(joined(s3, {"--max-half-cycles", std::to_string(most)}));
     const std::size_t listed = std::min<std::size_t>(most, 65);
     BOOST_TEST(report["half_cycles"].size() == listed);
     BOOST_TEST(report["half_cycles_listed"] == listed);
@@ -60,7 +60,7 @@ BOOST_FIXTURE_TEST_CASE(half_cycles_are_capped_as_asked, Sandbox) {
   }
   // Also of a motion without an end.
   const Arguments endless = free_at_rest("--excitation half-sine --k 1 --lambda 2");
-  BOOST_TEST(report_of(*this, joined(endless, "--max-half-cycles 3"))["half_cycles"].size() == 3U);
+  BOOST_TEST(reported(joined(endless, "--max-half-cycles 3"))["half_cycles"].size() == 3U);
 }
 
 namespace {
@@ -90,8 +90,7 @@ std::vector<Row> trajectory_of(const Sandbox& sandbox, const std::string& header
 
 BOOST_FIXTURE_TEST_CASE(trajectory_has_every_event_and_ends_with_the_response, Sandbox) {
   for (const Arguments& arguments : {s3, s4, harmonic}) {
-    const json report =
-        report_of(*this, joined(arguments, "--trajectory motion.csv --samples 100"));
+    const json report = reported(joined(arguments, "--trajectory motion.csv --samples 100"));
     const auto rows = trajectory_of(*this, "tau,x,v");
     const json& response = report["response"];
     BOOST_TEST((rows.front() == Row{0, 0, report["input"]["v0"]}));
@@ -136,7 +135,7 @@ BOOST_FIXTURE_TEST_CASE(rest_under_a_load_ends_its_half_cycle_and_its_trajectory
       "--trajectory motion.csv");
   constexpr double stop = 3.797288279831329;
   for (const Arguments& more : {Arguments{}, Arguments("--t-end 50")}) {
-    const json report = report_of(*this, joined(scene, more));
+    const json report = reported(joined(scene, more));
     BOOST_TEST(near(report["response"]["stop_time"], stop, 1e-15));
     BOOST_TEST(report["half_cycles"].back()["end_time"] == report["response"]["stop_time"]);
     const auto rows = trajectory_of(*this, "tau,x,v");
@@ -149,18 +148,19 @@ BOOST_FIXTURE_TEST_CASE(limit_of_half_cycles_refuses_a_longer_motion, Sandbox) {
   const Arguments scene = at_rest("--excitation harmonic --k 0.2 --lambda 1 --t-end 200");
   check_refused(*this, {joined(scene, "--half-cycle-limit 5"),
                         {"half-cycle-limit", "more half-cycles than are allowed", "5 by tau"}});
-  BOOST_TEST(report_of(*this, joined(scene, "--half-cycle-limit 100"))["response"]["half_cycles"]
-                 .get<double>() > 5);
+  BOOST_TEST(
+      reported(joined(scene, "--half-cycle-limit 100"))["response"]["half_cycles"].get<double>() >
+      5);
 }
 
 BOOST_FIXTURE_TEST_CASE(trajectory_of_a_pulse_ends_with_the_motion, Sandbox) {
-  const json report = report_of(*this, pulse("half-sine", "--trajectory motion.csv"));
+  const json report = reported(pulse("half-sine", "--trajectory motion.csv"));
   const auto rows = trajectory_of(*this, "tau,x,v");
   BOOST_TEST(near(rows.back()[0], report["response"]["stop_time"], 1e-11));
   BOOST_TEST(near(rows.back()[1], report["response"]["stop_position"], 1e-13));
   BOOST_TEST(rows.back()[2] == 0);
   // It is followed at rest up to an end that is given.
-  const json longer = report_of(*this, pulse("half-sine", "--trajectory motion.csv --t-end 50"));
+  const json longer = reported(pulse("half-sine", "--trajectory motion.csv --t-end 50"));
   BOOST_TEST(trajectory_of(*this, "tau,x,v").back() ==
              (Row{50, longer["response"]["stop_position"], 0}));
   BOOST_TEST(longer["response"]["end_time"] == longer["response"]["stop_time"]);
@@ -172,8 +172,9 @@ BOOST_FIXTURE_TEST_CASE(trajectory_of_a_pulse_ends_with_the_motion, Sandbox) {
 }
 
 BOOST_FIXTURE_TEST_CASE(trajectory_of_nothing_that_moves_stays_at_its_place_to_the_end, Sandbox) {
-  const json report = report_of(*this, at_rest("--excitation harmonic --k 0.1 --lambda 1 --t-end 9 "
-                                               "--trajectory motion.csv --samples 5"));
+  const json report =
+      reported(at_rest("--excitation harmonic --k 0.1 --lambda 1 --t-end 9 "
+                       "--trajectory motion.csv --samples 5"));
   const auto rows = trajectory_of(*this, "tau,x,v");
   BOOST_TEST(report["response"]["stop_time"] == 0);
   BOOST_TEST(rows.back()[0] == 9);
@@ -182,9 +183,9 @@ BOOST_FIXTURE_TEST_CASE(trajectory_of_nothing_that_moves_stays_at_its_place_to_t
 
 BOOST_FIXTURE_TEST_CASE(trajectory_of_physical_input_has_metres_and_seconds, Sandbox) {
   write("s5.txt", column_file(record_s5()));
-  const json report = report_of(*this,
-                                "simulate --period 2 --f 0.05 --delta-m 0 --record s5.txt "
-                                "--record-step 0.02 --trajectory motion.csv --samples 50");
+  const json report = reported(
+      "simulate --period 2 --f 0.05 --delta-m 0 --record s5.txt "
+      "--record-step 0.02 --trajectory motion.csv --samples 50");
   const auto rows = trajectory_of(*this, "tau,x,v,t_s,x_m,v_m_per_s");
   const json& quantities = report["physical"];
   double peak = 0;

@@ -77,11 +77,8 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_mended_on_each_side) {
   const std::string out = run(too_much).out;
   const std::string box = "0.9040843148 to 1.095915685 times f and 0.9760210787 to 1.023978921";
   BOOST_TEST(contains(std::regex_replace(out, std::regex("\\s+"), " "), box), out);
-  BOOST_TEST(
-      run(design(
-              0.75,
-              "--tolerance-f 0.9040843148:1.095915685 --tolerance-delta 0.9760210787:1.023978921"))
-          .exit_code == 0);
+  succeed(design(
+      0.75, "--tolerance-f 0.9040843148:1.095915685 --tolerance-delta 0.9760210787:1.023978921"));
 }
 
 BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart) {
@@ -104,7 +101,7 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_
   for (const json& mend : joint["mends"]) {
     problem[mend["input"].get<std::string>()] = mend["value"];
   }
-  BOOST_TEST(run("design -", {.input = problem.dump()}).exit_code == 0);
+  succeed("design -", {.input = problem.dump()});
   const Arguments pulse(
       "design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.02 --tolerance 0.5 --json");
   // With a pulse nothing bounds Delta, so that a weaker one alone is enough.

@@ -49,8 +49,7 @@ struct Simulation {
 };
 
 Simulation simulation(const Sandbox& sandbox, const Arguments& arguments) {
-  const ProgramRun run = sandbox.run(joined(arguments, "--json --trajectory motion.csv"));
-  BOOST_TEST_REQUIRE(run.exit_code == 0, run.err);
+  const ProgramRun run = sandbox.succeed(joined(arguments, "--json --trajectory motion.csv"));
   check_only_finite(sandbox.read("motion.csv"));
   return {run.json(), parse(sandbox.read("motion.csv"))};
 }
@@ -172,8 +171,7 @@ BOOST_AUTO_TEST_CASE(has_columns_in_metres_and_seconds_for_physical_input) {
 }
 
 BOOST_AUTO_TEST_CASE(goes_with_the_report_into_two_files) {
-  const ProgramRun text = run(joined(eleven, "--trajectory motion.csv --output report.json"));
-  BOOST_TEST(text.exit_code == 0);
+  succeed(joined(eleven, "--trajectory motion.csv --output report.json"));
   BOOST_TEST(contents().size() == 2U);
   BOOST_TEST(json::parse(read("report.json"))["response"]["half_cycles"] == 11);
   // 1000 samples where none are asked for.
