@@ -121,10 +121,10 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
 BOOST_AUTO_TEST_CASE(limits_that_are_given_have_their_rows) {
   const Arguments limits("--f-max 0.3 --delta-max 0.45");
   const json report = reported(design(0.9, limits));
-  const json again = report_of(
-      *this, joined({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f",
-                     in_full(report["design"]["f"]), "--delta", in_full(report["design"]["delta"])},
-                    limits));
+  const json again = reported(
+      joined({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f",
+              in_full(report["design"]["f"]), "--delta", in_full(report["design"]["delta"])},
+             limits));
   BOOST_TEST(report["constraints"].size() == 7U);
   BOOST_TEST(report["constraints"] == again["constraints"]);
 }

@@ -122,8 +122,8 @@ BOOST_AUTO_TEST_CASE(flag_puts_a_record_in_the_place_of_the_wave_of_a_scene_and_
 
 BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
   write("w.txt", "0.3\n-0.2\n");
-  const json given = report_of(
-      *this, at_rest("--record w.txt --record-step 1 --record-units m/s2 --record-scale 2"));
+  const json given =
+      reported(at_rest("--record w.txt --record-step 1 --record-units m/s2 --record-scale 2"));
   const json& excitation = given["input"]["excitation"];
   BOOST_TEST(excitation["record_units"] == "m/s2");
   BOOST_TEST(excitation["record_step"] == 1);
@@ -204,8 +204,8 @@ BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
   write("s5.txt", column_file(record_s5()));
   const json dimensionless =
       reported(joined(s5, {"--record-step", in_full(0.02 * pi)}))["response"];
-  const json report = report_of(
-      *this, "simulate --period 2 --f 0.05 --delta-m 0 --record s5.txt --record-step 0.02");
+  const json report =
+      reported("simulate --period 2 --f 0.05 --delta-m 0 --record s5.txt --record-step 0.02");
   BOOST_TEST(near(report["input"]["p"], 1, 1e-15));
   BOOST_TEST(near(report["input"]["excitation"]["duration"], 59.98 * pi, 1e-14));
   check_same_motion(report["response"], dimensionless, 1e-8);

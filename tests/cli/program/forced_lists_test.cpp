@@ -165,8 +165,8 @@ BOOST_FIXTURE_TEST_CASE(trajectory_of_a_pulse_ends_with_the_motion, Sandbox) {
              (Row{50, longer["response"]["stop_position"], 0}));
   BOOST_TEST(longer["response"]["end_time"] == longer["response"]["stop_time"]);
   // Ten periods more where there is no end.
-  const json endless = report_of(
-      *this, free_at_rest("--excitation half-sine --k 1 --lambda 2 --trajectory motion.csv"));
+  const json endless =
+      reported(free_at_rest("--excitation half-sine --k 1 --lambda 2 --trajectory motion.csv"));
   BOOST_TEST(endless["response"]["outcome"] == "never_stops");
   BOOST_TEST(near(trajectory_of(*this, "tau,x,v").back()[0], pi / 2 + 20 * pi, 1e-13));
 }

@@ -127,10 +127,10 @@ BOOST_FIXTURE_TEST_CASE(ranges_of_hits_and_springs_are_those_of_design, Sandbox)
         rows(*this, joined(task, "--velocity 0.4,360mm/s:0.44 --residual-m 0,5mm"));
     BOOST_TEST_REQUIRE(table.rows.size() == 4U);
     for (std::size_t i = 0; i < 4; ++i) {
-      const json report = report_of(
-          *this, joined(joined("design", task),
-                        {"--velocity", table.at(i, "velocity_low") + ":" + table.at(i, "velocity"),
-                         "--residual-m", table.at(i, "residual_m")}));
+      const json report = reported(
+          joined(joined("design", task),
+                 {"--velocity", table.at(i, "velocity_low") + ":" + table.at(i, "velocity"),
+                  "--residual-m", table.at(i, "residual_m")}));
       BOOST_TEST(
           near(table.number(i, "tolerance"), report["design"]["tolerance"], search_tolerance));
       BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
@@ -158,8 +158,8 @@ BOOST_FIXTURE_TEST_CASE(pulses_of_designs_are_in_hertz_and_seconds, Sandbox) {
     for (std::size_t i = 0; i < 2; ++i) {
       const std::string option =
           column == "pulse_duration" ? "--pulse-duration" : "--excitation-frequency";
-      const json report = report_of(
-          *this, joined({"design", "--pulse", clock[1], option, table.at(i, column)}, task));
+      const json report =
+          reported(joined({"design", "--pulse", clock[1], option, table.at(i, column)}, task));
       BOOST_TEST_REQUIRE(table.at(i, "feasible") == "true");
       BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
       BOOST_TEST(near(table.number(i, "delta_m"), report["physical"]["delta_m"], search_tolerance));

@@ -126,9 +126,9 @@ BOOST_AUTO_TEST_CASE(a_length_of_a_pulse_may_be_given_as_any_range) {
       "design --pulse half-sine --k 0.45g:0.55g --period 1.9:2.1 --max-displacement 600mm");
   const json by_duration = reported(joined(physical, "--pulse-duration 0.5s:0.625s"));
   const json by_hertz = reported(joined(physical, "--excitation-frequency 0.8:1"));
-  const json by_lambda = report_of(
-      *this, joined(physical, {"--lambda", in_full(by_hertz["input"]["lambda_range"][0]) + ":" +
-                                               in_full(by_hertz["input"]["lambda_range"][1])}));
+  const json by_lambda =
+      reported(joined(physical, {"--lambda", in_full(by_hertz["input"]["lambda_range"][0]) + ":" +
+                                                 in_full(by_hertz["input"]["lambda_range"][1])}));
   const json& f = by_hertz["design"]["f"];
   BOOST_TEST(near(by_duration["design"]["f"], f.get<double>(), 1e-9));
   BOOST_TEST(near(by_lambda["design"]["f"], f.get<double>(), 1e-9));

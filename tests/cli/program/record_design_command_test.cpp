@@ -122,8 +122,7 @@ BOOST_FIXTURE_TEST_CASE(records_may_be_dimensionless, Sandbox) {
 
 BOOST_FIXTURE_TEST_CASE(the_report_is_that_of_simulate, Sandbox) {
   write("a.txt", small_record);
-  const json report = report_of(
-      *this,
+  const json report = reported(
       "design --record a.txt --period 2.8 --max-displacement 0.3 --residual-m 5mm --hold 0.1");
   const json& design = report["design"];
   const json motion =

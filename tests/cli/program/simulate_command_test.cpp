@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(every_passage_has_its_impulse) {
 BOOST_AUTO_TEST_CASE(edges_of_zones_and_the_hold_may_carry_their_unit) {
   const Arguments motion("simulate --velocity 0.4 --period 2.8 --f 0.02");
   const Arguments delta("--delta-m 1mm");
-  const json bare = report_of(
-      *this, joined(motion, joined(delta, "--friction-zones 0.02:0.1,0.05:0.06")), impatient());
+  const json bare =
+      reported(joined(motion, joined(delta, "--friction-zones 0.02:0.1,0.05:0.06")), impatient());
   const json flags = reported(
       joined(motion, joined(delta, {"--friction-zones", "20mm:0.1,5 cm:0.06"})), impatient());
   BOOST_TEST(flags["input"] == bare["input"]);
@@ -234,8 +234,8 @@ BOOST_AUTO_TEST_CASE(half_cycles_follow_one_another) {
 BOOST_AUTO_TEST_CASE(list_of_half_cycles_is_capped_as_asked) {
   const json all = reported(simulate("0.02", "0.02"), impatient());
   for (const int most : {0, 1, 4, 11, 12}) {
-    const json report = report_of(
-        *this, simulate("0.02", "0.02", {"--max-half-cycles", std::to_string(most)}), impatient());
+    const json report = reported(
+        simulate("0.02", "0.02", {"--max-half-cycles", std::to_string(most)}), impatient());
     const auto listed = static_cast<std::size_t>(std::min(most, 11));
     BOOST_TEST(report["half_cycles"].size() == listed);
     BOOST_TEST(report["half_cycles_listed"] == listed);
@@ -353,8 +353,7 @@ BOOST_AUTO_TEST_CASE(limit_of_half_cycles_can_be_set) {
 }
 
 BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
-  const json report = report_of(
-      *this,
+  const json report = reported(
       "simulate --velocity 0.4 --stiffness 877298.1689857206 --mass 2e5 --f 0.02 --delta-m 0.001");
   const json& quantities = report["physical"];
   const double omega = 2 * std::numbers::pi / 3;

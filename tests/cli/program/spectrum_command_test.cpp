@@ -74,8 +74,7 @@ BOOST_FIXTURE_TEST_CASE(each_point_is_that_of_simulate, Sandbox) {
   for (const json& point : points) {
     const std::string period = in_full(point["period_s"]);
     const auto check = [&](const json& figures, const Arguments& damper) {
-      const json response = report_of(
-          *this,
+      const json response = reported(
           joined({"simulate", "--record", "a.txt", "--period", period, "--f", "0.02"}, damper));
       const json& physical = response["physical"];
       BOOST_TEST(near(figures["peak_m"], physical["peak_m"], units_tolerance));

@@ -182,8 +182,8 @@ BOOST_FIXTURE_TEST_CASE(frequencies_and_durations_are_those_of_the_load, Sandbox
     const double lambda = by_duration["input"]["excitation"]["lambda"];
     BOOST_TEST(reported(forced({"--excitation", type, "--lambda", in_full(lambda)})) ==
                by_duration);
-    const json by_frequency = report_of(
-        *this, forced({"--excitation", type, "--excitation-frequency", in_full(periods / 0.07)}));
+    const json by_frequency =
+        reported(forced({"--excitation", type, "--excitation-frequency", in_full(periods / 0.07)}));
     BOOST_TEST(near(by_frequency["input"]["excitation"]["lambda"], lambda, conversion_tolerance));
   }
   const json harmonic =
