@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "forced_arguments.hpp"
-#include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
 #include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <numbers>
 
 BOOST_AUTO_TEST_SUITE(forced_command_test)
 
@@ -17,7 +13,6 @@ namespace {
 
 using namespace stillpoint::cli_test;
 using nlohmann::json;
-using std::numbers::pi;
 
 }  // namespace
 
@@ -135,18 +130,6 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(forced_reference, Sandbox)
 
-BOOST_AUTO_TEST_CASE(scene_at_resonance) {
-  const json response = reported(s3)["response"];
-  BOOST_TEST(near(response["peak_amplitude"], 13.432292785823942, 1e-13));
-  BOOST_TEST(near(response["final_position"], 6.6071415781915130, 1e-12));
-  BOOST_TEST(response["zero_passages"] == 64);
-  BOOST_TEST(response["half_cycles"] == 65);
-  BOOST_TEST(response["sticks"] == 0);
-  BOOST_TEST(response["stick_time"] == 0);
-  BOOST_TEST(response["outcome"] == "running");
-  BOOST_TEST(response["end_time"] == 200);
-}
-
 BOOST_AUTO_TEST_CASE(scene_with_stops) {
   const json response = reported(s4)["response"];
   BOOST_TEST(near(response["peak_amplitude"], 0.33344255898459425, 1e-13));
@@ -169,20 +152,6 @@ BOOST_AUTO_TEST_CASE(scene_of_a_record) {
   BOOST_TEST(report["input"]["excitation"]["type"] == "record");
   BOOST_TEST(report["input"]["excitation"]["record"] == "s5.txt");
   BOOST_TEST(report["input"]["excitation"]["samples"] == 3000);
-}
-
-BOOST_AUTO_TEST_CASE(without_friction_the_closed_form) {
-  // x'' + x = -sin(2 tau + phase) from rest.
-  const double tau = 7;
-  for (const double phase : {0.0, 0.7, pi / 2, -2.0}) {
-    const json response =
-        reported(free_at_rest({"--excitation", "harmonic", "--k", "1", "--lambda", "2", "--phase",
-                               in_full(phase), "--t-end", "7"}))["response"];
-    const double x = (std::sin(2 * tau + phase) - std::sin(phase) * std::cos(tau) -
-                      2 * std::cos(phase) * std::sin(tau)) /
-                     3;
-    BOOST_TEST(std::abs(response["final_position"].get<double>() - x) <= 1e-13);
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
