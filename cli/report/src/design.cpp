@@ -129,9 +129,6 @@ std::string duration_text(double seconds) {
 
 void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
   const FigureUnits units(physical);
-  const auto in = [](const std::string& name, const std::string& unit) {
-    return name + (unit.empty() ? "" : ", " + unit);
-  };
   Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit), "half-cycles",
                "relative error", "allowed", "time", ""},
               {}};
