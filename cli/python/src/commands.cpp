@@ -31,11 +31,7 @@ namespace {
 class Bounds final : public Result {
  public:
   explicit Bounds(const design::Problem& problem)
-      : request_{problem}, region_(admissible_region(problem)) {}
-
-  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(whole()); }
-  [[nodiscard]] report::Document document() const override { return report::document(whole()); }
-  [[nodiscard]] figures::HtmlPage page() const override { return report::page(whole()); }
+      : Result(nullptr), request_{problem}, region_(admissible_region(problem)) {}
 
   [[nodiscard]] const py::object& region() {
     if (!fields_) {
@@ -46,19 +42,23 @@ class Bounds final : public Result {
   }
 
  private:
-  [[nodiscard]] report::RegionReport whole() const {
-    return {request_, design::answer(request_), {}, {}};
+  [[nodiscard]] const answers::Answer& answer() const override {
+    if (!whole_) {
+      whole_ = answers::answer_of(report::RegionReport{request_, design::answer(request_), {}, {}});
+    }
+    return *whole_;
   }
 
   design::RegionRequest request_;
   design::Region region_;
   py::object fields_;
+  mutable std::unique_ptr<answers::Answer> whole_;
 };
 
 /// With a trajectory, if samples or an end were asked for.
-class Motion final : public Answered {
+class Motion final : public Result {
  public:
-  using Answered::Answered;
+  using Result::Result;
 
   /// The memory is that of the result.
   [[nodiscard]] static py::object trajectory(const py::object& self) {
@@ -154,7 +154,7 @@ std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::d
   if (row.command == Command::simulate) {
     return std::make_unique<Motion>(std::move(found));
   }
-  return std::make_unique<Answered>(std::move(found));
+  return std::make_unique<Result>(std::move(found));
 }
 
 }  // namespace

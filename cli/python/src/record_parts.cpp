@@ -11,12 +11,8 @@
 #include "written_files.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/sweep/part.hpp>
-
-#include <fmt/format.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::python {
@@ -25,24 +21,6 @@ namespace py = pybind11;
 using cli::Command;
 
 namespace {
-
-class DesignPart final : public Result {
- public:
-  explicit DesignPart(report::RecordScan scan) : scan_(std::move(scan)) {}
-
-  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(scan_); }
-  [[nodiscard]] report::Document document() const override {
-    report::Document said;
-    said.title = fmt::format("Part {} of a design", sweep::text(scan_.label.part));
-    said.verdict =
-        fmt::format("{} of {} dampers.", scan_.figures.size(), scan_.label.whole.entries);
-    return said;
-  }
-  [[nodiscard]] figures::HtmlPage page() const override { return page_without_figures(); }
-
- private:
-  report::RecordScan scan_;
-};
 
 /// A single one may be given without a list.
 std::vector<std::string> paths(const py::object& given) {
@@ -61,7 +39,7 @@ std::vector<std::string> paths(const py::object& given) {
 
 std::unique_ptr<Result> merge(const py::object& parts) {
   const std::vector<std::string> files = paths(parts);
-  return std::make_unique<Answered>(interruptible([&](const std::stop_token& stop) {
+  return std::make_unique<Result>(interruptible([&](const std::stop_token& stop) {
     const report::RecordScan scan = report::merged_record_scan(files);
     const report::RecordDesignInput input =
         record_design_input(cli::record_design_settings(scan.label.task), scan);
@@ -86,7 +64,7 @@ std::unique_ptr<Result> design_part(cli::Settings settings) {
   cli::Output output;
   write(*found, output);
   output.commit();
-  return std::make_unique<DesignPart>(found->scan);
+  return std::make_unique<Result>(answers::answer_of(found->scan));
 }
 
 void add_record_parts(py::module_& module) {

@@ -70,49 +70,15 @@ class RowsInMemory final : public sweep::RowSink {
   std::vector<char> bytes_;
 };
 
-class Sweep : public Result {
+class Sweep final : public Result {
  public:
-  explicit Sweep(py::object table) : table_(std::move(table)) {}
+  Sweep(std::unique_ptr<answers::Answer> answer, py::object table)
+      : Result(std::move(answer)), table_(std::move(table)) {}
 
   [[nodiscard]] const py::object& table() const { return table_; }
 
  private:
   py::object table_;
-};
-
-class SweepOfRows final : public Sweep {
- public:
-  SweepOfRows(SweepSpec spec, sweep::SweepSummary summary, std::optional<sweep::SweepMap> map,
-              py::object table)
-      : Sweep(std::move(table)), spec_(std::move(spec)), summary_(summary), map_(std::move(map)) {}
-
-  [[nodiscard]] nlohmann::ordered_json json() const override {
-    return report::json(spec_, summary_);
-  }
-  [[nodiscard]] report::Document document() const override {
-    return report::document(spec_, summary_);
-  }
-  [[nodiscard]] figures::HtmlPage page() const override {
-    return map_ ? report::page(spec_, summary_, *map_) : page_without_figures();
-  }
-
- private:
-  SweepSpec spec_;
-  sweep::SweepSummary summary_;
-  std::optional<sweep::SweepMap> map_;
-};
-
-class SweepWithoutRows final : public Sweep {
- public:
-  explicit SweepWithoutRows(report::ReductionReport report)
-      : Sweep(py::none()), report_(std::move(report)) {}
-
-  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(report_); }
-  [[nodiscard]] report::Document document() const override { return report::document(report_); }
-  [[nodiscard]] figures::HtmlPage page() const override { return page_without_figures(); }
-
- private:
-  report::ReductionReport report_;
 };
 
 /// Only a sweep over f and delta has a map.
@@ -138,28 +104,30 @@ std::unique_ptr<Sweep> reduced(const Settings& given, const SweepSpec& spec) {
   cli::Output output;
   cli::print_report(found, given, output, false);
   output.commit();
-  return std::make_unique<SweepWithoutRows>(std::move(found));
+  return std::make_unique<Sweep>(answers::answer_of(std::move(found)), py::none());
 }
 
-std::unique_ptr<Sweep> with_rows(SweepSpec spec, bool in_memory) {
-  std::optional<sweep::SweepMap> map = map_of(spec);
+std::unique_ptr<Sweep> with_rows(SweepSpec asked, bool in_memory) {
+  report::SweepReport found{std::move(asked)};
+  const SweepSpec& spec = found.spec;
+  found.map = map_of(spec);
   const py::dtype type = dtype_of(spec);
   RowsInMemory memory(in_memory
                           ? static_cast<std::size_t>(sweep::own_entries(spec).count.value_or(0)) *
                                 static_cast<std::size_t>(type.itemsize())
                           : 0);
-  const sweep::SweepSummary summary = interruptible([&](const std::stop_token& stop) {
+  found.summary = interruptible([&](const std::stop_token& stop) {
     const std::unique_ptr<sweep::RowSink> file = in_memory ? nullptr : sweep::open_rows(spec);
-    return sweep::run(spec, file ? *file : memory, {stop, {}, map ? &*map : nullptr});
+    return sweep::run(spec, file ? *file : memory, {stop, {}, found.map ? &*found.map : nullptr});
   });
   py::object table = py::none();
   if (in_memory) {
     auto bytes = std::make_unique<std::vector<char>>(memory.take());
     const void* const data = bytes->data();
-    table =
-        py::array(type, static_cast<py::ssize_t>(summary.state.rows), data, kept(std::move(bytes)));
+    table = py::array(type, static_cast<py::ssize_t>(found.summary.state.rows), data,
+                      kept(std::move(bytes)));
   }
-  return std::make_unique<SweepOfRows>(std::move(spec), summary, std::move(map), std::move(table));
+  return std::make_unique<Sweep>(answers::answer_of(std::move(found)), std::move(table));
 }
 
 std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& options) {

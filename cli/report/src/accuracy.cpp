@@ -75,10 +75,6 @@ std::string_view reason(const SimulationRequest& request) {
                "bound that cannot step over it";
 }
 
-}  // namespace
-
-namespace {
-
 /// Null with dimensionless input.
 ordered_json physical_json(const AccuracyReport& report) {
   if (!report.physical) {
@@ -154,10 +150,6 @@ TableRow method_row(const peers::MethodRow& now) {
        exponent(now.end_error), counts(now.result), now.counts_right ? "right" : "wrong"},
       now.counts_right ? Tone::good : Tone::bad};
 }
-
-}  // namespace
-
-namespace {
 
 /// The accuracy of simulate's own method.
 std::string verdict(const peers::MethodRow& kernel, bool stops) {

@@ -46,10 +46,9 @@ void add_trade_off(Document& document, const std::vector<design::TradeOff>& fron
     const std::vector<design::TradeOff>& front, const design::Finding& chosen,
     const FigureUnits& units);
 
-/// Null without a catalogue; null without a trade-off.
-[[nodiscard]] nlohmann::ordered_json catalogue_json(const std::optional<Catalogue>& catalogue,
+[[nodiscard]] nlohmann::ordered_json catalogue_json(const Catalogue& catalogue,
                                                     const PartTask& task);
-[[nodiscard]] nlohmann::ordered_json trade_off_json(
-    const std::optional<std::vector<design::TradeOff>>& front, const Physical& physical);
+[[nodiscard]] nlohmann::ordered_json trade_off_json(const std::vector<design::TradeOff>& front,
+                                                    const Physical& physical);
 
 }  // namespace stillpoint::report

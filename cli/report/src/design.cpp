@@ -129,9 +129,6 @@ std::string duration_text(double seconds) {
 
 void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
   const FigureUnits units(physical);
-  const auto in = [](const std::string& name, const std::string& unit) {
-    return name + (unit.empty() ? "" : ", " + unit);
-  };
   Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit), "half-cycles",
                "relative error", "allowed", "time", ""},
               {}};
@@ -293,12 +290,9 @@ Optimum optimum_of(const design::DesignResult& result) {
 
 namespace {
 
-/// A pulse is shown in place of the velocity to which it reduces.
 void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
-  design::Problem shown = problem;
-  shown.v0 = pulse ? 0 : problem.v0;
-  Section& task = add_problem(document, shown, limits, physical);
+  Section& task = add_problem(document, problem, limits, physical, pulse.has_value());
   if (pulse) {
     add_pulse(task, *pulse, ranges, physical);
   }

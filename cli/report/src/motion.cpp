@@ -28,9 +28,6 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
   if (answer.half_cycles.empty()) {
     return;
   }
-  const auto in = [](const std::string& name, const std::string& unit) {
-    return name + (unit.empty() ? "" : ", " + unit);
-  };
   Table table{{"", in("starts", units.time_unit), in("leaves at", units.velocity_unit),
                in("peak at", units.time_unit), in("peak", units.length_unit),
                in("ends", units.time_unit), in("arrives at", units.velocity_unit)},

@@ -110,14 +110,14 @@ std::string box_text(const design::Limits& limits, double tolerance) {
 }
 
 Section& add_problem(Document& document, const design::Problem& problem,
-                     const design::Limits& limits, const Physical& physical) {
+                     const design::Limits& limits, const Physical& physical, bool pulsed) {
   Section& section = document.detail("Task");
   if (physical) {
     add_physical_input(section, *physical);
   }
-  section.row("dimensionless", format("{}p = {:.6g}, beta = {:.6g}",
-                                      problem.v0 != 0 ? format("v0 = {:.6g}, ", problem.v0) : "",
-                                      problem.p, problem.beta));
+  section.row("dimensionless",
+              format("{}p = {:.6g}, beta = {:.6g}",
+                     pulsed ? "" : format("v0 = {:.6g}, ", problem.v0), problem.p, problem.beta));
   const double velocity = physical ? physical->scales.velocity_m_per_s : 1;
   if (problem.v0_low) {
     const std::string low =
@@ -131,7 +131,7 @@ Section& add_problem(Document& document, const design::Problem& problem,
                 format("{} {:.6g} to {:.6g}{}{}", physical ? "periods of" : "p",
                        physical ? period / *problem.p_high : problem.p,
                        physical ? period / problem.p : *problem.p_high, physical ? " s" : "",
-                       problem.v0 != 0 ? "; the motion shown is for the softest" : ""));
+                       pulsed ? "" : "; the motion shown is for the softest"));
   }
   if (problem.residual) {
     section.row("residual",

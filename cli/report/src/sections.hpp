@@ -41,9 +41,9 @@ void add_excitation(Section& section, const Excitation& excitation,
 /// "+-5 % of f and delta at once", or each side of a box of another shape.
 [[nodiscard]] std::string box_text(const design::Limits& limits, double tolerance);
 
-/// The section of the task.
+/// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,
-                     const design::Limits& limits, const Physical& physical);
+                     const design::Limits& limits, const Physical& physical, bool pulsed);
 Section& add_region(Document& document, const design::Region& region, const Physical& physical);
 /// The rows of a pulse in the section of the task.
 void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,

@@ -79,10 +79,6 @@ std::string failures(const std::vector<design::RatedPart>& parts) {
   return text;
 }
 
-std::string in(const std::string& name, const std::string& unit) {
-  return name + (unit.empty() ? "" : ", " + unit);
-}
-
 std::string percent(double tolerance) {
   constexpr double thousandths = 1e5;  // of a percent
   return format("+-{:.4g} %", 100 * std::round(thousandths * tolerance) / thousandths);

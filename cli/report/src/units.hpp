@@ -27,6 +27,9 @@ using Physical = std::optional<design::PhysicalInput>;
 /// An angular frequency "20 = 62.8 rad/s"; alone without physical input.
 [[nodiscard]] std::string frequency_text(const Physical& physical, double lambda);
 
+/// "peak, mm"; the name alone without a unit.
+[[nodiscard]] std::string in(const std::string& name, const std::string& unit);
+
 /// The factors that figures apply to dimensionless numbers, and the labels of their axes.
 struct FigureUnits {
   double length{1};

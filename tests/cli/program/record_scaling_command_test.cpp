@@ -41,8 +41,8 @@ const Arguments held("design --period 2.8s --search-f 100:100 --search-delta-m 0
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
   write("a.txt", small_record);
   const Arguments record = joined(moved, "--record a.txt");
-  const json twice = report_of(*this, joined(record, "--record-scale -2"));
-  const json peak = report_of(*this, joined(record, "--record-peak 0.8g"));
+  const json twice = reported(joined(record, "--record-scale -2"));
+  const json peak = reported(joined(record, "--record-peak 0.8g"));
   const json excitation = peak["input"]["excitation"];
   BOOST_TEST(excitation["record_scale"] == nullptr);
   BOOST_TEST(excitation["record_peak"] == 0.8);
@@ -61,7 +61,7 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
   write("a.txt", long_load);
   const auto factor = [&](const Arguments& arguments) {
-    return report_of(*this, arguments)["input"]["excitation"]["record_factor"].get<double>();
+    return reported(arguments)["input"]["excitation"]["record_factor"].get<double>();
   };
   const Arguments record = joined(moved, "--record a.txt --record-spectrum 1g");
   BOOST_TEST(near(factor(record), 1 / (0.25 * overshoot), hand_tolerance));
@@ -82,7 +82,7 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Sandbox) {
   write("spectra.csv", "file,spectrum\nb.txt,1\n");
   const auto check = [&](const Arguments& arguments, const std::vector<double>& scales,
                          const std::vector<double>& peaks) {
-    const json list = report_of(*this, joined(held, arguments))["records"];
+    const json list = reported(joined(held, arguments))["records"];
     BOOST_TEST_REQUIRE(list.size() == scales.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       BOOST_TEST(near(list[i]["scale"], scales[i], hand_tolerance), list[i].dump());
@@ -108,7 +108,7 @@ BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
   write("list.csv", "file,scale\nsuite,2\n");
   for (const Arguments& given : std::vector<Arguments>{{"--record", "suite", "--record-scale", "2"},
                                                        {"--records-list", "list.csv"}}) {
-    const json list = report_of(*this, joined(held, given))["records"];
+    const json list = reported(joined(held, given))["records"];
     BOOST_TEST_REQUIRE(list.size() == 2U);
     BOOST_TEST(list[0]["file"] == "suite/a.csv");
     BOOST_TEST(list[1]["file"] == "suite/b.txt");
@@ -123,8 +123,7 @@ BOOST_FIXTURE_TEST_CASE(a_folder_leaves_out_notes_and_says_so, Sandbox) {
   write("list.csv", "file,scale\nsuite,2\n");
   for (const Arguments& given :
        std::vector<Arguments>{{"--record", "suite"}, {"--records-list", "list.csv"}}) {
-    const ProgramRun done = run(joined(held, given));
-    BOOST_TEST(done.exit_code == 0);
+    const ProgramRun done = succeed(joined(held, given));
     BOOST_TEST(contains(done.err, "warning: record suite/notes.txt: is left out"), done.err);
     BOOST_TEST(run(joined(joined(held, given), "--quiet")).err == "");
   }

@@ -57,10 +57,8 @@ const std::vector<Spelling> spellings{
 }  // namespace
 
 BOOST_DATA_TEST_CASE_F(Sandbox, spelling, data::make(spellings), one) {
-  const ProgramRun expected = run(sweep(), with_input(plain));
-  BOOST_TEST_REQUIRE(expected.exit_code == 0, expected.err);
-  const ProgramRun answer = run(sweep(), with_input(one.text));
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const ProgramRun expected = succeed(sweep(), with_input(plain));
+  const ProgramRun answer = succeed(sweep(), with_input(one.text));
   // 0 and -0 are one damper, but the columns repeat what was given.
   if (std::string(one.name) != "with_other_numerals") {
     BOOST_TEST(answer.out == expected.out);
@@ -88,8 +86,7 @@ BOOST_AUTO_TEST_CASE(of_scenes_gives_each_its_own_start) {
   write("scenes.jsonl",
         "{\"v0\": 1, \"p\": 2, \"f\": 0.1, \"delta\": 0.1}\n"
         "{\"v0\": 2, \"p\": 1, \"f\": 0.1, \"delta\": 0.1}\n");
-  const ProgramRun answer = run("sweep --list scenes.jsonl");
-  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = succeed("sweep --list scenes.jsonl");
   const SweepTable table = read_csv(answer.out);
   BOOST_TEST(table.columns.front() == "v0");
   for (std::size_t row = 0; row < 2; ++row) {
@@ -102,8 +99,7 @@ BOOST_AUTO_TEST_CASE(of_scenes_gives_each_its_own_start) {
 
 BOOST_AUTO_TEST_CASE(of_problems_is_designed) {
   write("problems.csv", "beta\n0.8\n0.5\n0.9\n");
-  const ProgramRun answer = run("sweep --v0 1 --p 1 --list problems.csv");
-  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = succeed("sweep --v0 1 --p 1 --list problems.csv");
   const SweepTable table = read_csv(answer.out);
   BOOST_TEST(table.at(0, "feasible") == "true");
   BOOST_TEST(table.at(1, "feasible") == "false");
@@ -131,8 +127,7 @@ BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
   const Arguments plainly("sweep --v0 1 --p 1 --list - --times");
   const Arguments forced = joined(plainly, "--excitation half-sine --k 1e-9 --lambda 3");
   for (const Arguments& arguments : {plainly, forced}) {
-    const ProgramRun answer = run(arguments, with_input(text));
-    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const ProgramRun answer = succeed(arguments, with_input(text));
     const SweepTable table = read_csv(answer.out);
     BOOST_TEST_REQUIRE(table.rows.size() == 3U);
     BOOST_TEST(table.at(1, "outcome") == "too_many_half_cycles");

@@ -78,8 +78,7 @@ struct Parts : Sandbox {
 
   void check_merged(const Arguments& sweep, int n, const std::string& extension) const {
     BOOST_TEST_CONTEXT(n << " parts, " << extension) {
-      const ProgramRun whole = run(joined(sweep, {"--output", "whole." + extension}));
-      BOOST_TEST_REQUIRE(whole.exit_code == 0, whole.err);
+      const ProgramRun whole = succeed(joined(sweep, {"--output", "whole." + extension}));
       const ProgramRun answer = merge(split(sweep, n, extension));
       BOOST_TEST(answer.exit_code == 0, answer.err);
       BOOST_TEST((read("merged") == read("whole." + extension)));
@@ -136,8 +135,8 @@ BOOST_AUTO_TEST_CASE(may_be_given_by_a_launcher) {
   for (const char* rank : {"0", "1", "2"}) {
     const Surroundings ranked{
         .environment = {{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "3"}}};
-    const ProgramRun answer = run(joined(grid, "--part auto --output {part}.csv --json"), ranked);
-    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const ProgramRun answer =
+        succeed(joined(grid, "--part auto --output {part}.csv --json"), ranked);
     names.push_back(answer.json().at("output").at("file"));
   }
   BOOST_TEST(names.front() == "1-of-3.csv");
@@ -188,8 +187,7 @@ BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
   };
   BOOST_TEST_REQUIRE(run(second, killed).exit_code == -1);
   BOOST_TEST(!fs::exists(path("2-of-3.csv")));
-  const ProgramRun resumed = run(joined(second, "--resume --json"));
-  BOOST_TEST_REQUIRE(resumed.exit_code == 0, resumed.err);
+  succeed(joined(second, "--resume --json"));
   for (const int i : {1, 3}) {
     static_cast<void>(part(forced, i, 3));
   }

@@ -140,8 +140,7 @@ void check_best(const json& best, const SweepTable& table) {
 
 struct Reduced : Sandbox {
   [[nodiscard]] json report(const Arguments& arguments) const {
-    const ProgramRun answer = run(joined(arguments, "--json"));
-    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const ProgramRun answer = succeed(joined(arguments, "--json"));
     check_report_schema(answer.out);
     return answer.json();
   }
@@ -180,14 +179,12 @@ struct Reduced : Sandbox {
     for (int i = n; i >= 1; --i) {
       const std::string part = std::to_string(i) + "/" + std::to_string(n);
       const std::string name = "part" + std::to_string(i) + ".json";
-      const ProgramRun answer = run(joined(
-          sweep, {"--part", part, "--output", name, "--threads", std::to_string(1 + i % 3)}));
-      BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+      succeed(joined(sweep,
+                     {"--part", part, "--output", name, "--threads", std::to_string(1 + i % 3)}));
       check_report_schema(read(name));
       merge.push_back(name);
     }
-    const ProgramRun answer = run(merge);
-    BOOST_TEST(answer.exit_code == 0, answer.err);
+    succeed(merge);
     BOOST_TEST((read("merged.json") == read("whole.json")), n << " parts");
   }
 };
@@ -245,7 +242,7 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
   const Arguments part = joined(motions, "--reduce --output r.json --part");
   static_cast<void>(run(joined(part, "1/2")));
   const std::string found = read("r.json");
-  BOOST_TEST(run(joined(part, "1/2 --resume")).exit_code == 0);
+  succeed(joined(part, "1/2 --resume"));
   BOOST_TEST(read("r.json") == found);
   check_refusal(run(joined(part, "2/2")), {"r.json", "1/2", "{part}"});
 }

@@ -339,6 +339,12 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   return result;
 }
 
+ProgramRun Sandbox::succeed(const Arguments& arguments, const Surroundings& surroundings) const {
+  ProgramRun done = run(arguments, surroundings);
+  BOOST_TEST_REQUIRE(done.exit_code == 0, done.err);
+  return done;
+}
+
 std::map<std::string, std::string> Sandbox::contents() const {
   constexpr std::uintmax_t large = std::uintmax_t{1} << 20U;
   std::map<std::string, std::string> found;

@@ -69,6 +69,12 @@ class Sandbox : public test::Folder {
   /// Runs the program with this directory as its own.
   [[nodiscard]] ProgramRun run(const Arguments& arguments,
                                const Surroundings& surroundings = {}) const;
+  /// The same of a run that must end well.
+  ProgramRun succeed(const Arguments& arguments, const Surroundings& surroundings = {}) const;
+  /// The report of such a run with --json, whose numbers are finite. Standard error may say that
+  /// the damper locks, and nothing else.
+  [[nodiscard]] nlohmann::json reported(const Arguments& arguments,
+                                        const Surroundings& surroundings = {}) const;
 
   /// Every entry by name: the text of a file, the target of a link, "/" for a directory. Of files
   /// over a mebibyte the size alone.

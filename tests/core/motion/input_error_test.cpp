@@ -2,9 +2,7 @@
 #include "testing/checks.hpp"
 #include "testing/scene.hpp"
 
-#include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -5,8 +5,7 @@
 
 #include "random_source.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <array>
 #include <cmath>

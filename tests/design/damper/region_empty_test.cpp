@@ -3,8 +3,7 @@
 #include "reference.hpp"
 #include "testing/printing.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -5,8 +5,7 @@
 #include "random_source.hpp"
 #include "suites_of_records.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

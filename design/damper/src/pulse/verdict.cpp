@@ -152,22 +152,22 @@ Constraint return_of(const PulseRegion& region, const FirstReturn& motion, doubl
 
 }  // namespace
 
-DesignRequest reduced(const PulseRequest& request, const Pulse& shown, double f) {
-  const auto& [problem, limits, options] = request;
-  const auto start = equivalent_start(shown, f);
-  DesignRequest reduced{{start ? start->speed : 0, problem.p, problem.beta, problem.criterion},
-                        limits,
-                        options,
-                        problem.pulse,
-                        problem.ranges};
-  reduced.problem.p_high = problem.p_high;
-  return reduced;
+std::optional<double> reduced_v0(const Pulse& pulse, double f) {
+  const auto start = equivalent_start(pulse, f);
+  return start ? std::optional(start->speed) : std::nullopt;
 }
 
 DesignResult without_finding(const PulseRequest& request, const PulseRegion& region,
                              const std::optional<Island>& within) {
   const auto& [problem, limits, options] = request;
-  DesignResult result{{edges_of(region, problem, within)}, reduced(request, problem.pulse, 0)};
+  const Problem task{.p = problem.p,
+                     .beta = problem.beta,
+                     .criterion = problem.criterion,
+                     .p_high = problem.p_high};
+  DesignResult result{{edges_of(region, problem, within)},
+                      {task, limits, options, problem.pulse, problem.ranges},
+                      {},
+                      reduced_v0(problem.pulse, 0)};
   result.intervals.emplace();
   result.intervals->reserve(region.islands().size());
   for (const Island& island : region.islands()) {

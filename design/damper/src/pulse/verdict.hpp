@@ -13,9 +13,8 @@
 
 namespace stillpoint::design {
 
-/// The request for the forced motion: v0 is the velocity to which the motion shown reduces,
-/// if there is one.
-[[nodiscard]] DesignRequest reduced(const PulseRequest& request, const Pulse& shown, double f);
+/// The velocity to which a pulse reduces; empty if it leaves none.
+[[nodiscard]] std::optional<double> reduced_v0(const Pulse& pulse, double f);
 
 /// The region, and if it is empty, why. `within` is an island with a box of the tolerance asked
 /// for, empty if there is none.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/design/record_design.hpp>
+#include <stillpoint/report/document.hpp>
 #include <stillpoint/sweep/output.hpp>
 #include <stillpoint/sweep/part_label.hpp>
 
@@ -20,6 +21,8 @@ struct RecordScan {
   std::vector<design::SuiteFigures> figures;
 };
 
+/// How much of the scan it is.
+[[nodiscard]] Document document(const RecordScan& scan);
 /// Reads back to the same numbers.
 [[nodiscard]] nlohmann::ordered_json json(const RecordScan& scan);
 

@@ -30,9 +30,8 @@ namespace stillpoint::design {
 /// itself: docs/theory.md section 8. In it f2 and f3 are the ends of the f that stay within beta
 /// and return, beta_min is the least beta without limits, delta2 is empty, since the notch takes
 /// nothing from a mass that starts from rest. The finding's `response` is the forced one, and its
-/// `pulse` says how far the reduction to a velocity is off; the request's v0 is that velocity, or 0
-/// if there is none. The mends name k and lambda instead of v0. Throws InputError for wrong
-/// input.
+/// `pulse` says how far the reduction to a velocity is off; the mends name k
+/// and lambda instead of v0. Throws InputError for wrong input.
 [[nodiscard]] DesignResult design(const PulseRequest& request);
 
 }  // namespace stillpoint::design

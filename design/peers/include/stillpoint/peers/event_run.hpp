@@ -160,7 +160,8 @@ class EventRun {
 
   void stop_where_it_rests() {
     t_ = rest_begin_;
-    stop(ground_.rest_at(x()));
+    const bool caught = !moved_ && scene_.start.v0 != 0;
+    stop(caught ? Outcome::caught_at_start : ground_.rest_at(x()));
   }
 
   void finish() {
