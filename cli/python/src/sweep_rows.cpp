@@ -2,18 +2,19 @@
 // The command sweep, with its rows in memory: what a file of the format npy holds, as an array. Or
 // without rows.
 
+#include "sweep_rows.hpp"
 #include "arguments.hpp"
 #include "input/request.hpp"
 #include "interruptible.hpp"
 #include "output.hpp"
 #include "parts.hpp"
-#include "result.hpp"
 #include "values.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/merge.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
 #include <stillpoint/sweep/run.hpp>
 
@@ -21,6 +22,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <optional>
 
 namespace stillpoint::python {
@@ -49,35 +51,42 @@ py::dtype dtype_of(const SweepSpec& spec) {
 class RowsInMemory final : public sweep::RowSink {
  public:
   /// `size` is that of all rows where it is known.
-  explicit RowsInMemory(std::size_t size) { bytes_.reserve(size); }
+  explicit RowsInMemory(std::size_t size = 0) {
+    try {
+      bytes_.reserve(size);
+    } catch (const std::bad_alloc&) {
+      throw cli::UsageError(
+          fmt::format("the table takes {:.3g} GB of memory: give output, a file, or reduce",
+                      1e-9 * static_cast<double>(size)));
+    }
+  }
 
   [[nodiscard]] const sweep::SweepState& found() const override { return nothing_; }
   void write(std::string_view bytes) override {
-    if (begun_) {
+    if (header_.empty()) {
+      header_ = bytes;
+    } else {
       bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
-    begun_ = true;
   }
   void reached(const sweep::SweepState& /*state*/) override {}
   void finish(const sweep::SweepState& /*state*/, std::string_view /*header*/) override {}
   sweep::LeftRows leave() override { return {}; }
 
-  [[nodiscard]] std::vector<char> take() { return std::move(bytes_); }
+  [[nodiscard]] const std::string& header() const { return header_; }
+
+  /// The rows as an array that owns them.
+  [[nodiscard]] py::array take(const py::dtype& type) {
+    auto bytes = std::make_unique<std::vector<char>>(std::move(bytes_));
+    const auto count = static_cast<py::ssize_t>(bytes->size()) / type.itemsize();
+    const void* const data = bytes->data();
+    return {type, count, data, kept(std::move(bytes))};
+  }
 
  private:
   sweep::SweepState nothing_;
-  bool begun_{false};  ///< the header comes first
+  std::string header_;  ///< comes first
   std::vector<char> bytes_;
-};
-
-class Sweep : public Result {
- public:
-  explicit Sweep(py::object table) : table_(std::move(table)) {}
-
-  [[nodiscard]] const py::object& table() const { return table_; }
-
- private:
-  py::object table_;
 };
 
 class SweepOfRows final : public Sweep {
@@ -114,6 +123,46 @@ class SweepWithoutRows final : public Sweep {
  private:
   report::ReductionReport report_;
 };
+
+/// Of parts, which do not say all that a report of the sweep has.
+class MergedRows final : public Sweep {
+ public:
+  MergedRows(sweep::Merged merged, std::size_t parts, std::optional<std::string> output,
+             py::object table)
+      : Sweep(std::move(table)), merged_(merged), parts_(parts), output_(std::move(output)) {}
+
+  [[nodiscard]] nlohmann::ordered_json json() const override {
+    return {{"rows", merged_.rows},
+            {"parts", parts_},
+            {"output", output_ ? nlohmann::ordered_json(*output_) : nlohmann::ordered_json()}};
+  }
+  [[nodiscard]] report::Document document() const override {
+    report::Document said;
+    said.title = "Sweep";
+    said.verdict = fmt::format("{} rows of {} parts.", merged_.rows, parts_);
+    return said;
+  }
+  [[nodiscard]] figures::HtmlPage page() const override { return page_without_figures(); }
+
+ private:
+  sweep::Merged merged_;
+  std::size_t parts_;
+  std::optional<std::string> output_;
+};
+
+/// Of the header of a file.
+py::dtype dtype_of(const std::string& header) {
+  constexpr std::size_t magic = 8;  // with the version
+  if (!header.starts_with('\x93')) {
+    throw InputError::missing("output", "rows as CSV are joined in a file");
+  }
+  const py::object file =
+      py::module_::import("io").attr("BytesIO")(py::bytes(header.substr(magic)));
+  return py::module_::import("numpy.lib.format")
+      .attr("read_array_header_1_0")(file)
+      .cast<py::tuple>()[2]
+      .cast<py::dtype>();
+}
 
 /// Only a plane of f and delta has a map.
 std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
@@ -154,10 +203,7 @@ std::unique_ptr<Sweep> with_rows(SweepSpec spec, bool in_memory) {
   });
   py::object table = py::none();
   if (in_memory) {
-    auto bytes = std::make_unique<std::vector<char>>(memory.take());
-    const void* const data = bytes->data();
-    table =
-        py::array(type, static_cast<py::ssize_t>(summary.state.rows), data, kept(std::move(bytes)));
+    table = memory.take(type);
   }
   return std::make_unique<SweepOfRows>(std::move(spec), summary, std::move(map), std::move(table));
 }
@@ -179,6 +225,23 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
 }
 
 }  // namespace
+
+std::unique_ptr<Sweep> merged_reduction(const std::vector<std::string>& parts) {
+  return std::make_unique<SweepWithoutRows>(
+      interruptible([&](const std::stop_token& /*stop*/) { return report::merged(parts); }));
+}
+
+std::unique_ptr<Sweep> merged_rows(const std::vector<std::string>& parts,
+                                   const std::optional<std::string>& output) {
+  RowsInMemory memory;
+  const sweep::Merged merged = interruptible([&](const std::stop_token& stop) {
+    return output ? sweep::merge(*output, parts, {stop, {}})
+                  : sweep::merge(memory, parts, {stop, {}});
+  });
+  return std::make_unique<MergedRows>(
+      merged, parts.size(), output,
+      output ? py::object(py::none()) : memory.take(dtype_of(memory.header())));
+}
 
 void add_sweep(py::module_& module) {
   py::class_<Sweep, Result>(module, "Sweep",
