@@ -22,9 +22,6 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A scan keeps about 100 bytes for each.
-constexpr std::int64_t most_scan_points = 10'000'000;
-
 /// "LOW:HIGH", each with a unit if it has one.
 std::optional<design::SearchRange> search_range(const Settings& settings, const char* name) {
   const auto text = settings.text(name);
@@ -123,8 +120,8 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
-  request.scan_points = settings.count("scan-points", request.scan_points, 1, most_scan_points);
-  request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
+  request.scan_points = settings.integer("scan-points").value_or(request.scan_points);
+  request.threads = static_cast<int>(settings.integer("threads").value_or(0));
   return input;
 }
 

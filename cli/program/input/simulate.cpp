@@ -25,13 +25,13 @@ Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
 }
 
 void add_output(const Settings& settings, SimulationRequest& request) {
-  request.max_half_cycles = settings.count("max-half-cycles", request.max_half_cycles, 0, 100'000);
+  request.max_half_cycles = settings.integer("max-half-cycles").value_or(request.max_half_cycles);
   const auto trajectory = settings.text("trajectory");
   if (trajectory == "-" && settings.flag("json")) {
     throw UsageError(
         "json and the trajectory would both go to standard output: give --trajectory FILE");
   }
-  const std::int64_t samples = settings.count("samples", 1000, 2, 1'000'000);
+  const std::int64_t samples = settings.integer("samples").value_or(1000);
   if (trajectory) {
     request.samples = samples;
   } else if (settings.has("samples")) {

@@ -6,7 +6,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
-#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/identity.hpp>
@@ -179,7 +178,6 @@ void add_front(const Settings& settings, SweepSpec& spec) {
   if (!count) {
     return;
   }
-  design::require_trade_offs(*count);
   spec.axes.push_back(
       {Quantity::trade_off, Axis(1, static_cast<double>(*count), *count, Axis::Spacing::linear)});
 }
@@ -290,8 +288,9 @@ SweepSpec sweep_request(const Settings& settings) {
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);
-  const std::int64_t all_threads = std::max(1U, std::thread::hardware_concurrency());
-  spec.threads = static_cast<int>(settings.count("threads", all_threads, 1, 1024));
+  const auto threads = settings.integer("threads").value_or(0);
+  const std::int64_t all = std::max(1U, std::thread::hardware_concurrency());
+  spec.threads = static_cast<int>(threads == 0 ? all : threads);
   spec.resume = settings.flag("resume");
   spec.units = units(settings);
   spec.list = open_list(settings, spec.units);

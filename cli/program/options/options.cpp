@@ -7,6 +7,7 @@
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/sweep/list.hpp>
 #include <stillpoint/sweep/spec.hpp>
@@ -50,6 +51,9 @@ constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
+
+/// A scan keeps about 100 bytes for each.
+constexpr std::int64_t most_scan_points = 10'000'000;
 
 /// Those of a design for a hit, then those that only a design under records has.
 std::vector<std::string_view> all_objectives() {
@@ -157,7 +161,7 @@ std::vector<Option> rows() {
           for_hits({.values = names<design::Criterion>(), .first_is_default = true})),
       row("arrivals", integer, "N", damper,
           "stop at x = 0 by the N-th arrival, from 1 to 1000; default 1", of_designs,
-          for_hits({.sweeps = true})),
+          for_hits({.sweeps = true, .bounds = {1, design::most_arrivals}})),
       row("residual", number, "R", damper, "a rest with |x| up to R is admissible too", of_designs,
           plain_axis(Rivals::residual)),
       row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
@@ -186,7 +190,8 @@ std::vector<Option> rows() {
       row("trade-off", integer, "N", searching,
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000; "
           "in a sweep, one row each instead of the design",
-          design | sweep, for_hits()),
+          design | sweep,
+          for_hits({.bounds = {design::least_trade_offs, design::most_trade_offs}})),
       row("objective", text, "NAME", searching,
           "{}; under records acceleration (default), amplitude or residual", design | sweep,
           {.values = all_objectives(), .first_is_default = true}),
@@ -206,7 +211,7 @@ std::vector<Option> rows() {
           under_records(in_si(Dimension::time))),
       row("scan-points", integer, "N", searching,
           "under records: scan about this many dampers before the searches; default 10000", design,
-          under_records()),
+          under_records({.bounds = {1, most_scan_points}})),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           for_hits({.values = design::algorithm_names()})),
 
@@ -279,8 +284,8 @@ std::vector<Option> rows() {
       row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
           {.role = Role::output}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
-      row("threads", integer, "N", sweeping, "default: all; no result depends on it",
-          of_suites | sweep, under_records({.role = Role::execution})),
+      row("threads", integer, "N", sweeping, "default 0: all; no result depends on it",
+          of_suites | sweep, under_records({.role = Role::execution, .bounds = {0, 1024}})),
       row("reduce", flag, "", sweeping,
           "instead of rows write counts, extremes and where they are, quantiles, histograms, the "
           "best",
@@ -301,7 +306,7 @@ std::vector<Option> rows() {
           under_records({.role = Role::execution})),
 
       row("max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate,
-          {.role = Role::content}),
+          {.role = Role::content, .bounds = {0, 100'000}}),
       row("half-cycle-limit", number, "N", output,
           "refuse a motion that may take more half-cycles (default 1e8; no limit under an "
           "excitation)",
@@ -311,7 +316,7 @@ std::vector<Option> rows() {
           {.role = Role::output, .file = FileUse::written}),
       row("samples", integer, "N", output,
           "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
-          {.role = Role::output}),
+          {.role = Role::output, .bounds = {2, 1'000'000}}),
       row("table", text, "FILE", output,
           "write each record and period to a file: NumPy's format if its name ends in .npy, else "
           "CSV; - prints CSV instead of the report",

@@ -8,6 +8,7 @@
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -87,6 +88,12 @@ enum class FileUse { none, read, written, directory };
 /// A design is for a hit or under records; this marks what only one of them takes.
 enum class DesignFor { both, hit, records };
 
+/// Of a whole number.
+struct Bounds {
+  std::int64_t least{0};
+  std::int64_t most{0};
+};
+
 /// Traits that most options leave at their defaults.
 struct OptionTraits {
   bool sweeps{false};            ///< a number, but in a sweep an axis
@@ -103,6 +110,7 @@ struct OptionTraits {
   RangeEnd range{RangeEnd::none};  ///< for designs LOW:HIGH is a value as well
   DesignFor design{DesignFor::both};
   Load load{Load::none};
+  Bounds bounds{};  ///< of an integer
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where

@@ -130,9 +130,9 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
       return value.get<double>();
     case OptionKind::integer:
       if (!value.is_number()) {
-        throw wrong_type("a whole number");
+        throw wrong_type(whole_number(option));
       }
-      return parse_integer(option.name, value.dump());
+      return integer_value(option, value.dump());
     case OptionKind::text:
       if (option.name == "friction-zones" && value.is_array()) {
         return zones_text(value);

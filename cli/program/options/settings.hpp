@@ -30,7 +30,6 @@ class UsageError : public std::runtime_error {
 };
 
 using records::has_unit;
-using records::parse_integer;
 using records::parse_number;
 using sweep::Axis;
 using sweep::Range;
@@ -38,7 +37,11 @@ using sweep::Range;
 /// The value of an option, in its SI unit, and each number of an axis, "100mm:200mm:5"; see
 /// records/units.hpp. Throws InputError.
 [[nodiscard]] double parse_value(const Option& option, std::string_view text);
+[[nodiscard]] std::int64_t integer_value(const Option& option, std::string_view text);
 [[nodiscard]] Axis axis_value(const Option& option, std::string_view text, Command command);
+
+/// "a whole number from 1 to 1000", of an integer option.
+[[nodiscard]] std::string whole_number(const Option& option);
 
 /// LOW:HIGH. Throws InputError.
 [[nodiscard]] Range range_value(const Option& option, std::string_view text);
@@ -78,10 +81,6 @@ class Settings {
   [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
   [[nodiscard]] bool flag(std::string_view name) const { return get<bool>(name).value_or(false); }
   [[nodiscard]] std::optional<Axis> axis(std::string_view name) const { return get<Axis>(name); }
-
-  /// A whole number within bounds. Throws InputError.
-  [[nodiscard]] std::int64_t count(std::string_view name, std::int64_t fallback, std::int64_t least,
-                                   std::int64_t most) const;
 
   /// A number; throws InputError if not set, with `hint` on what to give.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;

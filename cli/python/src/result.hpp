@@ -28,7 +28,6 @@ class Result {
   [[nodiscard]] std::string one_line() const;
   [[nodiscard]] std::string html() const;
 
- protected:
   [[nodiscard]] virtual const answers::Answer& answer() const { return *answer_; }
 
  private:

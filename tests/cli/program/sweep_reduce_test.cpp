@@ -193,7 +193,9 @@ BOOST_FIXTURE_TEST_SUITE(reductions, Reduced)
 
 BOOST_AUTO_TEST_CASE(say_what_the_rows_say) {
   check_true(motions, asked);
-  check_true(designs, "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4");
+  check_true(designs,
+             "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4 --histogram "
+             "delta:0:0.4:1");
   check_true(
       "sweep --p 1 --f 0.05:0.2:9 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
       "--reduce --best final_velocity:3");
@@ -268,6 +270,12 @@ const Wrong wrong_reductions[] = {
     {joined(motions, "--reduce --best stop_time"), {"best"}},
     {joined(motions, "--reduce --best stop_time:5:first"), {"best", "smallest"}},
     {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:1:0:5"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:5:1:5:log"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:0"), {"histogram", "1 to"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:1e9"), {"histogram", "1 to"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:2.5"), {"histogram", "BINS"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:5:exp"), {"histogram", "BINS"}},
     {joined(motions, "--reduce --histogram stop_time:1"), {"histogram", "1 to"}},
     {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "increasing"}}};
 

@@ -5,6 +5,8 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/region.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -163,13 +165,16 @@ double f_at(const std::vector<Span>& spans, std::int64_t place, std::int64_t cou
   return std::min(spans[k].low + at, spans[k].high);
 }
 
-}  // namespace
-
+/// Throws InputError unless least_trade_offs <= count <= most_trade_offs.
 void require_trade_offs(std::int64_t count) {
-  if (count < 2 || count > most_trade_offs) {
-    throw InputError("trade_off", std::to_string(count), "must be a whole number from 2 to 1000");
+  if (count < least_trade_offs || count > most_trade_offs) {
+    throw InputError(
+        "trade_off", std::to_string(count),
+        fmt::format("must be a whole number from {} to {}", least_trade_offs, most_trade_offs));
   }
 }
+
+}  // namespace
 
 std::optional<DesignPoint> trade_off_at(const Problem& problem, const Limits& limits,
                                         std::int64_t count, std::int64_t place) {

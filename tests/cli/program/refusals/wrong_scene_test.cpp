@@ -46,7 +46,8 @@ const std::vector<Wrong> scenes{
      "{\"v0\": 1, \"p\": 1, \"f\": 0.1, \"delta\": 0.1,\n \"friction_zones\": [{\"to\": 0.1, "
      "\"f\": -0.1}]}"},
     scene("{" + good + R"(, "arrivals": 1e9})", {"arrivals = 1000000000", "from 1 to 1000"}),
-    scene("{" + good + R"(, "arrivals": 2.5})", {"arrivals = 2.5", "a whole number"}),
+    scene("{" + good + R"(, "arrivals": 2.5})",
+          {"arrivals = 2.5: must be a whole number from 1 to 1000"}),
     scene("{" + good + R"(, "f_max": 1, "f-max": 1})", {"f", "max", "twice"}),
     scene(R"({"v0": "1", "p": 1, "beta": 1})", {"v0 = \"1\"", "a number"}),
     scene(R"({"v0": null, "p": 1, "beta": 1})", {"v0 = null", "a number"}),

@@ -107,7 +107,7 @@ const std::vector<Wrong> sweeps{
     forced({"--columns", ""}, {"columns", "\"\""}),
     forced("--columns f,f", {"columns = f", "twice"}),
     forced("--columns f --times", {"columns and times cannot be combined"}),
-    forced("--threads 0", {"threads = 0", "from 1 to 1024"}),
+    forced("--threads 1025", {"threads = 1025", "from 0 to 1024"}),
     forced("--list-format csv", {"give --list FILE"}),
     forced("--list none.csv", {"none.csv", "No such file"}),
     {"sweep --list - --list-format xml", {"list-format = xml", "csv or jsonl"}, "f,delta\n"},

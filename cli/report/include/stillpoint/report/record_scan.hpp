@@ -26,6 +26,9 @@ struct RecordScan {
 /// Reads back to the same numbers.
 [[nodiscard]] nlohmann::ordered_json json(const RecordScan& scan);
 
+/// Whether the file begins as such a part does.
+[[nodiscard]] bool is_record_scan(const std::string& path);
+
 /// Throws records::FileError if the file is not a complete part.
 [[nodiscard]] RecordScan read_record_scan(const std::string& path);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/sweep/files_apart.hpp>
+#include <stillpoint/sweep/sink.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -32,5 +33,8 @@ void require_apart(const NamedFile& written, const std::vector<std::string>& par
 /// The file is then not written.
 Merged merge(const std::string& output, const std::vector<std::string>& parts,
              const MergeWatch& watch = {});
+
+/// The same bytes into a sink, first the header alone.
+Merged merge(RowSink& sink, const std::vector<std::string>& parts, const MergeWatch& watch = {});
 
 }  // namespace stillpoint::sweep
