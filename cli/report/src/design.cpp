@@ -13,12 +13,51 @@ namespace stillpoint::report {
 
 namespace {
 
-void add_damper(Document& document, const design::DesignResult& result, const Physical& physical) {
+/// The best is at the very end of the feasible f, no constant friction: a limit, which the search
+/// comes near and nobody builds.
+bool wants_no_friction(const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  return !report.catalogue && begins_at_nothing(result.finding->point.f, *result.region.f_upper);
+}
+
+/// Beside next to no friction: what is left of it with friction that can be built.
+std::string tolerance_without_friction(const design::DesignResult& result) {
+  const auto& [f, delta, tolerance] = result.finding->point;
+  std::string text = format("delta may be off by +-{:.4g} % with next to no f", 100 * tolerance);
+  if (!result.request.pulse) {
+    constexpr double kept = 0.9;
+    const auto& [problem, limits, search, pulse, ranges] = result.request;
+    const double less = kept * tolerance;
+    if (const auto largest = design::any_f_up_to(problem, limits, delta, less)) {
+      text += format(", by +-{:.4g} % with any up to {:.3g}", 100 * less, *largest);
+    }
+  }
+  return text;
+}
+
+std::string tolerance_words(const DesignReport& report) {
+  const design::Limits& limits = report.result.request.limits;
+  const double tolerance = report.result.finding->point.tolerance;
+  constexpr double none = 1e-6;  // the distance that a design keeps from an edge, and rounding
+  if (tolerance < none) {
+    return "none is left: the damper is on the edge of what is admissible";
+  }
+  if (limits.shape != design::BoxShape{}) {
+    return box_text(limits, tolerance);
+  }
+  return wants_no_friction(report)
+             ? tolerance_without_friction(report.result)
+             : format("f and delta may both be off by +-{:.4g} %", 100 * tolerance);
+}
+
+void add_damper(Document& document, const DesignReport& report, const Physical& physical) {
+  const design::DesignResult& result = report.result;
   const design::Finding& finding = *result.finding;
   const DeltaNeeds needs = delta_needs(result);
   const design::DesignPoint& point = finding.point;
   Section& section = document.detail("Design");
-  section.row("f", digits(point.f), Tone::heading);
+  section.row("f", (wants_no_friction(report) ? "next to none, " : "") + digits(point.f),
+              Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
   section.row("tolerance", box_text(result.request.limits, point.tolerance));
   if (stops_by_delta1(finding.constraints)) {
@@ -155,11 +194,15 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
   const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
   const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
+  const bool weighed = force && energy && std::isfinite(*energy);
+  const std::string notch =
+      weighed ? format("a notch that takes {} at a passage", with_unit(*energy, "J"))
+              : format("delta = {}", length_shown(physical, delta));
   std::string text =
-      force && energy && std::isfinite(*energy)
-          ? format("Build a friction force of {} and a notch that takes {} at a passage.",
-                   with_unit(*force, "N"), with_unit(*energy, "J"))
-          : format("Build f = {} and delta = {}.", digits(f), length_shown(physical, delta));
+      wants_no_friction(report)
+          ? format("Build {} and as little constant friction as you can.", notch)
+      : weighed ? format("Build a friction force of {} and {}.", with_unit(*force, "N"), notch)
+                : format("Build f = {} and {}.", digits(f), notch);
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
@@ -198,6 +241,10 @@ std::string felt(const design::Finding& finding, const Response& response,
                   acceleration_shown(limits.acceleration_max.value()),
                   length_shown(physical, *finding.practice->notch_width_min));
   }
+  if (limits.acceleration_max) {
+    return format("{} outside the notch; inside it, more than {} at any width", outside,
+                  acceleration_shown(*limits.acceleration_max));
+  }
   if (!physical) {
     return format("{} outside the notch, f + delta/w inside one of width w", outside);
   }
@@ -221,13 +268,16 @@ void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
 }
 
 /// What it does, and how far it can be trusted.
-void add_answer(Section& answer, const design::DesignResult& result, const Physical& physical) {
+void add_answer(Section& answer, const DesignReport& report, const Physical& physical) {
+  const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const bool pulsed = pulse.has_value();
   const Response& response = pulsed ? finding.pulse->response : finding.response;
-  answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)),
+  const std::string friction =
+      wants_no_friction(report) ? "f as small as you can make it" : format("f = {}", digits(f));
+  answer.row("damper", format("{}, delta = {}", friction, length_text(physical, delta)),
              Tone::heading);
   answer.row(
       "peak",
@@ -249,9 +299,7 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
   }
-  answer.row("tolerance", limits.shape == design::BoxShape{}
-                              ? format("f and delta may both be off by +-{:.4g} %", 100 * tolerance)
-                              : box_text(limits, tolerance));
+  answer.row("tolerance", tolerance_words(report));
   add_works_for(answer, finding.works_for, physical);
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 1.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
@@ -368,9 +416,9 @@ Document document(const DesignReport& report) {
   const design::Finding& finding = *result.finding;
   document.verdict = verdict(report, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
-  add_answer(document.answer, result, physical);
+  add_answer(document.answer, report, physical);
   add_choices(document, report, physical);
-  add_damper(document, result, physical);
+  add_damper(document, report, physical);
   add_constraints(document, finding.constraints, physical);
   add_motion(document, finding, problem.beta, physical);
   if (report.built_notch) {

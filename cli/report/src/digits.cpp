@@ -42,7 +42,15 @@ std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.5g} {}", value, unit);
 }
 
+bool begins_at_nothing(double low, double high) {
+  constexpr double nothing = 1e-6;
+  return low <= nothing * high;
+}
+
 std::string range_digits(double low, double high) {
+  if (begins_at_nothing(low, high)) {
+    return fmt::format("up to {}", digits(high));
+  }
   const std::string from = digits(low);
   const std::string to = digits(high);
   return from == to && low < high ? interval_digits(low, high) : fmt::format("{} to {}", from, to);

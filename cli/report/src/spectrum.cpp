@@ -121,10 +121,8 @@ Document document(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
   Document document;
   document.title = "Response spectrum";
-  document.verdict = summary(result);
-  if (const std::string locked = lock_words(report); !locked.empty()) {
-    document.answer.row("locked", locked);
-  }
+  const std::string locked = lock_words(report);
+  document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) + summary(result);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {

@@ -45,7 +45,7 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const Oscillator oscillator{shown.p, f, delta};
   answer.practice = practice(oscillator, forced_response(oscillator, {}, excitation(shown.pulse)),
-                             limits.acceleration_max);
+                             limits.acceleration_max, SetOff::load);
 }
 
 }  // namespace

@@ -15,7 +15,10 @@ namespace stillpoint::report {
 [[nodiscard]] std::string digits(const std::optional<double>& value);
 /// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN"; lengths in m or mm.
 [[nodiscard]] std::string with_unit(double value, std::string_view unit);
-/// "0.0158739 to 0.0323606" by `digits`, with more if both ends would look the same.
+/// low <= 1e-6 high: of two sizes, where the lower end is less than anyone can build or measure.
+[[nodiscard]] bool begins_at_nothing(double low, double high);
+/// "0.0158739 to 0.0323606" by `digits`, with more if both ends would look the same; "up to
+/// 0.0323606" if it begins at nothing.
 [[nodiscard]] std::string range_digits(double low, double high);
 /// The digits of a limit that an input copied from a report must meet.
 inline constexpr int every_digit = 10;
