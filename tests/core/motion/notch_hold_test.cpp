@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_hold_that_no_load_reaches_is_the_papers_notch) {
   BOOST_TEST(*held.zero_passages == *paper.zero_passages);
 }
 
-/// A hold of 1e300 is another branch at each rest, and no other motion.
+/// A hold of 1e100 is another branch at each rest, and no other motion.
 BOOST_AUTO_TEST_CASE(a_hold_beyond_every_load_changes_no_bit) {
   int stopped = 0;
   for (int i = 0; i < 200; ++i) {
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_hold_beyond_every_load_changes_no_bit) {
     const Harmonic load{0.1 + 0.002 * i, 0.3 + 0.01 * i, 0.1 * i};
     const Start start{0, 0.3 + 0.005 * i};
     const auto paper = run({1, f, delta}, start, load, 50);
-    const auto held = run({1, f, delta, 1e300}, start, load, 50);
+    const auto held = run({1, f, delta, 1e100}, start, load, 50);
     BOOST_TEST(held.outcome == paper.outcome);
     BOOST_TEST(held.peak_amplitude == paper.peak_amplitude);
     BOOST_TEST(held.peak_absolute_acceleration == paper.peak_absolute_acceleration);
