@@ -25,7 +25,6 @@
 #include <random>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace stillpoint::bench {
@@ -80,7 +79,7 @@ std::vector<Part> thousand_parts() {
   return parts;
 }
 
-/// What the ranges and the residual make of a task.
+/// A task with ranges and a residual.
 struct Variation {
   std::string name;
   std::function<void(Problem&)> apply;
@@ -98,20 +97,11 @@ std::vector<Variation> variations() {
            }}};
 }
 
-std::vector<Case> cases() {
-  constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
-                                  Objective::acceleration};
-  constexpr Limits within_10_percent{.tolerance = 0.1};
-  const auto parts = thousand_parts();
-  // With k = 1 they would swing a mass without friction to 1.5 to 1.9.
-  constexpr double most_of_free = 1.2;
-  const std::array<std::pair<const char*, design::Pulse>, 5> pulses{
-      {{"half-sine, p/lambda 0.8", HalfSine{1, 1.25}},
-       {"rectangle, p/lambda 0.8", Rectangle{1, 1.25}},
-       {"full sine, p/lambda 0.8", FullSine{1, 1.25}},
-       {"half-sine, p/lambda 4", HalfSine{1, 0.25}},
-       {"full sine, p/lambda 4", FullSine{1, 0.25}}}};
-  std::vector<Case> all;
+constexpr std::array objectives{Objective::robust, Objective::amplitude, Objective::time,
+                                Objective::acceleration};
+constexpr Limits within_10_percent{.tolerance = 0.1};
+
+void add_searches(std::vector<Case>& all) {
   for (const Objective objective : objectives) {
     const SearchOptions options{.objective = objective};
     const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
@@ -123,6 +113,9 @@ std::vector<Case> cases() {
   }
   all.push_back({"search, robust, arrivals 4, f_max 0.1",
                  [](double beta) { (void)design::search(problem(beta, 4), {.f_max = 0.1}); }});
+}
+
+void add_varied_searches(std::vector<Case>& all) {
   for (const std::int64_t arrivals : {1, 4}) {
     for (const Variation& variation : variations()) {
       for (const Objective objective : objectives) {
@@ -138,6 +131,10 @@ std::vector<Case> cases() {
       }
     }
   }
+}
+
+void add_answers(std::vector<Case>& all) {
+  const auto parts = thousand_parts();
   for (const std::int64_t arrivals : {1, 4}) {
     all.push_back({fmt::format("region, arrivals {}", arrivals),
                    [=](double beta) { (void)design::admissible_region(problem(beta, arrivals)); }});
@@ -150,29 +147,42 @@ std::vector<Case> cases() {
     all.push_back({fmt::format("front of 25, arrivals {}", arrivals),
                    [=](double beta) { (void)design::trade_off(problem(beta, arrivals), {}, 25); }});
   }
-  for (const auto& row : pulses) {
-    const auto pulse = row.second;  // a lambda of C++20 in clang 14 does not capture a binding
-    all.push_back({fmt::format("mends, {}", row.first), [=](double beta) {
-                     // A tolerance of 90 % is more than any of them has.
-                     (void)design::mends(design::PulseProblem{pulse, 1, most_of_free * beta},
-                                         {.delta_max = 0.1, .tolerance = 0.9});
+}
+
+void add_pulse(std::vector<Case>& all, const char* what, const design::Pulse& pulse) {
+  // With k = 1 they would swing a mass without friction to 1.5 to 1.9.
+  constexpr double most_of_free = 1.2;
+  all.push_back({fmt::format("mends, {}", what), [=](double beta) {
+                   // A tolerance of 90 % is more than any of them has.
+                   (void)design::mends(design::PulseProblem{pulse, 1, most_of_free * beta},
+                                       {.delta_max = 0.1, .tolerance = 0.9});
+                 }});
+  all.push_back({fmt::format("search, robust, k, lambda and p 0.9:1, {}", what), [=](double beta) {
+                   design::PulseProblem task{pulse, 0.9, most_of_free * beta};
+                   task.ranges = {0.9, 1.1 * design::angular_frequency(pulse)};
+                   task.p_high = 1;
+                   (void)design::search(design::PulseRegion(task, {}), {});
+                 }});
+  for (const Objective objective : objectives) {
+    const SearchOptions options{.objective = objective};
+    const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
+    all.push_back({fmt::format("search, {}, {}", name(objective), what), [=](double beta) {
+                     const design::PulseProblem task{pulse, 1, most_of_free * beta};
+                     (void)design::search(design::PulseRegion(task, limits), options);
                    }});
-    all.push_back(
-        {fmt::format("search, robust, k, lambda and p 0.9:1, {}", row.first), [=](double beta) {
-           design::PulseProblem task{pulse, 0.9, most_of_free * beta};
-           task.ranges = {0.9, 1.1 * design::angular_frequency(pulse)};
-           task.p_high = 1;
-           (void)design::search(design::PulseRegion(task, {}), {});
-         }});
-    for (const Objective objective : objectives) {
-      const SearchOptions options{.objective = objective};
-      const Limits limits = objective == Objective::robust ? Limits() : within_10_percent;
-      all.push_back({fmt::format("search, {}, {}", name(objective), row.first), [=](double beta) {
-                       const design::PulseProblem task{pulse, 1, most_of_free * beta};
-                       (void)design::search(design::PulseRegion(task, limits), options);
-                     }});
-    }
   }
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  add_searches(all);
+  add_varied_searches(all);
+  add_answers(all);
+  add_pulse(all, "half-sine, p/lambda 0.8", HalfSine{1, 1.25});
+  add_pulse(all, "rectangle, p/lambda 0.8", Rectangle{1, 1.25});
+  add_pulse(all, "full sine, p/lambda 0.8", FullSine{1, 1.25});
+  add_pulse(all, "half-sine, p/lambda 4", HalfSine{1, 0.25});
+  add_pulse(all, "full sine, p/lambda 4", FullSine{1, 0.25});
   return all;
 }
 
@@ -200,8 +210,7 @@ RandomTask random_task(int kind, std::mt19937_64& engine) {
   if (engine() % 4 == 0) {
     task.limits.delta_max = uniform(0.2, 1.5) * free.exact_need;
   }
-  task.options.objective = std::array{Objective::robust, Objective::amplitude, Objective::time,
-                                      Objective::acceleration}[engine() % 4];
+  task.options.objective = objectives[engine() % objectives.size()];
   return task;
 }
 

@@ -146,7 +146,7 @@ HardCase fast_forcing() {
   return now;
 }
 
-/// At rest under k sin(lambda tau) until it exceeds f; k hardly exceeds f.
+/// At rest under k sin(lambda tau) until it exceeds f; k barely exceeds f.
 HardCase release_at_the_crest() {
   HardCase now;
   now.metric = "time of the release";

@@ -52,7 +52,7 @@ void print_convergence(const Scene& scene) {
   }
 }
 
-/// The best of some rounds, in microseconds a run.
+/// The best of a few rounds, in microseconds per run.
 double time_of(const Scene& scene, const Surface& surface) {
   using Clock = std::chrono::steady_clock;
   constexpr int rounds = 400;

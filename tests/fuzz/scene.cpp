@@ -26,7 +26,7 @@ using namespace stillpoint;
 using namespace stillpoint::fuzz;
 using namespace stillpoint::cli;
 
-// What a scene may ask for here, so that an execution takes some milliseconds.
+// The limits of a scene here, so that an execution takes a few milliseconds.
 constexpr double most_half_cycles = 1000;
 constexpr std::int64_t most_samples = 50;
 constexpr std::int64_t most_entries = 30;
@@ -136,24 +136,23 @@ bool is_small(const sweep::SweepSpec& spec) {
          std::max(spec.t_end.value_or(0), 1 / slowest) * fastest < longest_forced_sweep;
 }
 
-void compute(const sweep::SweepSpec& spec, const Settings& settings) {
+void compute(report::SweepReport report, const Settings& settings) {
+  const sweep::SweepSpec& spec = report.spec;
   sweep::NoRows rows;
   if (spec.reduction) {
     sweep::Reducer reducer(spec);
     const auto summary = sweep::run(spec, rows, {{}, {}, nullptr, &reducer});
-    const auto report = report::reduction_report(spec, summary, reducer.result());
-    static_cast<void>(settings.flag("json") ? json(report).dump()
-                                            : shown(document(report), settings));
+    const auto reduced = report::reduction_report(spec, summary, reducer.result());
+    static_cast<void>(settings.flag("json") ? json(reduced).dump()
+                                            : shown(document(reduced), settings));
     return;
   }
-  std::optional<sweep::SweepMap> map;
   if (wants_page(settings)) {
-    map.emplace(spec);
+    report.map.emplace(spec);
   }
-  const auto summary = sweep::run(spec, rows, {{}, {}, map ? &*map : nullptr});
-  static_cast<void>(map ? html(report::page(spec, summary, *map))
-                        : report::json(spec, summary).dump() +
-                              shown(report::document(spec, summary), settings));
+  report.summary = sweep::run(spec, rows, {{}, {}, report.map ? &*report.map : nullptr});
+  static_cast<void>(report.map ? html(page(report))
+                               : json(report).dump() + shown(document(report), settings));
 }
 
 void run_sweep(Settings settings) {
@@ -165,7 +164,7 @@ void run_sweep(Settings settings) {
   spec.threads = 1;
   spec.half_cycle_limit = std::min(spec.half_cycle_limit.value_or(HUGE_VAL), most_half_cycles);
   try {
-    compute(spec, settings);
+    compute({std::move(spec)}, settings);
   } catch (const EntryError& error) {
     require_short(error.what());
   }

@@ -37,7 +37,7 @@ bool always() {
   return true;
 }
 
-/// A text is read as on the command line, anything else as in a scene.
+/// A string is read as on the command line, anything else as in a scene.
 Settings given(Command command, const json& options) {
   Settings texts;
   json scene = json::object();
@@ -77,12 +77,13 @@ ordered_json said_of(const Report& report, const json& wanted) {
           {"figures", drawn}};
 }
 
-/// Suites of records and sweeps are for the program alone.
+/// Suites of records and sweeps need the installed program.
 ordered_json said_by(Command command, const Settings& settings, const json& wanted) {
   switch (command) {
     case Command::design:
       if (settings.has("record") || settings.has("records-list")) {
-        throw UsageError("a design under records is for the program: stillpoint design --record");
+        throw UsageError(
+            "a design under records needs the installed program: stillpoint design --record");
       }
       return said_of(answers::answer(design_input(settings)), wanted);
     case Command::region:
@@ -90,7 +91,7 @@ ordered_json said_by(Command command, const Settings& settings, const json& want
     case Command::simulate:
       return said_of(motion_report(settings, always), wanted);
     default:
-      throw UsageError(fmt::format("{} is for the program alone", name(command)));
+      throw UsageError(fmt::format("{} works only on the command line", name(command)));
   }
 }
 
@@ -116,7 +117,7 @@ void motion(const json& options, int points) {
   }
 }
 
-/// As free_batch answers, without its lanes, which are a tenth of all code here.
+/// The results of free_batch, without its lanes, which would be a tenth of all code here.
 void batch(const json& options, std::size_t size, const double* columns) {
   const Settings settings = given(Command::simulate, options);
   const MotionInput input = motion_input(settings, Command::simulate, true);
@@ -134,7 +135,7 @@ void batch(const json& options, std::size_t size, const double* columns) {
   }
 }
 
-/// The text that `work` returns; what is wrong with the input as {"error": ...}.
+/// The text that `work` returns; wrong input as {"error": ...}.
 template <class Work>
 const char* answered(const Work& work) {
   try {

@@ -41,7 +41,7 @@ constexpr const char* peak_doc = R"(peak(f, delta, v0, p, *, threads=0)
 The largest |x| of the free motion from x = 0, dimensionless, in constant time.
 
 f, delta, v0, p  numbers or float64 arrays that broadcast together; arrays in C order are not copied
-threads          of an array; 0: as many as the machine runs at once
+threads          of an array; 0: one per hardware thread
 
 Returns a float, or an array of the common shape. Raises InputError, which names a wrong entry.)";
 
@@ -52,10 +52,10 @@ constexpr const char* motions_doc =
 The free motions from x = 0 of many dampers, dimensionless.
 
 f, delta, v0, p   numbers or float64 arrays that broadcast together; arrays in C order are not copied
-times             stop_time as well
+times stop_time as well
 acceleration      peak_absolute_acceleration as well
-half_cycle_limit  a motion that may have more half-cycles is refused
-threads           0: as many as the machine runs at once; no result depends on it
+half_cycle_limit  refuse a motion that may have more half-cycles
+threads           0: one per hardware thread; no result depends on it
 
 Returns Fields of arrays of the common shape: peak_amplitude, half_cycles, outcome (the index in
 stillpoint.outcomes, uint8), stop_position. Where a motion never stops, half_cycles and stop_time
@@ -96,7 +96,7 @@ class Values {
 };
 
 Doubles as_doubles(py::handle value, const char* name) {
-  constexpr std::string_view kinds = "biufO";  // truths, whole numbers, floats, Python's own
+  constexpr std::string_view kinds = "biufO";  // bools, integers, floats, Python's own
   const py::array given = py::array::ensure(value);
   const bool numbers = given && kinds.find(given.dtype().kind()) != std::string_view::npos;
   auto array = py::reinterpret_steal<Doubles>(py::handle());
@@ -168,7 +168,7 @@ Doubles peaks(const Dampers& given, int threads) {
       throw error.in_entry(i);
     }
   };
-  constexpr py::ssize_t block = 4096;  // some 0.1 ms, which no thread is worth
+  constexpr py::ssize_t block = 4096;  // about 0.1 ms, not worth a thread
   if (given.size <= block) {
     const py::gil_scoped_release released;
     run(0, given.size);
@@ -195,8 +195,8 @@ py::object peak(const py::object& f, const py::object& delta, const py::object& 
 
 using Block = Eigen::Map<const Eigen::ArrayXd>;
 
-/// free_batch of the entries from `begin` to `end`. What takes a single number for v0 and p does
-/// so.
+/// free_batch of the entries from `begin` to `end`. Uses the overload for a single v0 and p if it
+/// can.
 void run_block(const Dampers& given, py::ssize_t begin, py::ssize_t end,
                const BatchOptions& options, BatchResult& result) {
   const auto part = [&](Place place) {
@@ -210,62 +210,17 @@ void run_block(const Dampers& given, py::ssize_t begin, py::ssize_t end,
   }
 }
 
-/// Where the results of all blocks go.
-struct Motions {
-  explicit Motions(const Dampers& given, const BatchOptions& options)
-      : peak(given.shape),
-        half_cycles(given.shape),
-        outcome(given.shape),
-        stop_position(given.shape),
-        stop_time(options.times ? given.shape : Shape{0}),
-        acceleration(options.acceleration ? given.shape : Shape{0}) {}
-
-  using Shape = std::vector<py::ssize_t>;
-  Doubles peak;
-  Doubles half_cycles;
-  py::array_t<std::uint8_t> outcome;
-  Doubles stop_position;
-  Doubles stop_time;
-  Doubles acceleration;
-};
-
-/// The memory of the arrays, which is found with the interpreter's lock.
-class MotionsWriter {
- public:
-  explicit MotionsWriter(Motions& motions)
-      : peak_(motions.peak.mutable_data()),
-        half_cycles_(motions.half_cycles.mutable_data()),
-        outcome_(motions.outcome.mutable_data()),
-        stop_position_(motions.stop_position.mutable_data()),
-        stop_time_(motions.stop_time.mutable_data()),
-        acceleration_(motions.acceleration.mutable_data()) {}
-
-  void write(const BatchResult& block, py::ssize_t begin) {
-    const auto copy = [begin](const Eigen::ArrayXd& values, double* to) {
-      std::copy_n(values.data(), values.size(), to + begin);
-    };
-    copy(block.peak_amplitude, peak_);
-    copy(block.half_cycles, half_cycles_);
-    copy(block.stop_position, stop_position_);
-    copy(block.stop_time, stop_time_);  // these two may be empty
-    copy(block.peak_absolute_acceleration, acceleration_);
-    std::transform(
-        block.outcome.data(), block.outcome.data() + block.outcome.size(), outcome_ + begin,
-        [](Outcome outcome) { return static_cast<std::uint8_t>(sweep::sweep_outcome(outcome)); });
-  }
-
- private:
-  double* peak_;
-  double* half_cycles_;
-  std::uint8_t* outcome_;
-  double* stop_position_;
-  double* stop_time_;
-  double* acceleration_;
+/// A result of all blocks, and the memory of its array, which is found with the interpreter's lock.
+struct Column {
+  const char* name;
+  Eigen::ArrayXd BatchResult::*values;
+  Doubles array;
+  double* memory{array.mutable_data()};
 };
 
 /// In blocks, so that an interrupt is seen between two of them.
-void run_all(const Dampers& given, const BatchOptions& options, MotionsWriter writer,
-             const std::stop_token& stop) {
+void run_all(const Dampers& given, const BatchOptions& options, const std::vector<Column>& columns,
+             std::uint8_t* outcomes, const std::stop_token& stop) {
   constexpr py::ssize_t block = 262'144;
   BatchResult result;
   for (py::ssize_t begin = 0; begin < given.size && !stop.stop_requested(); begin += block) {
@@ -275,7 +230,13 @@ void run_all(const Dampers& given, const BatchOptions& options, MotionsWriter wr
     } catch (const std::exception&) {
       run_block(given, 0, end, options, result);  // throws again, with the entry of the whole
     }
-    writer.write(result, begin);
+    for (const Column& column : columns) {
+      const Eigen::ArrayXd& values = result.*column.values;
+      std::copy_n(values.data(), values.size(), column.memory + begin);
+    }
+    std::transform(
+        result.outcome.data(), result.outcome.data() + result.outcome.size(), outcomes + begin,
+        [](Outcome outcome) { return static_cast<std::uint8_t>(sweep::sweep_outcome(outcome)); });
   }
 }
 
@@ -294,20 +255,29 @@ py::dict motions(const py::object& f, const py::object& delta, const py::object&
   options.acceleration = acceleration;
   options.half_cycle_limit = half_cycle_limit;
   options.threads = threads;
-  Motions found(given, options);
-  interruptible([&, writer = MotionsWriter(found)](const std::stop_token& stop) {
-    run_all(given, options, writer, stop);
-  });
-  py::dict all = fields();
-  all["peak_amplitude"] = found.peak;
-  all["half_cycles"] = found.half_cycles;
-  all["outcome"] = found.outcome;
-  all["stop_position"] = found.stop_position;
+  const auto column = [&given](const char* name, Eigen::ArrayXd BatchResult::*values) {
+    return Column{name, values, Doubles(given.shape)};
+  };
+  std::vector<Column> columns{column("peak_amplitude", &BatchResult::peak_amplitude),
+                              column("half_cycles", &BatchResult::half_cycles),
+                              column("stop_position", &BatchResult::stop_position)};
   if (times) {
-    all["stop_time"] = found.stop_time;
+    columns.push_back(column("stop_time", &BatchResult::stop_time));
   }
   if (acceleration) {
-    all["peak_absolute_acceleration"] = found.acceleration;
+    columns.push_back(
+        column("peak_absolute_acceleration", &BatchResult::peak_absolute_acceleration));
+  }
+  py::array_t<std::uint8_t> outcome(given.shape);
+  interruptible([&, outcomes = outcome.mutable_data()](const std::stop_token& stop) {
+    run_all(given, options, columns, outcomes, stop);
+  });
+  py::dict all = fields();
+  for (const Column& now : columns) {
+    all[now.name] = now.array;
+    if (now.values == &BatchResult::half_cycles) {
+      all["outcome"] = outcome;
+    }
   }
   return all;
 }

@@ -20,8 +20,16 @@ namespace {
 
 PyObject* input_error = nullptr;
 
-void refuse(const std::exception& error) {
-  PyErr_SetString(input_error, report::spelled_out(error.what()).c_str());
+/// Such an error is an InputError in Python.
+template <class Error>
+void refuse() {
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const Error& error) {
+      PyErr_SetString(input_error, report::spelled_out(error.what()).c_str());
+    }
+  });
 }
 
 }  // namespace
@@ -32,25 +40,13 @@ void add_errors(py::module_& module) {
       "The input is wrong. The text names the field, the value and the bound, as the program does.",
       PyExc_ValueError, nullptr);
   module.add_object("InputError", input_error);
-  py::register_exception_translator([](std::exception_ptr thrown) {
-    try {
-      std::rethrow_exception(std::move(thrown));
-    } catch (const InputError& error) {
-      refuse(error);
-    } catch (const ArgumentError& error) {
-      refuse(error);
-    } catch (const EntryError& error) {
-      refuse(error);
-    } catch (const TooManyHalfCycles& error) {
-      refuse(error);
-    } catch (const cli::UsageError& error) {
-      refuse(error);
-    } catch (const records::FileError& error) {
-      refuse(error);
-    } catch (const sweep::LeftoverError& error) {
-      refuse(error);
-    }
-  });
+  refuse<InputError>();
+  refuse<ArgumentError>();
+  refuse<EntryError>();
+  refuse<TooManyHalfCycles>();
+  refuse<cli::UsageError>();
+  refuse<records::FileError>();
+  refuse<sweep::LeftoverError>();
 }
 
 }  // namespace stillpoint::python

@@ -5,15 +5,13 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace stillpoint::python {
 
 namespace py = pybind11;
 
 const py::dict& Result::report() {
   if (!report_) {
-    report_ = to_python(json());
+    report_ = to_python(answer().json());
   }
   return report_;
 }
@@ -27,16 +25,16 @@ py::object Result::field(const std::string& name) {
 }
 
 std::string Result::text() const {
-  return report::text(document());
+  return report::text(answer().document());
 }
 
 std::string Result::one_line() const {
-  const report::Document said = document();
+  const report::Document said = answer().document();
   return said.verdict.empty() ? said.title : fmt::format("{}: {}", said.title, said.verdict);
 }
 
 std::string Result::html() const {
-  const figures::HtmlPage shown = page();
+  const figures::HtmlPage shown = answer().page();
   std::string text = fmt::format("<div><p><b>{}</b>: {}</p>\n", figures::escaped(shown.title),
                                  figures::escaped(shown.verdict));
   for (const figures::Figure& figure : shown.figures) {
@@ -44,14 +42,6 @@ std::string Result::html() const {
             svg(figure, figures::Frame::alone) + "</div>\n";
   }
   return text + "</div>";
-}
-
-figures::HtmlPage Result::page_without_figures() const {
-  report::Document said = document();
-  figures::HtmlPage page;
-  page.title = std::move(said.title);
-  page.verdict = std::move(said.verdict);
-  return page;
 }
 
 void add_result(py::module_& module) {

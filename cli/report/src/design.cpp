@@ -89,7 +89,7 @@ std::string reduction_text(const design::PulseCheck& check) {
   if (!check.start) {
     return "not used: this pulse leaves no velocity";
   }
-  std::string text = format("not used; to a velocity, the peak would be {} this",
+  std::string text = format("not used; with a velocity in its place, the peak would be {} this",
                             off_by(check.peak_error.value_or(0)));
   for (const design::PulseWarning warning : check.warnings) {
     text += "; " + warning_text(warning, check);
@@ -131,7 +131,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     }
   }
   if (response.half_cycles == 0) {
-    section.line("This notch holds the mass all through the pulse.", Tone::bad);
+    section.line("This notch holds the mass throughout the pulse.", Tone::bad);
     return;
   }
   section.row("outcome", outcome_phrase(response.outcome));
@@ -146,7 +146,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
                                  *response.stop_time < *paper.stop_time ? "earlier" : "later"));
   }
   section.row("acceleration",
-              format("up to {:.4g} g is transmitted, {} ({:.4g} g with the paper's, outside of it)",
+              format("up to {:.4g} g is transmitted, {} ({:.4g} g outside the paper's notch)",
                      response.peak_absolute_acceleration,
                      shape.width ? "the notch included" : "outside the notch",
                      paper.peak_absolute_acceleration));
@@ -156,7 +156,7 @@ std::string judgement(const design::CheckMethod& method) {
   if (!method.passed) {
     return "disagrees";
   }
-  return method.decided ? "agrees" : "agrees in the peak; too near a tie to tell more";
+  return method.decided ? "agrees" : "agrees in the peak; too close to a tie to compare more";
 }
 
 /// In eight characters.
@@ -168,9 +168,6 @@ std::string duration_text(double seconds) {
 
 void add_checks(Document& document, const design::CrossCheck& check, const Physical& physical) {
   const FigureUnits units(physical);
-  const auto in = [](const std::string& name, const std::string& unit) {
-    return name + (unit.empty() ? "" : ", " + unit);
-  };
   Table table{{"", in("peak", units.length_unit), in("stop time", units.time_unit), "half-cycles",
                "relative error", "allowed", "time", ""},
               {}};
@@ -225,7 +222,8 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
-/// Of a notch: 20 mm, or 1, 2 or 5 times a power of ten where that is above a fifth of the peak.
+/// The width of a notch: 20 mm, or 1, 2 or 5 times a power of ten if that is above a fifth of the
+/// peak.
 double example_width_m(double peak_m) {
   constexpr double usual = 0.02;
   const double most = peak_m / 5;
@@ -257,18 +255,16 @@ std::string felt(const design::Finding& finding, const Response& response,
                 with_unit(example_m, "m"));
 }
 
-/// Of the ranges of a pulse; a range of k alone needs no samples.
+/// For the ranges of a pulse; a range of only k needs no samples.
 void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
                const Physical& physical) {
-  answer.row(
-      "ranges",
-      format(
-          "up to {}, {} and {} with any pulse and spring; the motion shown has the largest peak, "
-          "of lambda = {} and p = {:.6g}{}",
-          length_shown(physical, check.worst->peak), acceleration_shown(check.worst->acceleration),
-          time_shown(physical, check.worst->stop_time),
-          frequency_text(physical, design::angular_frequency(check.pulse)), check.p,
-          sampled ? "; lambda/p is sampled" : ""));
+  answer.row("ranges", format("up to {}, {} and {} with any pulse and spring in the ranges; the "
+                              "motion shown has the largest peak, at lambda = {} and p = {:.6g}{}",
+                              length_shown(physical, check.worst->peak),
+                              acceleration_shown(check.worst->acceleration),
+                              time_shown(physical, check.worst->stop_time),
+                              frequency_text(physical, design::angular_frequency(check.pulse)),
+                              check.p, sampled ? "; lambda/p is sampled" : ""));
 }
 
 /// What it does, and how far it can be trusted.
@@ -319,8 +315,8 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
     constexpr double beyond_use = 0.9;
     if (tolerance > beyond_use && !limits.delta_max) {
       answer.row("note",
-                 "nothing bounds delta, so that almost any tolerance is possible: --delta-max "
-                 "keeps the notch small");
+                 "nothing bounds delta, so almost any tolerance is possible: --delta-max keeps the "
+                 "notch small");
     }
   }
 }
@@ -342,19 +338,16 @@ Optimum optimum_of(const design::DesignResult& result) {
 
 namespace {
 
-/// A pulse is shown in place of the velocity to which it reduces.
 void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
-  design::Problem shown = problem;
-  shown.v0 = pulse ? 0 : problem.v0;
-  Section& task = add_problem(document, shown, limits, physical);
+  Section& task = add_problem(document, problem, limits, physical, pulse.has_value());
   if (pulse) {
     add_pulse(task, *pulse, ranges, physical);
   }
   task.row("objective", std::string(name(search.objective)));
 }
 
-/// The choice among parts and the front, where they are asked for.
+/// The choice among parts and the front, if requested.
 void add_choices(Document& document, const DesignReport& report, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   if (report.catalogue) {

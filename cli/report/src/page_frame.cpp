@@ -13,14 +13,24 @@
 
 namespace stillpoint::report {
 
+figures::HtmlPage page_of(const Document& document) {
+  return {.title = document.title,
+          .verdict = document.verdict,
+          .answer = html(document.answer),
+          .figures = {},
+          .body = html(document),
+          .report = text(document, {.verbosity = Verbosity::full}),
+          .footer = {}};
+}
+
 void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
   constexpr std::size_t longest_title = 400;
   if (!frame.title.empty()) {
     page.title += ": " + records::printable(frame.title, longest_title);
   }
   page.body += fmt::format(
-      "<section><h2>Input</h2>\n<p>As <code>scene.json</code>; <code>stillpoint {} scene.json "
-      "--html page.html</code> gives this page again.</p>\n<pre>{}</pre></section>\n",
+      "<section><h2>Input</h2>\n<p>Saved as <code>scene.json</code>, <code>stillpoint {} "
+      "scene.json --html page.html</code> makes this page again.</p>\n<pre>{}</pre></section>\n",
       frame.command, figures::escaped(frame.scene));
   page.footer = version_line();
 }

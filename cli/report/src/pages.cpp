@@ -3,12 +3,13 @@
 #include "figures/report_figures.hpp"
 #include "sections.hpp"
 
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -21,16 +22,6 @@ using figures::HtmlPage;
 using figures::Ink;
 
 namespace {
-
-HtmlPage page_of(const Document& document) {
-  return {.title = document.title,
-          .verdict = document.verdict,
-          .answer = html(document.answer),
-          .figures = {},
-          .body = html(document),
-          .report = text(document, {.verbosity = Verbosity::full}),
-          .footer = {}};
-}
 
 /// The design as its pulse moves it, from rest.
 DrawnMotion motion_under(const design::Finding& found, double beta) {
@@ -47,101 +38,93 @@ DrawnMotion motion_under(const design::Finding& found, double beta) {
   return motion;
 }
 
-/// The answer to a task with a pulse.
-HtmlPage pulse_page(HtmlPage page, const DesignReport& report, const FigureUnits& units) {
-  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
-  DrawnPulseRegion drawn{design::pulse_request(report.result.request).problem,
-                         limits,
-                         report.result.region,
-                         *report.result.intervals,
-                         {},
-                         {}};
-  if (!report.result.finding) {
-    const EmptyTask task{problem, limits, pulse, report.physical};
-    drawn.mend = mend_title(report.result, task);
-    page.verdict += what_would_help(report.result, task);
-    page.figures = {pulse_region_figure(drawn, units)};
-    if (report.catalogue) {
-      add_parts(page.figures.front(), *report.catalogue, units);
-    }
-    return page;
+/// The region of a task, with a damper and the parts to choose from in it.
+template <class Request>
+Figure region_of(const Request& request, const design::RegionVerdict& verdict,
+                 const std::optional<DrawnDamper>& damper,
+                 const std::optional<Catalogue>& catalogue, const Physical& physical) {
+  const FigureUnits units(physical);
+  const design::Problem& problem = request.problem;
+  const design::Limits& limits = request.limits;
+  const std::string mend = verdict.region.feasible
+                               ? ""
+                               : mend_title(verdict, {problem, limits, request.pulse, physical});
+  Figure figure = request.pulse
+                      ? pulse_region_figure({design::pulse_request(request).problem, limits,
+                                             verdict.region, *verdict.intervals, damper, mend},
+                                            units)
+                      : region_figure({problem, limits, verdict.region, damper, mend}, units);
+  if (catalogue) {
+    add_parts(figure, *catalogue, units);
   }
-  const design::Finding& found = *report.result.finding;
-  drawn.damper = DrawnDamper{"design", found.point.f, found.point.delta, found.point.tolerance};
-  const DrawnMotion motion = motion_under(found, problem.beta);
+  return figure;
+}
+
+/// What the design does under its pulse.
+std::vector<Figure> pulse_figures(const design::Finding& found, double beta,
+                                  const FigureUnits& units) {
+  const DrawnMotion motion = motion_under(found, beta);
   Figure figure = motion_figure(motion, units);
   figure.id = "pulse";
   figure.title = "Motion under the pulse itself";
   const double ends = duration(design::excitation(found.pulse->pulse)).value();
   figure.bands.insert(figure.bands.begin(), {"pulse", 0, ends * units.time, Ink::sky});
-  page.figures = {pulse_region_figure(drawn, units), figure, phase_figure(motion, units)};
-  if (report.catalogue) {
-    add_parts(page.figures.front(), *report.catalogue, units);
+  return {std::move(figure), phase_figure(motion, units)};
+}
+
+/// Its trade-offs, the hits that it serves, and its motion after the one asked for.
+std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& units) {
+  const design::Problem& problem = report.result.request.problem;
+  const design::Finding& found = *report.result.finding;
+  const auto& [f, delta, tolerance] = found.point;
+  std::vector<Figure> figures;
+  if (report.trade_off && report.trade_off->size() > 1) {
+    figures = trade_off_figures(*report.trade_off, found, units);
   }
-  return page;
+  DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
+  motion.beta = problem.beta;
+  figures.push_back(hits_figure(problem, f, delta, found.works_for, units));
+  figures.push_back(motion_figure(motion, units));
+  figures.push_back(phase_figure(motion, units));
+  figures.push_back(energy_figure(motion, units));
+  return figures;
 }
 
 }  // namespace
 
 HtmlPage page(const DesignReport& report) {
-  const auto& [problem, limits, search, pulse, ranges] = report.result.request;
+  const design::DesignRequest& request = report.result.request;
   const FigureUnits units(report.physical);
   HtmlPage page = page_of(document(report));
-  if (pulse) {
-    return pulse_page(std::move(page), report, units);
+  std::optional<DrawnDamper> damper;
+  std::vector<Figure> motions;
+  if (const auto& found = report.result.finding) {
+    const auto& [f, delta, tolerance] = found->point;
+    damper = DrawnDamper{"design", f, delta, tolerance};
+    motions = request.pulse ? pulse_figures(*found, request.problem.beta, units)
+                            : hit_figures(report, units);
+  } else {
+    page.verdict += what_would_help(
+        report.result, {request.problem, request.limits, request.pulse, report.physical});
   }
-  if (!report.result.finding) {
-    const EmptyTask task{problem, limits, pulse, report.physical};
-    page.verdict += what_would_help(report.result, task);
-    page.figures = {region_figure(
-        {problem, limits, report.result.region, {}, mend_title(report.result, task)}, units)};
-    if (report.catalogue) {
-      add_parts(page.figures.front(), *report.catalogue, units);
-    }
-    return page;
-  }
-  const design::Finding& found = *report.result.finding;
-  const auto& [f, delta, tolerance] = found.point;
-  DrawnMotion motion = drawn_free_motion({problem.p, f, delta}, {0, problem.v0}, {});
-  motion.beta = problem.beta;
-  page.figures = {
-      region_figure(
-          {problem, limits, report.result.region, DrawnDamper{"design", f, delta, tolerance}, {}},
-          units),
-      motion_figure(motion, units), phase_figure(motion, units), energy_figure(motion, units)};
-  if (report.catalogue) {
-    add_parts(page.figures.front(), *report.catalogue, units);
-  }
-  page.figures.insert(page.figures.begin() + 1,
-                      hits_figure(problem, f, delta, found.works_for, units));
-  if (report.trade_off && report.trade_off->size() > 1) {
-    auto front = trade_off_figures(*report.trade_off, found, units);
-    page.figures.insert(page.figures.begin() + 1, front.begin(), front.end());
-  }
+  page.figures = {region_of(request, report.result, damper, report.catalogue, report.physical)};
+  std::ranges::move(motions, std::back_inserter(page.figures));
   return page;
 }
 
 std::vector<Figure> drawings(const RegionReport& report) {
   const auto& [problem, limits, f, delta, pulse, ranges] = report.request;
   const design::RegionAnswer& answer = report.answer;
-  const FigureUnits units(report.physical);
   std::optional<DrawnDamper> point;
   if (answer.admissible) {
     point = {*answer.admissible ? "point, admissible" : "point, not admissible", *f, *delta,
              answer.tolerance.value_or(0)};
   }
-  const std::string mend =
-      answer.region.feasible ? "" : mend_title(answer, {problem, limits, pulse, report.physical});
   std::vector<Figure> figures{
-      pulse ? pulse_region_figure({design::pulse_request(report.request).problem, limits,
-                                   answer.region, *answer.intervals, point, mend},
-                                  units)
-            : region_figure({problem, limits, answer.region, point, mend}, units)};
-  if (report.catalogue) {
-    add_parts(figures.front(), *report.catalogue, units);
-  }
+      region_of(report.request, answer, point, report.catalogue, report.physical)};
   if (f && delta && !pulse) {
-    figures.push_back(hits_figure(problem, *f, *delta, answer.works_for, units));
+    figures.push_back(
+        hits_figure(problem, *f, *delta, answer.works_for, FigureUnits(report.physical)));
   }
   return figures;
 }

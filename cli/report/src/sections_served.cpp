@@ -9,7 +9,7 @@ namespace stillpoint::report {
 
 std::string interval_text(const design::ServedInterval& interval) {
   if (!interval.high) {
-    constexpr int shown = 3;  // as of an interval
+    constexpr int shown = 3;  // as in an interval
     return format("at least {}", limit_digits(interval.low, true, shown));
   }
   constexpr double apart = 1e-6;
@@ -79,7 +79,7 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
   if (lines->equivalent_damping) {
     const double damping = 100 * *lines->equivalent_damping;
     section.row("equiv. damping",
-                format("{} % of critical, of a full cycle at this peak",
+                format("{} % of critical, for a full cycle at this peak",
                        damping < 1000 ? format("{:.3g}", damping) : format("{:.0f}", damping)));
   }
   if (lines->energy_ratio && lines->residual_ratio) {

@@ -24,8 +24,6 @@ using sweep::Quantity;
 using sweep::sweep_outcome_count;
 using sweep::sweep_outcome_name;
 using sweep::SweepKind;
-using sweep::SweepMap;
-using sweep::SweepSpec;
 using sweep::SweepState;
 using sweep::SweepSummary;
 
@@ -70,12 +68,11 @@ void add_outcomes(Document& document, const SweepState& state, bool design) {
   }
 }
 
-ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
+ordered_json json(const SweepReport& report) {
+  const auto& [spec, summary, map] = report;
   const bool design = spec.kind == SweepKind::design;
-  ordered_json columns = ordered_json::array();
-  for (const Quantity column : spec.columns) {
-    columns.push_back(name(column, spec.units));
-  }
+  const ordered_json columns =
+      list_json(spec.columns, [&](Quantity column) { return name(column, spec.units); });
   const SweepState& state = summary.state;
   return {
       {"schema", "stillpoint/sweep-report/1"},
@@ -96,7 +93,8 @@ ordered_json json(const SweepSpec& spec, const SweepSummary& summary) {
       {"rows_per_s", rate(summary)}};
 }
 
-Document document(const SweepSpec& spec, const SweepSummary& summary) {
+Document document(const SweepReport& report) {
+  const auto& [spec, summary, map] = report;
   const SweepState& state = summary.state;
   Document document;
   document.title = "Sweep";
@@ -138,16 +136,18 @@ std::string progress_words(double rows, std::int64_t begun_with,
                      per_second);
 }
 
-figures::HtmlPage page(const SweepSpec& spec, const SweepSummary& summary, const SweepMap& map) {
+figures::HtmlPage page(const SweepReport& report) {
+  const Document words = document(report);
   figures::HtmlPage page;
-  page.title = "Sweep";
-  page.verdict = sweep::summary(summary.state, false);
-  if (spec.output) {
-    const Document made = document(spec, summary);
-    page.answer = html(made.answer);
-    page.body = html(made);
+  page.title = words.title;
+  page.verdict = words.verdict;
+  if (report.spec.output) {
+    page.answer = html(words.answer);
+    page.body = html(words);
   }
-  page.figures = {sweep_figure(spec, map)};
+  if (report.map) {
+    page.figures = {sweep_figure(report.spec, *report.map)};
+  }
   return page;
 }
 

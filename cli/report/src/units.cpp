@@ -34,6 +34,10 @@ std::string frequency_text(const Physical& physical, double lambda) {
          (physical ? format(" = {:.5g} rad/s", lambda / physical->scales.time_s) : "");
 }
 
+std::string in(const std::string& name, const std::string& unit) {
+  return name + (unit.empty() ? "" : ", " + unit);
+}
+
 FigureUnits::FigureUnits(const Physical& physical) {
   if (!physical) {
     return;

@@ -36,7 +36,7 @@ Simulation free_simulation(const SimulationRequest& request) {
   return result;
 }
 
-/// The end of the run, if that is told; the t_end of a free motion is that of its trajectory.
+/// The end of the run, if given; the t_end of a free motion is that of its trajectory.
 std::optional<double> run_end(const SimulationRequest& request) {
   return is_forced(request) ? request.t_end : std::nullopt;
 }
@@ -55,10 +55,10 @@ double horizon_of(const SimulationRequest& request, const ForcedResponse& respon
       stop_time > 0 ? std::max(stop_time, lasts) * behind_the_end : lasts + ten_periods(request);
   const double latest = largest_phase / request.oscillator.p;
   if (horizon > latest) {
-    throw InputError::missing(
-        "t_end", fmt::format("the motion goes on to tau = {:.6g} and can be followed up to {:.6g}: "
-                             "give an end before that",
-                             horizon, latest));
+    throw InputError::missing("t_end",
+                              fmt::format("the motion lasts until tau = {:.6g}, but can be "
+                                          "followed only to {:.6g}: give an earlier end",
+                                          horizon, latest));
   }
   return horizon;
 }

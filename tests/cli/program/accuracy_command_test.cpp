@@ -24,7 +24,7 @@ const Arguments s4(
     "accuracy --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 "
     "--t-end 200");
 
-/// The first of a name, the kernel's, or the one of a setting.
+/// The first of a name: the kernel's, or the one with a setting.
 json method(const json& report, const std::string& name, const std::string& setting = "") {
   for (const json& now : report["methods"]) {
     if (now["name"] == name && (setting.empty() || now["setting"] == setting)) {
@@ -41,13 +41,13 @@ BOOST_FIXTURE_TEST_SUITE(accuracy_command, Sandbox)
 
 // data/reference, made without the kernel.
 BOOST_AUTO_TEST_CASE(reference_is_that_of_the_tables) {
-  const json free = report_of(*this, s1);
+  const json free = reported(s1);
   BOOST_TEST(free["schema"] == "stillpoint/accuracy-report/1");
   BOOST_TEST(free["reference"]["peak_amplitude"] == 0.98019998000399900);
   BOOST_TEST(near(free["reference"]["end_time"], 34.598868822426208, 1e-15));
   BOOST_TEST(free["reference"]["turning_points"] == 11);
   BOOST_TEST(free["reference"]["outcome"] == "stopped_at_zero");
-  const json forced = report_of(*this, s4);
+  const json forced = reported(s4);
   BOOST_TEST(near(forced["reference"]["peak_amplitude"], 0.33344255898459425, 1e-15));
   BOOST_TEST(near(forced["reference"]["final_position"], 0.078877420102046286, 1e-15));
   BOOST_TEST(forced["reference"]["zero_passages"] == 22);
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(reference_is_that_of_the_tables) {
 BOOST_AUTO_TEST_CASE(physical_input_has_its_answer_in_metres_too) {
   const Arguments scene{"accuracy", "--velocity", "0.4",       "--period", "2.8s",
                         "--f",      "0.02",       "--delta-m", "6mm"};
-  const json report = report_of(*this, scene);
+  const json report = reported(scene);
   const json& physical = report["physical"];
   const double length_m = 0.4 * 2.8 / (2 * std::acos(-1.0));
   BOOST_TEST(near(physical["length_unit_m"], length_m, 1e-15));
@@ -68,12 +68,12 @@ BOOST_AUTO_TEST_CASE(physical_input_has_its_answer_in_metres_too) {
   const std::string text = run(scene).out;
   BOOST_TEST((text.find(" mm\n") != std::string::npos && text.find(" s\n") != std::string::npos),
              text);
-  BOOST_TEST(report_of(*this, s1)["physical"].is_null());
+  BOOST_TEST(reported(s1)["physical"].is_null());
 }
 
 BOOST_AUTO_TEST_CASE(kernel_is_the_one_that_simulate_uses_and_is_right) {
   for (const Arguments& scene : {s1, s4}) {
-    const json report = report_of(*this, scene);
+    const json report = reported(scene);
     const json kernel = method(report, "stillpoint");
     BOOST_TEST(kernel["used_by_simulate"] == true);
     BOOST_TEST(kernel["counts_right"] == true);
@@ -87,9 +87,9 @@ BOOST_AUTO_TEST_CASE(kernel_is_the_one_that_simulate_uses_and_is_right) {
   }
 }
 
-// Each method comes nearer with a finer setting, and is shown as it is with a coarse one.
+// Each method gets closer with a finer setting, and its errors are shown with a coarse one.
 BOOST_AUTO_TEST_CASE(integrators_are_as_good_as_their_setting) {
-  const json report = report_of(*this, s1);
+  const json report = reported(s1);
   const double coarse = method(report, "dopri5", "tolerance 1e-06")["end_error"];
   const double fine = method(report, "dopri5", "tolerance 1e-12")["end_error"];
   BOOST_TEST(coarse > 1e-8);
@@ -98,9 +98,9 @@ BOOST_AUTO_TEST_CASE(integrators_are_as_good_as_their_setting) {
   BOOST_TEST(method(report, "regularised")["end_error"].get<double>() > 1e-3);
 }
 
-// 424 half-cycles: what a loose setting gets wrong is said to be wrong.
+// 424 half-cycles: what a loose setting gets wrong is reported as wrong.
 BOOST_AUTO_TEST_CASE(wrong_count_is_shown_as_wrong) {
-  const json report = report_of(*this, "accuracy --v0 1 --p 1 --f 1e-3 --delta 1e-4");
+  const json report = reported("accuracy --v0 1 --p 1 --f 1e-3 --delta 1e-4");
   BOOST_TEST(method(report, "regularised")["counts_right"] == false);
   BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
   const ProgramRun page = run("accuracy --v0 1 --p 1 --f 1e-3 --delta 1e-4");
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
   const Arguments shaken("accuracy --p 1 --f 0.05 --delta 0.001");
   for (const Arguments& excitation : {Arguments("--excitation half-sine --k 0.5 --lambda 4"),
                                       Arguments("--record w.txt --record-step 0.5")}) {
-    const json report = report_of(*this, joined(shaken, excitation));
+    const json report = reported(joined(shaken, excitation));
     BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
     BOOST_TEST(method(report, "dopri5", "tolerance 1e-12")["counts_right"] == true);
     BOOST_TEST(method(report, "dopri5", "tolerance 1e-12")["end_error"].get<double>() < 1e-9);
@@ -121,12 +121,12 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
 
 BOOST_AUTO_TEST_CASE(real_notches_are_compared_too) {
   const Arguments motion("accuracy --v0 1 --p 1 --f 0.05 --delta 0.05");
-  const json wide = report_of(*this, joined(motion, "--notch-width 0.1 --friction-zones 0.3:0.1"));
+  const json wide = reported(joined(motion, "--notch-width 0.1 --friction-zones 0.3:0.1"));
   BOOST_TEST(wide["input"]["notch_width"] == 0.1);
   BOOST_TEST(wide["input"]["friction_zones"][0]["f"] == 0.1);
   BOOST_TEST(wide["reference"]["outcome"] == "stopped_in_notch");
   const json held =
-      report_of(*this, joined(motion, "--hold 0.2 --excitation half-sine --k 0.5 --lambda 1"));
+      reported(joined(motion, "--hold 0.2 --excitation half-sine --k 0.5 --lambda 1"));
   BOOST_TEST(held["input"]["hold"] == 0.2);
   for (const json& report : {wide, held}) {
     for (const char* const name : {"stillpoint", "dopri5", "RK4"}) {
@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
   const Arguments stops(
       "--v0 1 --p 1 --f 0.8 --delta 0 --excitation rectangle --k 0.5 --lambda 0.1");
   for (const Arguments& scene : {held, stops}) {
-    const json report = report_of(*this, joined("accuracy", scene));
-    const json simulated = report_of(*this, joined("simulate", scene))["response"];
+    const json report = reported(joined("accuracy", scene));
+    const json simulated = reported(joined("simulate", scene))["response"];
     BOOST_TEST(report["reference"]["outcome"] == "stopped_in_dead_zone");
     BOOST_TEST(simulated["outcome"] == "stopped_in_dead_zone");
     BOOST_TEST(near(report["reference"]["end_time"], simulated["stop_time"], 1e-15));
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
 }
 
 BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
-  const json report = report_of(*this, "accuracy --v0 1 --p 1 --f 1e-4 --delta 1e-4");
+  const json report = reported("accuracy --v0 1 --p 1 --f 1e-4 --delta 1e-4");
   const json fine = method(report, "RK4", "step 0.001");
   BOOST_TEST(fine["wall_time_s"].is_null());
   BOOST_TEST(fine["counts_right"].is_null());
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(where_nothing_moves_it_says_so) {
   for (const Arguments& still : {Arguments("accuracy --v0 0.1 --p 1 --f 0.1 --delta 0.2"),
                                  Arguments("accuracy --v0 0 --p 1 --f 0.1 --delta 0 --excitation "
                                            "rectangle --k 0.05 --lambda 1")}) {
-    const json report = report_of(*this, still);
+    const json report = reported(still);
     BOOST_TEST(method(report, "dopri5")["not_run"] == "nothing_moves");
     BOOST_TEST(method(report, "regularised")["not_run"] == "nothing_moves");
     BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(where_nothing_moves_it_says_so) {
 
 // The scene S1 in units of 1e-5: counts and relative errors do not depend on units.
 BOOST_AUTO_TEST_CASE(dopri5_is_as_good_on_a_small_motion) {
-  const json report = report_of(*this, "accuracy --v0 1e-5 --p 1 --f 2e-7 --delta 2e-12");
+  const json report = reported("accuracy --v0 1e-5 --p 1 --f 2e-7 --delta 2e-12");
   const json loose = method(report, "dopri5", "tolerance 1e-06");
   BOOST_TEST(loose["counts_right"] == true);
   BOOST_TEST(loose["peak_error"].get<double>() > 1e-8);

@@ -88,7 +88,7 @@ const std::vector<Wrong> wrong_uses{
      {"catalogue nowhere.csv", "cannot be read", "No such file"}},
     {design("--catalogue ."), {"catalogue .", "cannot be read"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --trade-off 5",
-     {"trade-off and pulse exclude each other"}},
+     {"trade-off and pulse cannot be combined"}},
     {design("--trade-off 0"), {"trade_off = 0", "from 2 to 1000"}},
     {design("--trade-off 1000000000"), {"trade_off", "from 2 to 1000"}},
     {design("--trade-off many"), {"trade-off", "many"}},
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(serves_a_pulse) {
   write("few.csv", few);
   const Arguments pulse(
       "design --pulse rectangle --k 0.5 --lambda 1 --p 1 --criterion exact --catalogue few.csv");
-  const json report = report_of(*this, joined(pulse, "--beta 0.8"));
+  const json report = reported(joined(pulse, "--beta 0.8"));
   BOOST_TEST(
       (names(report["catalogue"]) == std::vector<std::string>{"fair", "good", "weak", "strong"}));
   BOOST_TEST(report["design"]["name"] == "fair");
@@ -148,14 +148,14 @@ BOOST_AUTO_TEST_CASE(serves_a_pulse) {
 
 BOOST_AUTO_TEST_CASE(may_be_spelled_in_many_ways) {
   write("few.csv", few);
-  const json expected = report_of(*this, design("--catalogue few.csv"));
+  const json expected = reported(design("--catalogue few.csv"));
   const std::vector<std::string> spellings{
       "name,f,delta\r\nweak,0.05,0.4\r\ngood,0.26,0.37\r\nfair,0.2,0.4\r\nstrong,0.4,0.4",
       "\xEF\xBB\xBF" + few,
       "\ndelta, price ,f,name\n0.4,12,0.05,weak\n\n0.37,15,2.6e-1,good\n.4,,0.2, fair\n"
       "0.4,9,0.4,\"strong\"\n"};
   for (const std::string& text : spellings) {
-    const json report = report_of(*this, design("--catalogue -"), {.input = text});
+    const json report = reported(design("--catalogue -"), {.input = text});
     BOOST_TEST(report["catalogue"] == expected["catalogue"], text);
     BOOST_TEST(report["design"] == expected["design"]);
   }
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(may_be_spelled_in_many_ways) {
 
 BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
   write("few.csv", few);
-  const json report = report_of(*this, design("--catalogue few.csv"));
+  const json report = reported(design("--catalogue few.csv"));
   const std::vector<std::string> order{"good", "fair", "strong", "weak"};
   BOOST_TEST(names(report["catalogue"]) == order, boost::test_tools::per_element());
   BOOST_TEST(report["design"]["name"] == "good");
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
   BOOST_TEST(report["cross_check"]["passed"] == true);
   BOOST_TEST(report["input"]["catalogue"] == "few.csv");
   // The same point by `region`.
-  const json point = report_of(*this, "region --v0 1 --p 1 --beta 0.9 --f 0.26 --delta 0.37");
+  const json point = reported("region --v0 1 --p 1 --beta 0.9 --f 0.26 --delta 0.37");
   BOOST_TEST(report["design"]["tolerance"] == point["tolerance"]);
   BOOST_TEST(report["constraints"] == point["constraints"]);
   BOOST_TEST(report["works_for"] == point["works_for"]);
@@ -190,8 +190,7 @@ BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
 
 BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
   write("few.csv", few);
-  const ProgramRun answer = run(design("--catalogue few.csv"));
-  BOOST_TEST(answer.exit_code == 0);
+  const ProgramRun answer = succeed(design("--catalogue few.csv"));
   BOOST_TEST(answer.out.starts_with("Damper design\n  Order part good: f = 0.26, delta = 0.37.\n"),
              answer.out);
   BOOST_TEST(contains(answer.out, "2 of 4 parts fit\n"));
@@ -201,8 +200,8 @@ BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
 BOOST_AUTO_TEST_CASE(the_objective_chooses_among_those_with_the_tolerance) {
   write("few.csv", few);
   const auto best = [&](const std::string& objective, const std::string& tolerance) {
-    return report_of(*this, design({"--catalogue", "few.csv", "--objective", objective,
-                                    "--tolerance", tolerance}))["design"]["name"];
+    return reported(design({"--catalogue", "few.csv", "--objective", objective, "--tolerance",
+                            tolerance}))["design"]["name"];
   };
   BOOST_TEST(best("acceleration", "0") == "fair");  // S grows with f
   BOOST_TEST(best("amplitude", "0") == "good");
@@ -232,7 +231,7 @@ BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_of_each) 
 
 BOOST_AUTO_TEST_CASE(in_metres_may_carry_units) {
   write("metres.csv", "name,f,delta_m\na,0.02,6mm\nb,0.02,0.006\nc,0.02,0.6cm\n");
-  const json report = report_of(*this, isolator("--catalogue metres.csv"));
+  const json report = reported(isolator("--catalogue metres.csv"));
   for (const json& part : report["catalogue"]) {
     BOOST_TEST(near(part["delta_m"], 0.006, 1e-15));
     BOOST_TEST(part["delta"] == report["catalogue"][0]["delta"]);
@@ -253,7 +252,7 @@ BOOST_AUTO_TEST_CASE(of_a_thousand_parts_swamps_neither_the_text_nor_the_page) {
             std::to_string(0.0006 * ((i * 37) % 1000)) + "\n";
   }
   write("many.csv", text);
-  const json report = report_of(*this, design("--catalogue many.csv --html page.html"));
+  const json report = reported(design("--catalogue many.csv --html page.html"));
   BOOST_TEST(report["catalogue"].size() == 1000U);
   const std::string page = read("page.html");
   std::size_t rows = 0;
@@ -270,8 +269,8 @@ BOOST_AUTO_TEST_CASE(of_a_thousand_parts_swamps_neither_the_text_nor_the_page) {
 BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
   write("few.csv", "name,f,delta\nfirst,0.26,0.37\nsecond,0.05,0.2\nfar,9,9\n");
   const Arguments region("region --v0 1 --p 1 --beta 1.1 --catalogue few.csv --svg out --arrivals");
-  const json one = report_of(*this, joined(region, "1"));
-  const json two = report_of(*this, joined(region, "2"));
+  const json one = reported(joined(region, "1"));
+  const json two = reported(joined(region, "2"));
   const auto fits = [](const json& report, const std::string& name) {
     const auto part = std::ranges::find_if(report["catalogue"],
                                            [&](const json& now) { return now["name"] == name; });
@@ -292,7 +291,7 @@ BOOST_AUTO_TEST_CASE(is_not_written_over_and_is_a_key_of_a_scene) {
                 {"few.csv", "would overwrite the catalogue few.csv"});
   BOOST_TEST(read("few.csv") == few);
   write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "catalogue": "few.csv", "trade_off": 3})");
-  const json report = report_of(*this, "design scene.json");
+  const json report = reported("design scene.json");
   BOOST_TEST(report["design"]["name"] == "good");
   BOOST_TEST(report["trade_off"].size() == 3U);
   check_refusal(run("design - --catalogue -", {.input = "{}"}),
@@ -304,7 +303,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_FIXTURE_TEST_SUITE(trade_off, Sandbox)
 
 BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
-  const json report = report_of(*this, isolator("--trade-off 9"));
+  const json report = reported(isolator("--trade-off 9"));
   BOOST_TEST_REQUIRE(report["trade_off"].size() == 9U);
   double last = HUGE_VAL;
   for (const json& now : report["trade_off"]) {
@@ -319,11 +318,11 @@ BOOST_AUTO_TEST_CASE(has_the_fields_of_the_contract_and_metres) {
   // beta binds at one end, the return at the other: peak V0/(sqrt(2) omega).
   BOOST_TEST(near(report["trade_off"][0]["peak_m"], 0.15, 1e-8));
   BOOST_TEST(near(last, 0.4 / std::sqrt(2) * 2.8 / (2 * 3.141592653589793), 1e-8));
-  BOOST_TEST(report_of(*this, isolator())["trade_off"].is_null());
+  BOOST_TEST(reported(isolator())["trade_off"].is_null());
 }
 
 BOOST_AUTO_TEST_CASE(is_drawn_with_the_design_on_it) {
-  BOOST_TEST(run(isolator("--trade-off 30 --svg out")).exit_code == 0);
+  succeed(isolator("--trade-off 30 --svg out"));
   for (const char* name : {"out/trade-off.svg", "out/trade-off-tolerance.svg"}) {
     const std::string figure = read(name);
     BOOST_TEST(contains(figure, "stroke, mm"));

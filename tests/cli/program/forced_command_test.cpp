@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "forced_arguments.hpp"
-#include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
 #include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <numbers>
 
 BOOST_AUTO_TEST_SUITE(forced_command_test)
 
@@ -17,11 +13,6 @@ namespace {
 
 using namespace stillpoint::cli_test;
 using nlohmann::json;
-using std::numbers::pi;
-
-json response_of(const Sandbox& sandbox, const Arguments& arguments) {
-  return report_of(sandbox, arguments)["response"];
-}
 
 }  // namespace
 
@@ -30,7 +21,7 @@ json response_of(const Sandbox& sandbox, const Arguments& arguments) {
 BOOST_FIXTURE_TEST_SUITE(forced_report, Sandbox)
 
 BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
-  const json report = report_of(*this, s3);
+  const json report = reported(s3);
   BOOST_TEST(report["schema"] == "stillpoint/simulation-report/1");
   check_fields(report, {"program:object", "input:object", "response:object", "half_cycles:array",
                         "half_cycles_listed:count", "physical:null"});
@@ -79,7 +70,7 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_locks_says_so_on_standard_error_too) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_motion_that_stops_says_where_and_when) {
-  const json response = response_of(*this, pulse("half-sine"));
+  const json response = reported(pulse("half-sine"))["response"];
   check_response_fields(response);
   BOOST_TEST(response["outcome"] == "stopped_in_dead_zone");
   BOOST_TEST(response["end_time"] == response["stop_time"]);
@@ -88,7 +79,7 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_stops_says_where_and_when) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_motion_that_never_stops_has_null_for_what_does_not_exist) {
-  const json report = report_of(*this, free_at_rest("--excitation rectangle --k 0.5 --lambda 2"));
+  const json report = reported(free_at_rest("--excitation rectangle --k 0.5 --lambda 2"));
   check_fields(
       report["response"],
       {"peak_amplitude:number", "half_cycles:null", "turning_points:null", "zero_passages:null",
@@ -100,8 +91,7 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_never_stops_has_null_for_what_does_not_exi
 }
 
 BOOST_AUTO_TEST_CASE(of_nothing_that_moves_is_at_rest_from_the_beginning) {
-  const json report =
-      report_of(*this, at_rest("--excitation harmonic --k 0.1 --lambda 1 --t-end 9"));
+  const json report = reported(at_rest("--excitation harmonic --k 0.1 --lambda 1 --t-end 9"));
   const json& response = report["response"];
   BOOST_TEST(response["peak_amplitude"] == 0);
   BOOST_TEST(response["half_cycles"] == 0);
@@ -109,22 +99,21 @@ BOOST_AUTO_TEST_CASE(of_nothing_that_moves_is_at_rest_from_the_beginning) {
   check_fields(response, {"arrival_speed:null"});
   BOOST_TEST(report["half_cycles"].empty());
 
-  const json caught = response_of(
-      *this,
-      "simulate --v0 1 --p 1 --f 0.1 --delta 0.6 --excitation harmonic --k 9 --lambda 1 --t-end 9");
+  const json caught = reported(
+      "simulate --v0 1 --p 1 --f 0.1 --delta 0.6 --excitation harmonic --k 9 --lambda 1 --t-end 9")
+      ["response"];
   BOOST_TEST(caught["outcome"] == "caught_at_start");
   BOOST_TEST(caught["end_time"] == 0);
 }
 
 BOOST_AUTO_TEST_CASE(of_a_free_motion_has_no_excitation) {
-  const json report = report_of(*this, "simulate --v0 1 --p 1 --f 0.02 --delta 0.02");
+  const json report = reported("simulate --v0 1 --p 1 --f 0.02 --delta 0.02");
   check_fields(report["input"], {"excitation:null", "t_end:null"});
   BOOST_TEST(!report["response"].contains("sticks"));
 }
 
 BOOST_AUTO_TEST_CASE(for_people_names_the_excitation_and_the_end) {
-  const ProgramRun sticking = run(joined(s4, "--verbose"));
-  BOOST_TEST(sticking.exit_code == 0);
+  const ProgramRun sticking = succeed(joined(s4, "--verbose"));
   check_contains(sticking.out,
                  {"Forced motion", "harmonic, k = 0.2, lambda = 0.35", "is still moving at the end",
                   "22 sticks", "tau = 200, x = 0.078877"});
@@ -141,20 +130,8 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(forced_reference, Sandbox)
 
-BOOST_AUTO_TEST_CASE(scene_at_resonance) {
-  const json response = response_of(*this, s3);
-  BOOST_TEST(near(response["peak_amplitude"], 13.432292785823942, 1e-13));
-  BOOST_TEST(near(response["final_position"], 6.6071415781915130, 1e-12));
-  BOOST_TEST(response["zero_passages"] == 64);
-  BOOST_TEST(response["half_cycles"] == 65);
-  BOOST_TEST(response["sticks"] == 0);
-  BOOST_TEST(response["stick_time"] == 0);
-  BOOST_TEST(response["outcome"] == "running");
-  BOOST_TEST(response["end_time"] == 200);
-}
-
 BOOST_AUTO_TEST_CASE(scene_with_stops) {
-  const json response = response_of(*this, s4);
+  const json response = reported(s4)["response"];
   BOOST_TEST(near(response["peak_amplitude"], 0.33344255898459425, 1e-13));
   BOOST_TEST(near(response["final_position"], 0.078877420102046286, 1e-12));
   BOOST_TEST(response["zero_passages"] == 22);
@@ -164,7 +141,7 @@ BOOST_AUTO_TEST_CASE(scene_with_stops) {
 
 BOOST_AUTO_TEST_CASE(scene_of_a_record) {
   write("s5.txt", column_file(record_s5()));
-  const json report = report_of(*this, joined(s5, "--v0 0 --record-step 0.02 --t-end 59.98"));
+  const json report = reported(joined(s5, "--v0 0 --record-step 0.02 --t-end 59.98"));
   const json& response = report["response"];
   BOOST_TEST(near(response["peak_amplitude"], 0.098335012538125103, 1e-12));
   BOOST_TEST(near(response["final_position"], -0.0015776946596039220, 1e-9));
@@ -175,20 +152,6 @@ BOOST_AUTO_TEST_CASE(scene_of_a_record) {
   BOOST_TEST(report["input"]["excitation"]["type"] == "record");
   BOOST_TEST(report["input"]["excitation"]["record"] == "s5.txt");
   BOOST_TEST(report["input"]["excitation"]["samples"] == 3000);
-}
-
-BOOST_AUTO_TEST_CASE(without_friction_the_closed_form) {
-  // x'' + x = -sin(2 tau + phase) from rest.
-  const double tau = 7;
-  for (const double phase : {0.0, 0.7, pi / 2, -2.0}) {
-    const json response =
-        response_of(*this, free_at_rest({"--excitation", "harmonic", "--k", "1", "--lambda", "2",
-                                         "--phase", in_full(phase), "--t-end", "7"}));
-    const double x = (std::sin(2 * tau + phase) - std::sin(phase) * std::cos(tau) -
-                      2 * std::cos(phase) * std::sin(tau)) /
-                     3;
-    BOOST_TEST(std::abs(response["final_position"].get<double>() - x) <= 1e-13);
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

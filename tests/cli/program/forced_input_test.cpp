@@ -26,10 +26,6 @@ using nlohmann::json;
 using std::numbers::pi;
 namespace data = boost::unit_test::data;
 
-json response_of(const Sandbox& sandbox, const Arguments& arguments) {
-  return report_of(sandbox, arguments)["response"];
-}
-
 /// The numbers and texts of two responses agree but for rounding.
 void check_same_motion(const json& response, const json& expected, double tolerance = 1e-11) {
   for (const auto& [name, value] : expected.items()) {
@@ -87,10 +83,10 @@ const std::vector<Kind> kinds{
 
 BOOST_DATA_TEST_CASE_F(Sandbox, scene_is_as_good_as_flags, data::make(kinds), kind) {
   write("w.txt", "3\n-2\n4\n0\n");
-  const json by_flags = report_of(*this, at_rest(kind.flags));
+  const json by_flags = reported(at_rest(kind.flags));
   const Surroundings piped{.input = std::string(R"({"p": 1, "f": 0.1, "delta": 0.01, )") +
                                     kind.scene + "}"};
-  const json by_scene = report_of(*this, "simulate -", piped);
+  const json by_scene = reported("simulate -", piped);
   BOOST_TEST(by_scene == by_flags);
   BOOST_TEST(by_flags["response"]["peak_amplitude"].get<double>() > 0.01);
   BOOST_TEST(by_flags["input"]["v0"] == 0);
@@ -101,12 +97,12 @@ BOOST_FIXTURE_TEST_SUITE(forced_input, Sandbox)
 BOOST_AUTO_TEST_CASE(flag_overrides_the_scene) {
   write("scene.json", R"({"p": 1, "f": 0.1, "delta": 0.01, "t_end": 20,
                           "excitation": {"type": "harmonic", "k": 9, "lambda": 2}})");
-  const json expected = report_of(*this, harmonic);
-  BOOST_TEST(report_of(*this, "simulate scene.json --k 0.5") == expected);
-  const json longer = report_of(*this, "simulate scene.json --t-end 30 --v0 0.1");
+  const json expected = reported(harmonic);
+  BOOST_TEST(reported("simulate scene.json --k 0.5") == expected);
+  const json longer = reported("simulate scene.json --t-end 30 --v0 0.1");
   BOOST_TEST(longer["input"]["t_end"] == 30);
   BOOST_TEST(longer["input"]["v0"] == 0.1);
-  const json other = report_of(*this, "simulate --excitation full-sine scene.json --lambda 3");
+  const json other = reported("simulate --excitation full-sine scene.json --lambda 3");
   BOOST_TEST(other["input"]["excitation"]["type"] == "full-sine");
   BOOST_TEST(other["input"]["excitation"]["k"] == 9);
   BOOST_TEST(near(other["input"]["excitation"]["duration"], 2 * pi / 3, 1e-15));
@@ -120,48 +116,45 @@ BOOST_AUTO_TEST_CASE(flag_puts_a_record_in_the_place_of_the_wave_of_a_scene_and_
                            "excitation": {"type": "record", "record": "w.txt", "record_step": 1}})");
   const Arguments record("--record w.txt --record-step 1");
   const Arguments wave("--excitation half-sine --k 9 --lambda 2");
-  BOOST_TEST(report_of(*this, joined("simulate wave.json", record)) ==
-             report_of(*this, "simulate record.json"));
-  BOOST_TEST(report_of(*this, joined("simulate record.json", wave)) ==
-             report_of(*this, "simulate wave.json"));
+  BOOST_TEST(reported(joined("simulate wave.json", record)) == reported("simulate record.json"));
+  BOOST_TEST(reported(joined("simulate record.json", wave)) == reported("simulate wave.json"));
 }
 
 BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
   write("w.txt", "0.3\n-0.2\n");
-  const json given = report_of(
-      *this, at_rest("--record w.txt --record-step 1 --record-units m/s2 --record-scale 2"));
+  const json given =
+      reported(at_rest("--record w.txt --record-step 1 --record-units m/s2 --record-scale 2"));
   const json& excitation = given["input"]["excitation"];
   BOOST_TEST(excitation["record_units"] == "m/s2");
   BOOST_TEST(excitation["record_step"] == 1);
   BOOST_TEST(excitation["record_scale"] == 2);
-  BOOST_TEST(report_of(*this, harmonic)["input"]["excitation"]["record_units"].is_null());
+  BOOST_TEST(reported(harmonic)["input"]["excitation"]["record_units"].is_null());
 }
 
 BOOST_AUTO_TEST_CASE(scene_of_an_excitation_serves_other_commands_with_a_note) {
   const Surroundings surroundings{.input = R"({"v0": 1, "p": 1, "beta": 0.9,
                            "excitation": {"type": "half-sine", "k": 1, "lambda": 2}})"};
-  const ProgramRun design = run("design - --json", surroundings);
-  BOOST_TEST(design.exit_code == 0);
+  const ProgramRun design = succeed("design - --json", surroundings);
   BOOST_TEST(contains(design.err, "excitation in the scene is not used by design"));
 }
 
 BOOST_AUTO_TEST_CASE(pulse_is_a_harmonic_that_ends) {
   const auto lasting = [&](double duration) {
-    return response_of(*this, pulse("harmonic", {"--duration", in_full(duration)}));
+    return reported(pulse("harmonic", {"--duration", in_full(duration)}))["response"];
   };
-  check_same_motion(response_of(*this, pulse("half-sine")), lasting(pi / 2));
-  check_same_motion(response_of(*this, pulse("full-sine")), lasting(pi));
+  check_same_motion(reported(pulse("half-sine"))["response"], lasting(pi / 2));
+  check_same_motion(reported(pulse("full-sine"))["response"], lasting(pi));
 }
 
 BOOST_AUTO_TEST_CASE(rectangle_is_a_record_of_two_equal_values) {
   write("w.txt", column_file({{0, 0.5}, {pi / 2, 0.5}}));
-  check_same_motion(response_of(*this, pulse("rectangle")),
-                    response_of(*this, at_rest("--record w.txt")));
+  check_same_motion(reported(pulse("rectangle"))["response"],
+                    reported(at_rest("--record w.txt"))["response"]);
 }
 
 BOOST_AUTO_TEST_CASE(half_a_turn_of_the_phase_mirrors_the_motion) {
-  const json here = response_of(*this, harmonic);
-  json there = response_of(*this, joined(harmonic, {"--phase", in_full(pi)}));
+  const json here = reported(harmonic)["response"];
+  json there = reported(joined(harmonic, {"--phase", in_full(pi)}))["response"];
   there["final_position"] = -there["final_position"].get<double>();
   there["final_velocity"] = -there["final_velocity"].get<double>();
   check_same_motion(there, here);
@@ -169,21 +162,21 @@ BOOST_AUTO_TEST_CASE(half_a_turn_of_the_phase_mirrors_the_motion) {
 
 BOOST_AUTO_TEST_CASE(harmonic_of_a_duration_needs_no_end_and_may_have_one) {
   const Arguments ending = pulse("harmonic", "--duration 9");
-  const json whole = response_of(*this, ending);
+  const json whole = reported(ending)["response"];
   check_response_fields(whole);
-  const json later = response_of(*this, joined(ending, "--t-end 500"));
+  const json later = reported(joined(ending, "--t-end 500"))["response"];
   check_same_motion(later, whole);
-  const json earlier = response_of(*this, joined(ending, "--t-end 3"));
+  const json earlier = reported(joined(ending, "--t-end 3"))["response"];
   BOOST_TEST(earlier["outcome"] == "running");
   BOOST_TEST(earlier["end_time"] == 3);
   // Up to there nothing says that it ends.
-  check_same_motion(earlier, response_of(*this, pulse("harmonic", "--t-end 3")));
+  check_same_motion(earlier, reported(pulse("harmonic", "--t-end 3"))["response"]);
 }
 
 BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
   const auto answer = [&](double file_scale, const Arguments& more) {
     write("s5.txt", column_file(record_s5(file_scale)));
-    return response_of(*this, joined(s5, joined("--record-step 0.02", more)));
+    return reported(joined(s5, joined("--record-step 0.02", more)))["response"];
   };
   const json expected = answer(1, {});
   constexpr double tolerance = 1e-9;  // the file is rounded differently
@@ -197,21 +190,22 @@ BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
 
 BOOST_AUTO_TEST_CASE(record_with_times_is_one_with_a_step) {
   write("s5.txt", column_file(record_s5()));
-  const json by_step = response_of(*this, joined(s5, "--record-step 0.02"));
+  const json by_step = reported(joined(s5, "--record-step 0.02"))["response"];
   std::vector<Row> rows = record_s5();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].insert(rows[i].begin(), static_cast<double>(i) * 0.02);
   }
   write("s5.txt", column_file(rows));
-  check_same_motion(response_of(*this, s5), by_step, 1e-9);
+  check_same_motion(reported(s5)["response"], by_step, 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
   // From rest H = g / omega^2 makes p = 1; tau = omega t with omega = pi.
   write("s5.txt", column_file(record_s5()));
-  const json dimensionless = response_of(*this, joined(s5, {"--record-step", in_full(0.02 * pi)}));
-  const json report = report_of(
-      *this, "simulate --period 2 --f 0.05 --delta-m 0 --record s5.txt --record-step 0.02");
+  const json dimensionless =
+      reported(joined(s5, {"--record-step", in_full(0.02 * pi)}))["response"];
+  const json report =
+      reported("simulate --period 2 --f 0.05 --delta-m 0 --record s5.txt --record-step 0.02");
   BOOST_TEST(near(report["input"]["p"], 1, 1e-15));
   BOOST_TEST(near(report["input"]["excitation"]["duration"], 59.98 * pi, 1e-14));
   check_same_motion(report["response"], dimensionless, 1e-8);
@@ -224,14 +218,14 @@ BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
 }
 
 BOOST_AUTO_TEST_CASE(waves_are_in_tau_also_where_the_input_is_physical) {
-  const json report = report_of(*this,
-                                "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 "
-                                "--excitation harmonic --k 0.1 --lambda 0.7 --t-end 30");
+  const json report = reported(
+      "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 "
+      "--excitation harmonic --k 0.1 --lambda 0.7 --t-end 30");
   const json& input = report["input"];
   const json same =
-      response_of(*this, {"simulate", "--v0", in_full(input["v0"]), "--p", in_full(input["p"]),
-                          "--f", "0.02", "--delta", in_full(input["delta"]), "--excitation",
-                          "harmonic", "--k", "0.1", "--lambda", "0.7", "--t-end", "30"});
+      reported({"simulate", "--v0", in_full(input["v0"]), "--p", in_full(input["p"]), "--f", "0.02",
+                "--delta", in_full(input["delta"]), "--excitation", "harmonic", "--k", "0.1",
+                "--lambda", "0.7", "--t-end", "30"})["response"];
   BOOST_TEST(report["response"] == same);
   BOOST_TEST(same["end_time"] == 30);
 }
@@ -241,11 +235,11 @@ BOOST_AUTO_TEST_CASE(waves_are_reported_in_si_where_the_input_is_physical) {
   const Arguments scene(
       "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 --k 0.1 --lambda 0.7 --t-end 30 "
       "--excitation");
-  const json endless = report_of(*this, joined(scene, "harmonic"));
+  const json endless = reported(joined(scene, "harmonic"));
   const double rad_per_s = 0.7 / endless["input"]["p"].get<double>() * 2 * pi / 3;
   BOOST_TEST(near(endless["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
   BOOST_TEST(endless["physical"]["excitation_duration_s"].is_null());
-  const json pulse = report_of(*this, joined(scene, "full-sine"));
+  const json pulse = reported(joined(scene, "full-sine"));
   BOOST_TEST(near(pulse["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
   BOOST_TEST(near(pulse["physical"]["excitation_duration_s"], 2 * pi / rad_per_s, 1e-14));
 }
@@ -256,14 +250,13 @@ BOOST_AUTO_TEST_CASE(synthetic_records_run) {
   for (const char* name : {"near_fault_pulse.txt", "strong_motion.AT2"}) {
     const Arguments shaken{"simulate",  "--period", "2.5",      "--f",        "0.02",
                            "--delta-m", "0",        "--record", folder + name};
-    const json report = report_of(*this, shaken);
+    const json report = reported(shaken);
     check_response_fields(report["response"]);
     BOOST_TEST(report["response"]["outcome"] == "stopped_in_dead_zone");
     BOOST_TEST(report["response"]["zero_passages"].get<int>() > 1);
     BOOST_TEST(report["physical"]["peak_m"].get<double>() > 0.05);
     BOOST_TEST(report["physical"]["peak_m"].get<double>() < 1);
-    const ProgramRun text = run(joined(shaken, "--verbose"));
-    BOOST_TEST(text.exit_code == 0);
+    const ProgramRun text = succeed(joined(shaken, "--verbose"));
     BOOST_TEST(contains(text.out, "SYNTHETIC"), text.out);
   }
 }

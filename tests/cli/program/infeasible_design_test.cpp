@@ -2,19 +2,15 @@
 #include "report_fields.hpp"
 #include "run_program.hpp"
 
-#include <stillpoint/design/search.hpp>
-
 #include <boost/test/unit_test.hpp>
 
-#include <map>
-#include <numbers>
 #include <regex>
 #include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(infeasible_design_test)
 
-// What design says where no damper is admissible.
+// What design says if no damper is admissible.
 
 namespace {
 
@@ -46,8 +42,8 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
   const ProgramRun text = run(design(0.6));
   BOOST_TEST(text.exit_code == 3);
   BOOST_TEST(text.err.empty(), text.err);
-  check_contains(text.out, {"No admissible design", "amplitude and return exclude each other",
-                            "0.8485281374", "1.178511302", "0.7071067812"});
+  check_contains(text.out, {"No admissible design", "amplitude and return conflict", "0.8485281374",
+                            "1.178511302", "0.7071067812"});
 }
 
 // (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.
@@ -77,11 +73,8 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_mended_on_each_side) {
   const std::string out = run(too_much).out;
   const std::string box = "0.9040843148 to 1.095915685 times f and 0.9760210787 to 1.023978921";
   BOOST_TEST(contains(std::regex_replace(out, std::regex("\\s+"), " "), box), out);
-  BOOST_TEST(
-      run(design(
-              0.75,
-              "--tolerance-f 0.9040843148:1.095915685 --tolerance-delta 0.9760210787:1.023978921"))
-          .exit_code == 0);
+  succeed(design(
+      0.75, "--tolerance-f 0.9040843148:1.095915685 --tolerance-delta 0.9760210787:1.023978921"));
 }
 
 BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart) {
@@ -90,7 +83,7 @@ BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart
   BOOST_TEST(contains(text.out, "22.2198 %"), text.out);
 }
 
-/// Nobody is left alone with a tolerance that no damper has: the theory's largest is 36.3 %.
+/// A tolerance that no damper has gets an explanation: the theory's largest is 36.3 %.
 BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_enough) {
   const Arguments impossible = design(0.6, "--tolerance 0.5");
   const ProgramRun text = run(impossible);
@@ -104,38 +97,13 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_
   for (const json& mend : joint["mends"]) {
     problem[mend["input"].get<std::string>()] = mend["value"];
   }
-  BOOST_TEST(run("design -", {.input = problem.dump()}).exit_code == 0);
+  succeed("design -", {.input = problem.dump()});
   const Arguments pulse(
       "design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.02 --tolerance 0.5 --json");
   // With a pulse nothing bounds Delta, so that a weaker one alone is enough.
   const json by_pulse = run(pulse).json()["region"];
   BOOST_TEST(by_pulse["joint_mend"].is_null());
   BOOST_TEST(by_pulse["mends"][0]["input"] == "k");
-}
-
-BOOST_AUTO_TEST_CASE(each_mend_is_the_least_one) {
-  const json report = run(design(0.6, "--json")).json();
-  std::map<std::string, double> mends;
-  for (const json& mend : report["region"]["mends"]) {
-    mends[mend["input"]] = mend["value"].get<double>();
-  }
-  const double root = std::numbers::sqrt2;
-  const std::map<std::string, double> expected{
-      {"v0", 0.6 * root}, {"p", 1 / (0.6 * root)}, {"beta", 1 / root}};
-  const std::map<std::string, double> given{{"v0", 1}, {"p", 1}, {"beta", 0.6}};
-  BOOST_TEST_REQUIRE(mends.size() == expected.size());
-  for (const auto& [name, value] : expected) {
-    BOOST_TEST(near(mends.at(name), value, 1e-15));
-    const auto exit_code_at = [&, field = name](double mended) {
-      auto problem = given;
-      problem[field] = mended;
-      return run({"design", "--v0", in_full(problem["v0"]), "--p", in_full(problem["p"]), "--beta",
-                  in_full(problem["beta"])})
-          .exit_code;
-    };
-    BOOST_TEST(exit_code_at(mends.at(name)) == 0);
-    BOOST_TEST(exit_code_at(std::nextafter(mends.at(name), given.at(name))) == 3);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {

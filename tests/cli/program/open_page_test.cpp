@@ -46,8 +46,7 @@ std::string seen(const Sandbox& sandbox) {
 BOOST_FIXTURE_TEST_CASE(shows_the_page_that_is_written, Sandbox) {
   write_browser(*this);
   const std::string program = path("browser.sh").string();
-  const ProgramRun answer = run(joined(region, "--html page.html"), with_browser(program));
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = succeed(joined(region, "--html page.html"), with_browser(program));
   BOOST_TEST(answer.err.empty(), answer.err);
   BOOST_TEST(seen(*this) == path("page.html").string() + "\n");
 }
@@ -59,8 +58,7 @@ BOOST_FIXTURE_TEST_CASE(shows_a_temporary_page_where_none_is_asked_for, Sandbox)
   Surroundings surroundings =
       with_browser("no-such-browser:" + path("browser.sh").string() + " --new-window %s");
   surroundings.environment.emplace_back("TMPDIR", path("tmp").string());
-  const ProgramRun answer = run(region, surroundings);
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  succeed(region, surroundings);
   const std::string shown = seen(*this);
   BOOST_TEST(shown.starts_with("--new-window " + path("tmp").string() + "/stillpoint-"), shown);
   BOOST_TEST(shown.ends_with("/page.html\n"), shown);
@@ -83,7 +81,7 @@ BOOST_FIXTURE_TEST_CASE(explores_with_the_page_that_is_installed, InstalledProgr
   const std::string page = "usr/share/stillpoint/stillpoint.html";
   write(page, "<html></html>");
   BOOST_TEST(run({"explore", "path"}, surroundings).out == path(page).string() + "\n");
-  BOOST_TEST(run({"explore"}, surroundings).exit_code == 0);
+  succeed({"explore"}, surroundings);
   BOOST_TEST(seen(*this) == path(page).string() + "\n");
   check_refusal(run({"explore", "elsewhere"}, surroundings),
                 {"explore", "elsewhere", "open or path"});
@@ -93,10 +91,10 @@ BOOST_FIXTURE_TEST_CASE(links_a_design_to_that_page, InstalledProgram) {
   const Arguments design{"design",   "--velocity", "0.3m/s:0.4m/s",
                          "--period", "2.8s",       "--max-displacement",
                          "150mm",    "--html",     "page.html"};
-  BOOST_TEST(run(design, surroundings).exit_code == 0);
+  succeed(design, surroundings);
   BOOST_TEST(read("page.html").find("stillpoint.html#") == std::string::npos);
   write("usr/share/stillpoint/stillpoint.html", "<html></html>");
-  BOOST_TEST(run(design, surroundings).exit_code == 0);
+  succeed(design, surroundings);
   const std::string link =
       "href=\"file://" + path("usr/share/stillpoint/stillpoint.html").string() +
       "#max-displacement=150mm&amp;period=2.8s&amp;velocity=0.3m%2Fs:0.4m%2Fs\"";
@@ -107,8 +105,7 @@ BOOST_FIXTURE_TEST_CASE(links_only_what_the_page_can_show, InstalledProgram) {
   write("usr/share/stillpoint/stillpoint.html", "<html></html>");
   write("parts.csv", "name,f,delta\nA,0.3,0.4\n");
   const auto page_of = [&](const std::string& options) {
-    const ProgramRun answer = run(joined("design --html page.html", options.c_str()), surroundings);
-    BOOST_TEST(answer.exit_code == 0, answer.err);
+    succeed(joined("design --html page.html", options.c_str()), surroundings);
     return read("page.html");
   };
   const std::string task = "--v0 1 --p 1 --beta 0.8";
@@ -130,7 +127,7 @@ BOOST_FIXTURE_TEST_CASE(is_refused_where_there_is_no_browser, Sandbox) {
   nothing.environment.emplace_back("PATH", path("").string());
   const auto before = contents();
   check_refusal(run(joined(region, "--html page.html"), nothing),
-                {"open", "no browser is found", "BROWSER", "--html"});
+                {"open", "no browser was found", "BROWSER", "--html"});
   BOOST_TEST(contents() == before);
   Surroundings no_room = with_browser("/bin/sh");
   no_room.environment.emplace_back("TMPDIR", path("nowhere").string());

@@ -63,17 +63,17 @@ BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 BOOST_AUTO_TEST_CASE(replaces_an_old_one_by_a_new_one) {
   write("report.json", std::string(100'000, '#'));
   fs::create_hard_link(path("report.json"), path("old"));
-  BOOST_TEST(run(design("--output report.json")).exit_code == 0);
+  succeed(design("--output report.json"));
   BOOST_TEST(is_report(read("report.json")));
-  // Never written into: whoever has the old one open still has all of it.
+  // Never written into: a reader of the old file still sees all of it.
   BOOST_TEST(read("old") == std::string(100'000, '#'));
   BOOST_TEST(contents().size() == 2U);
 }
 
 BOOST_AUTO_TEST_CASE(may_lie_in_another_directory) {
   fs::create_directory(path("reports"));
-  BOOST_TEST(run(design("--output reports/new.json")).exit_code == 0);
-  BOOST_TEST(run(design({"--output", path("reports/absolute.json").string()})).exit_code == 0);
+  succeed(design("--output reports/new.json"));
+  succeed(design({"--output", path("reports/absolute.json").string()}));
   BOOST_TEST(is_report(read("reports/new.json")));
   BOOST_TEST(is_report(read("reports/absolute.json")));
   BOOST_TEST(contents().size() == 3U);
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(keeps_a_link_and_replaces_what_it_points_to) {
   fs::create_directory(path("elsewhere"));
   write("elsewhere/target.json", "old");
   fs::create_symlink("elsewhere/target.json", path("link.json"));
-  BOOST_TEST(run(design("--output link.json")).exit_code == 0);
+  succeed(design("--output link.json"));
   BOOST_TEST(fs::is_symlink(path("link.json")));
   BOOST_TEST(!fs::is_symlink(path("elsewhere/target.json")));
   BOOST_TEST(is_report(read("elsewhere/target.json")));
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(keeps_a_link_and_replaces_what_it_points_to) {
 
 BOOST_AUTO_TEST_CASE(keeps_a_link_to_what_does_not_exist_yet) {
   fs::create_symlink("later.json", path("link.json"));
-  BOOST_TEST(run(design("--output link.json")).exit_code == 0);
+  succeed(design("--output link.json"));
   BOOST_TEST(fs::is_symlink(path("link.json")));
   BOOST_TEST(is_report(read("link.json")));
 }
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(has_the_permissions_of_any_new_file) {
   for (const unsigned mask : {0022U, 0077U, 0002U}) {
     const Mask set(mask);
     const std::string name = "report" + std::to_string(mask) + ".json";
-    BOOST_TEST(run(design({"--output", name})).exit_code == 0);
+    succeed(design({"--output", name}));
     BOOST_TEST(permissions(path(name)) == (0666U & ~mask));
   }
 }
@@ -120,28 +120,25 @@ BOOST_AUTO_TEST_CASE(of_the_trajectory_is_replaced_alike) {
   write("motion.csv", "old");
   fs::create_hard_link(path("motion.csv"), path("old"));
   const Mask set(0027);
-  BOOST_TEST(run("simulate --v0 1 --p 1 --f 0.1 --delta 0.1 --trajectory motion.csv").exit_code ==
-             0);
+  succeed("simulate --v0 1 --p 1 --f 0.1 --delta 0.1 --trajectory motion.csv");
   BOOST_TEST(read("motion.csv").starts_with("tau,x,v\n"));
   BOOST_TEST(read("old") == "old");
   BOOST_TEST(permissions(path("motion.csv")) == 0640U);
 }
 
 BOOST_AUTO_TEST_CASE(may_be_the_standard_output) {
-  const ProgramRun text = run(design("--output /dev/stdout"));
-  BOOST_TEST(text.exit_code == 0);
+  const ProgramRun text = succeed(design("--output /dev/stdout"));
   const std::size_t behind = text.out.find("\n}\n");
   BOOST_TEST_REQUIRE(behind != std::string::npos);
   BOOST_TEST(is_report(text.out.substr(0, behind + 3)));
   BOOST_TEST(text.out.substr(behind + 3).starts_with("Damper design\n"));
-  BOOST_TEST(run(design("--output /dev/null")).exit_code == 0);
+  succeed(design("--output /dev/null"));
   BOOST_TEST(contents().empty());
 }
 
 BOOST_AUTO_TEST_CASE(that_is_the_standard_output_is_added_to_and_not_replaced) {
   write("log", "a line from before\n");
-  const ProgramRun quiet = run(design("--output /dev/stdout"), into_file(path("log")));
-  BOOST_TEST(quiet.exit_code == 0);
+  succeed(design("--output /dev/stdout"), into_file(path("log")));
   const std::string log = read("log");
   BOOST_TEST(log.starts_with("a line from before\n"));
   BOOST_TEST(contains(log, "design-report/1"));

@@ -33,7 +33,7 @@ const Arguments isolator("design --velocity 0.4 --max-displacement 0.16");
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(scales_are_those_worked_out_by_hand, Sandbox) {
-  const json report = report_of(*this, joined(isolator, "--period 3 --mass 2e5"));
+  const json report = reported(joined(isolator, "--period 3 --mass 2e5"));
   const json& quantities = report["physical"];
   check_fields(quantities, {"length_unit_m:number", "time_unit_s:number", "f:number",
                             "delta_m:number", "energy_per_passage_j:number",
@@ -49,9 +49,9 @@ BOOST_FIXTURE_TEST_CASE(scales_are_those_worked_out_by_hand, Sandbox) {
 }
 
 BOOST_FIXTURE_TEST_CASE(damper_is_the_dimensionless_one_in_units, Sandbox) {
-  const json report = report_of(*this, joined(isolator, "--period 3 --mass 2e5"));
+  const json report = reported(joined(isolator, "--period 3 --mass 2e5"));
   // The same problem with v0 = p = 1: f goes with omega v, delta with v^2, both over g.
-  const json unit = report_of(*this, "design --v0 1 --p 1 --beta 0.83775804095727800");
+  const json unit = reported("design --v0 1 --p 1 --beta 0.83775804095727800");
   const double f = number(unit, "design", "f") * omega * speed / gravity;
   const double delta_m = number(unit, "design", "delta") * speed * speed / gravity;
   const json& quantities = report["physical"];
@@ -71,9 +71,9 @@ BOOST_FIXTURE_TEST_CASE(damper_is_the_dimensionless_one_in_units, Sandbox) {
 }
 
 BOOST_FIXTURE_TEST_CASE(stiffness_and_mass_stand_for_a_period, Sandbox) {
-  const json by_period = report_of(*this, joined(isolator, "--period 3 --mass 2e5"));
+  const json by_period = reported(joined(isolator, "--period 3 --mass 2e5"));
   const json by_stiffness =
-      report_of(*this, joined(isolator, {"--stiffness", in_full(stiffness), "--mass", "2e5"}));
+      reported(joined(isolator, {"--stiffness", in_full(stiffness), "--mass", "2e5"}));
   for (const auto& [name, value] : by_period["physical"].items()) {
     if (value.is_number()) {
       BOOST_TEST(near(by_stiffness["physical"][name], value, 1e-9), name);
@@ -84,20 +84,20 @@ BOOST_FIXTURE_TEST_CASE(stiffness_and_mass_stand_for_a_period, Sandbox) {
 }
 
 BOOST_FIXTURE_TEST_CASE(forces_and_energies_need_a_mass, Sandbox) {
-  const json quantities = report_of(*this, joined(isolator, "--period 3"))["physical"];
+  const json quantities = reported(joined(isolator, "--period 3"))["physical"];
   check_fields(quantities, {"mass_kg:null", "stiffness_n_per_m:null", "friction_force_n:null",
                             "energy_per_passage_j:null", "delta_m:number", "peak_m:number"});
 }
 
 BOOST_FIXTURE_TEST_CASE(gravity_changes_the_unit_of_f_alone, Sandbox) {
-  const json earth = report_of(*this, joined(isolator, "--period 3"))["physical"];
-  const json moon = report_of(*this, joined(isolator, "--period 3 --gravity 1.62"))["physical"];
+  const json earth = reported(joined(isolator, "--period 3"))["physical"];
+  const json moon = reported(joined(isolator, "--period 3 --gravity 1.62"))["physical"];
   BOOST_TEST(near(moon["f"].get<double>() * 1.62, earth["f"].get<double>() * gravity, 1e-9));
   BOOST_TEST(near(moon["peak_m"], earth["peak_m"], 1e-9));
 }
 
 BOOST_FIXTURE_TEST_CASE(limits_may_be_in_metres, Sandbox) {
-  const json report = report_of(*this, joined(isolator, "--period 3 --delta-max-m 0.004"));
+  const json report = reported(joined(isolator, "--period 3 --delta-max-m 0.004"));
   BOOST_TEST(near(number(report, "input", "delta_max"), 0.004 / length, 1e-15));
   BOOST_TEST(report["physical"]["delta_m"].get<double>() < 0.004);
 }
@@ -122,9 +122,9 @@ BOOST_FIXTURE_TEST_CASE(mends_are_in_units_too_and_mend, Sandbox) {
   BOOST_TEST(near(room, length / root, digits));
   BOOST_TEST(near(velocity, 0.13 * root * omega, digits));
   BOOST_TEST(near(period, 2 * std::numbers::pi * 0.13 * root / speed, digits));
-  BOOST_TEST(run(problem("0.4", "3", in_full(room))).exit_code == 0);
-  BOOST_TEST(run(problem(in_full(velocity), "3", "0.13")).exit_code == 0);
-  BOOST_TEST(run(problem("0.4", in_full(period), "0.13")).exit_code == 0);
+  succeed(problem("0.4", "3", in_full(room)));
+  succeed(problem(in_full(velocity), "3", "0.13"));
+  succeed(problem("0.4", in_full(period), "0.13"));
 }
 
 BOOST_FIXTURE_TEST_CASE(mends_of_the_text_mend_as_they_are_printed, Sandbox) {
@@ -134,9 +134,7 @@ BOOST_FIXTURE_TEST_CASE(mends_of_the_text_mend_as_they_are_printed, Sandbox) {
   BOOST_TEST_REQUIRE(std::regex_search(text.out, found, figure), text.out);
   BOOST_TEST(near(std::stod(found[1]), 1e3 * length / std::numbers::sqrt2, 1e-5));
   const std::string room = found[1].str() + "mm";
-  BOOST_TEST(
-      run({"design", "--velocity", "0.4", "--period", "3", "--max-displacement", room}).exit_code ==
-      0);
+  succeed({"design", "--velocity", "0.4", "--period", "3", "--max-displacement", room});
 }
 
 BOOST_FIXTURE_TEST_CASE(text_has_units, Sandbox) {

@@ -22,13 +22,12 @@ using namespace stillpoint::cli_test;
 namespace data = boost::unit_test::data;
 using nlohmann::json;
 
-/// A sweep has another unit of length than one motion, so both are rounded differently; a motion
-/// magnifies that by some hundreds.
+/// A sweep has a different unit of length from a single motion, so the two round differently; a
+/// motion amplifies that a few hundred times.
 constexpr double row_tolerance = 1e-12;
 
 SweepTable rows(const Sandbox& sandbox, const Arguments& arguments) {
-  const ProgramRun answer = sandbox.run(joined("sweep", arguments));
-  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = sandbox.succeed(joined("sweep", arguments));
   BOOST_TEST(answer.err.empty(), answer.err);
   return read_csv(answer.out);
 }
@@ -63,11 +62,10 @@ BOOST_FIXTURE_TEST_CASE(rows_are_the_motions_one_by_one, Sandbox) {
              boost::test_tools::per_element());
   BOOST_TEST_REQUIRE(table.rows.size() == 18U);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    check_row(
-        table, i,
-        report_of(*this, {"simulate", "--f", "0.011", "--velocity", table.at(i, "velocity"),
-                          "--period", table.at(i, "period"), "--delta-m", table.at(i, "delta_m")}),
-        {"peak_m", "stop_position_m", "stop_time_s"});
+    check_row(table, i,
+              reported({"simulate", "--f", "0.011", "--velocity", table.at(i, "velocity"),
+                        "--period", table.at(i, "period"), "--delta-m", table.at(i, "delta_m")}),
+              {"peak_m", "stop_position_m", "stop_time_s"});
   }
 }
 
@@ -129,10 +127,10 @@ BOOST_FIXTURE_TEST_CASE(ranges_of_hits_and_springs_are_those_of_design, Sandbox)
         rows(*this, joined(task, "--velocity 0.4,360mm/s:0.44 --residual-m 0,5mm"));
     BOOST_TEST_REQUIRE(table.rows.size() == 4U);
     for (std::size_t i = 0; i < 4; ++i) {
-      const json report = report_of(
-          *this, joined(joined("design", task),
-                        {"--velocity", table.at(i, "velocity_low") + ":" + table.at(i, "velocity"),
-                         "--residual-m", table.at(i, "residual_m")}));
+      const json report = reported(
+          joined(joined("design", task),
+                 {"--velocity", table.at(i, "velocity_low") + ":" + table.at(i, "velocity"),
+                  "--residual-m", table.at(i, "residual_m")}));
       BOOST_TEST(
           near(table.number(i, "tolerance"), report["design"]["tolerance"], search_tolerance));
       BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
@@ -160,8 +158,8 @@ BOOST_FIXTURE_TEST_CASE(pulses_of_designs_are_in_hertz_and_seconds, Sandbox) {
     for (std::size_t i = 0; i < 2; ++i) {
       const std::string option =
           column == "pulse_duration" ? "--pulse-duration" : "--excitation-frequency";
-      const json report = report_of(
-          *this, joined({"design", "--pulse", clock[1], option, table.at(i, column)}, task));
+      const json report =
+          reported(joined({"design", "--pulse", clock[1], option, table.at(i, column)}, task));
       BOOST_TEST_REQUIRE(table.at(i, "feasible") == "true");
       BOOST_TEST(near(table.number(i, "f"), report["design"]["f"], search_tolerance));
       BOOST_TEST(near(table.number(i, "delta_m"), report["physical"]["delta_m"], search_tolerance));
@@ -183,9 +181,9 @@ BOOST_FIXTURE_TEST_CASE(loads_are_in_hertz_and_seconds, Sandbox) {
     BOOST_TEST_REQUIRE(table.rows.size() == 2U);
     for (std::size_t i = 0; i < 2; ++i) {
       check_row(table, i,
-                report_of(*this, joined({"simulate", "--period", "2.8", "--f", "0.031", "--delta-m",
-                                         table.at(i, "delta_m")},
-                                        load)),
+                reported(joined({"simulate", "--period", "2.8", "--f", "0.031", "--delta-m",
+                                 table.at(i, "delta_m")},
+                                load)),
                 columns);
     }
   }
@@ -221,12 +219,11 @@ BOOST_FIXTURE_TEST_CASE(real_notches_are_in_metres, Sandbox) {
              "--delta-m 2mm,6mm --notch-width-m 5mm:20mm:2 --friction-zones 30mm:0.03 --times"));
   BOOST_TEST_REQUIRE(table.rows.size() == 4U);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    check_row(
-        table, i,
-        report_of(*this, joined(joined("simulate", motion),
-                                {"--delta-m", table.at(i, "delta_m"), "--notch-width-m",
-                                 table.at(i, "notch_width_m"), "--friction-zones", "0.03:0.03"})),
-        {"peak_m", "stop_position_m", "stop_time_s"});
+    check_row(table, i,
+              reported(joined(joined("simulate", motion),
+                              {"--delta-m", table.at(i, "delta_m"), "--notch-width-m",
+                               table.at(i, "notch_width_m"), "--friction-zones", "0.03:0.03"})),
+              {"peak_m", "stop_position_m", "stop_time_s"});
     BOOST_TEST(table.at(i, "outcome") == "stopped_in_notch");
   }
 }
@@ -234,16 +231,14 @@ BOOST_FIXTURE_TEST_CASE(real_notches_are_in_metres, Sandbox) {
 BOOST_FIXTURE_TEST_CASE(scenes_and_columns_and_files_serve, Sandbox) {
   write("scene.json", R"({"velocity": "0.4m/s", "period": ["2s", 3], "f": 0.02,
       "delta_m": "1mm:3mm:3", "mass": "1200t"})");
-  const ProgramRun by_scene = run("sweep scene.json --columns period,delta-m,peak_m");
-  BOOST_TEST(by_scene.exit_code == 0, by_scene.err);
+  const ProgramRun by_scene = succeed("sweep scene.json --columns period,delta-m,peak_m");
   BOOST_TEST(by_scene.err.empty(), by_scene.err);
   BOOST_TEST(by_scene.out == run("sweep --velocity 0.4 --period 2,3 --f 0.02 --delta-m "
                                  "0.001:0.003:3 --columns period,delta_m,peak_m")
                                  .out);
-  const ProgramRun drawn =
-      run("sweep --velocity 0.4 --period 2.8 --f 0.001:0.1:20 --delta-m 0:8mm:20 --output rows.npy "
-          "--html map.html --json");
-  BOOST_TEST(drawn.exit_code == 0, drawn.err);
+  const ProgramRun drawn = succeed(
+      "sweep --velocity 0.4 --period 2.8 --f 0.001:0.1:20 --delta-m 0:8mm:20 --output rows.npy "
+      "--html map.html --json");
   BOOST_TEST(drawn.json()["output"]["columns"][1] == "delta_m");
   BOOST_TEST(contains(read("map.html"), "point friction Δ, mm"));
   BOOST_TEST(contains(read("rows.npy"), "'peak_m'"));
@@ -256,7 +251,7 @@ Arguments sweep(const Arguments& more) {
 }
 
 const std::vector<Wrong> wrongs{
-    {sweep("--p 1 --delta-m 0"), {"p and velocity", "exclude each other"}},
+    {sweep("--p 1 --delta-m 0"), {"p and velocity", "cannot be combined"}},
     {sweep("--period 1 --delta 0"), {"delta is dimensionless", "--delta-m"}},
     {"sweep --velocity 1 --period 1 --max-displacement 1 --delta-max 1",
      {"delta-max is dimensionless", "--delta-max-m"}},
@@ -280,7 +275,7 @@ const std::vector<Wrong> wrongs{
     {sweep("--delta-m 0"), {"period is missing"}},
     {sweep("--period 1 --delta-m 0 --columns stop_time"),
      {"columns = \"stop_time\"", "stop_time_s"}},
-    {sweep("--period 1 --max-displacement 1"), {"max-displacement and f exclude each other"}},
+    {sweep("--period 1 --max-displacement 1"), {"max-displacement and f cannot be combined"}},
 };
 
 }  // namespace
@@ -315,7 +310,7 @@ const std::vector<WrongEntry> wrong_entries{
 
 }  // namespace
 
-/// As it was given: the kernel would name a v0 that nobody wrote.
+/// As it was given: the kernel would name a v0 that the user did not write.
 BOOST_DATA_TEST_CASE_F(Sandbox, a_wrong_entry_of_a_list_has_its_unit, data::make(wrong_entries),
                        wrong) {
   write("list.csv", wrong.list);

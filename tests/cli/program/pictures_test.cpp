@@ -57,8 +57,7 @@ Range attribute(const std::string& svg, const std::string& name) {
 BOOST_FIXTURE_TEST_SUITE(pictures, Sandbox)
 
 BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
-  const ProgramRun answer = run(joined(plain, "--html page.html --svg figures"));
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  succeed(joined(plain, "--html page.html --svg figures"));
   const std::string page = read("page.html");
   check_offline(page);
   parsed(page);
@@ -79,7 +78,7 @@ BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
 BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
   const std::filesystem::path scene =
       std::filesystem::path(STILLPOINT_DATA_DIR) / "scenes/isolator.json";
-  BOOST_TEST(run({"design", scene.string(), "--svg", "figures"}).exit_code == 0);
+  succeed({"design", scene.string(), "--svg", "figures"});
   for (const char* name : {"region.svg", "hits.svg", "motion.svg", "phase.svg", "energy.svg"}) {
     std::ifstream file(std::filesystem::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
     std::stringstream committed;
@@ -127,8 +126,7 @@ BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
 
 BOOST_AUTO_TEST_CASE(account_for_all_energy) {
   // 1/2 = f * path + delta * passages + the rest's share, which the notch takes as well.
-  const ProgramRun answer = run("simulate --v0 1 --p 1 --f 0.02 --delta 0.02 --svg figures");
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  succeed("simulate --v0 1 --p 1 --f 0.02 --delta 0.02 --svg figures");
   const std::string text = read("figures/energy.svg");
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(
@@ -152,8 +150,7 @@ BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
                                "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "3000"},
                               {"--f", "0.1", "--delta", "0.01", "--excitation", "rectangle", "--k",
                                "0.5", "--lambda", "2"}}) {
-    const ProgramRun answer = run(joined(simulate, motion));
-    BOOST_TEST(answer.exit_code == 0, answer.err);
+    succeed(joined(simulate, motion));
     const std::string page = read("page.html");
     check_offline(page);
     parsed(page);
@@ -163,7 +160,7 @@ BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
 
 BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
   const Arguments titled = joined(plain, {"--title", "</pre><script>x</script> & \"y\""});
-  BOOST_TEST(run(joined(titled, "--html one.html")).exit_code == 0);
+  succeed(joined(titled, "--html one.html"));
   const std::string page = read("one.html");
   parsed(page);
   BOOST_TEST(!contains(page, "<script>x"));
@@ -174,8 +171,7 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
     scene = std::regex_replace(scene, std::regex(name), sign);
   }
   write("scene.json", scene);
-  const ProgramRun again = run("design scene.json --html two.html");
-  BOOST_TEST(again.exit_code == 0, again.err);
+  succeed("design scene.json --html two.html");
   const auto figures = [](const std::string& text) {
     return text.substr(0, text.find("<h2>Cross"));
   };
@@ -183,9 +179,8 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
-  const ProgramRun answer =
-      run("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --html page.html --json");
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = succeed(
+      "design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --html page.html --json");
   const std::string page = read("page.html");
   check_offline(page);
   parsed(page);
@@ -200,10 +195,9 @@ BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
-  const ProgramRun answer =
-      run("sweep --v0 1 --p 1 --f 1e-3:0.4:2000 --delta 0:0.55:2000 --output map.npy --html "
-          "page.html --svg figures");
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  succeed(
+      "sweep --v0 1 --p 1 --f 1e-3:0.4:2000 --delta 0:0.55:2000 --output map.npy --html "
+      "page.html --svg figures");
   const std::string page = read("page.html");
   check_offline(page);
   parsed(page);
@@ -216,10 +210,9 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
-  const ProgramRun answer =
-      run("sweep --p 1 --f 0.01:0.3:20 --delta 0:0.03:20 --excitation harmonic --k 0.2 --lambda "
-          "0.35 --t-end 100 --html page.html");
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  succeed(
+      "sweep --p 1 --f 0.01:0.3:20 --delta 0:0.03:20 --excitation harmonic --k 0.2 --lambda "
+      "0.35 --t-end 100 --html page.html");
   const std::string page = read("page.html");
   check_offline(page);
   parsed(page);
@@ -262,9 +255,7 @@ BOOST_AUTO_TEST_CASE(of_an_excitation_end_with_the_run) {
   for (const auto& [excitation, last] : std::vector<std::pair<Arguments, double>>{
            {{"--excitation", "rectangle", "--k", "0.5", "--lambda", "0.1", "--t-end", "5"}, 0.5},
            {{"--record", "record.txt", "--t-end", "2.5"}, 0}}) {
-    const ProgramRun answer =
-        run(joined("simulate --p 1 --f 0.02 --delta 0 --svg figures", excitation));
-    BOOST_TEST(answer.exit_code == 0, answer.err);
+    succeed(joined("simulate --p 1 --f 0.02 --delta 0 --svg figures", excitation));
     const std::string text = read("figures/excitation.svg");
     const Range y = attribute(text, "data-y");
     std::smatch curve;
@@ -281,15 +272,14 @@ BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
     record += std::to_string(0.2 * std::sin(0.3 * i)) + "\n";
   }
   write("record.txt", record);
-  const ProgramRun answer =
-      run("simulate --p 0.01 --f 0.001 --delta 0 --record record.txt --record-step 0.01 --html "
-          "page.html");
-  BOOST_TEST(answer.exit_code == 0, answer.err);
+  succeed(
+      "simulate --p 0.01 --f 0.001 --delta 0 --record record.txt --record-step 0.01 --html "
+      "page.html");
   BOOST_TEST(read("page.html").size() < 1'000'000U);
 }
 
 BOOST_AUTO_TEST_CASE(make_the_directory_that_they_go_to) {
-  BOOST_TEST(run(joined(plain, "--svg new/figures")).exit_code == 0);
+  succeed(joined(plain, "--svg new/figures"));
   BOOST_TEST(std::filesystem::exists(path("new/figures/region.svg")));
 }
 

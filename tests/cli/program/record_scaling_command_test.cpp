@@ -29,7 +29,7 @@ constexpr double hand_tolerance = 1e-12;
 /// 0.25 g for 5 s.
 constexpr const char* long_load = "0 0.25\n1 0.25\n2 0.25\n3 0.25\n4 0.25\n5 0.25\n";
 
-/// What the displacement under a load that stays overshoots to.
+/// The overshoot of the displacement under a constant load.
 const double overshoot = 1 + std::exp(-std::numbers::pi * 0.05 / std::sqrt(1 - 0.05 * 0.05));
 
 const Arguments moved("simulate --f 0.05 --delta-m 1mm --period 2.8s");
@@ -41,8 +41,8 @@ const Arguments held("design --period 2.8s --search-f 100:100 --search-delta-m 0
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
   write("a.txt", small_record);
   const Arguments record = joined(moved, "--record a.txt");
-  const json twice = report_of(*this, joined(record, "--record-scale -2"));
-  const json peak = report_of(*this, joined(record, "--record-peak 0.8g"));
+  const json twice = reported(joined(record, "--record-scale -2"));
+  const json peak = reported(joined(record, "--record-peak 0.8g"));
   const json excitation = peak["input"]["excitation"];
   BOOST_TEST(excitation["record_scale"] == nullptr);
   BOOST_TEST(excitation["record_peak"] == 0.8);
@@ -61,7 +61,7 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
   write("a.txt", long_load);
   const auto factor = [&](const Arguments& arguments) {
-    return report_of(*this, arguments)["input"]["excitation"]["record_factor"].get<double>();
+    return reported(arguments)["input"]["excitation"]["record_factor"].get<double>();
   };
   const Arguments record = joined(moved, "--record a.txt --record-spectrum 1g");
   BOOST_TEST(near(factor(record), 1 / (0.25 * overshoot), hand_tolerance));
@@ -82,7 +82,7 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Sandbox) {
   write("spectra.csv", "file,spectrum\nb.txt,1\n");
   const auto check = [&](const Arguments& arguments, const std::vector<double>& scales,
                          const std::vector<double>& peaks) {
-    const json list = report_of(*this, joined(held, arguments))["records"];
+    const json list = reported(joined(held, arguments))["records"];
     BOOST_TEST_REQUIRE(list.size() == scales.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       BOOST_TEST(near(list[i]["scale"], scales[i], hand_tolerance), list[i].dump());
@@ -108,7 +108,7 @@ BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
   write("list.csv", "file,scale\nsuite,2\n");
   for (const Arguments& given : std::vector<Arguments>{{"--record", "suite", "--record-scale", "2"},
                                                        {"--records-list", "list.csv"}}) {
-    const json list = report_of(*this, joined(held, given))["records"];
+    const json list = reported(joined(held, given))["records"];
     BOOST_TEST_REQUIRE(list.size() == 2U);
     BOOST_TEST(list[0]["file"] == "suite/a.csv");
     BOOST_TEST(list[1]["file"] == "suite/b.txt");
@@ -123,8 +123,7 @@ BOOST_FIXTURE_TEST_CASE(a_folder_leaves_out_notes_and_says_so, Sandbox) {
   write("list.csv", "file,scale\nsuite,2\n");
   for (const Arguments& given :
        std::vector<Arguments>{{"--record", "suite"}, {"--records-list", "list.csv"}}) {
-    const ProgramRun done = run(joined(held, given));
-    BOOST_TEST(done.exit_code == 0);
+    const ProgramRun done = succeed(joined(held, given));
     BOOST_TEST(contains(done.err, "warning: record suite/notes.txt: is left out"), done.err);
     BOOST_TEST(run(joined(joined(held, given), "--quiet")).err == "");
   }
@@ -137,14 +136,14 @@ Arguments with(const Arguments& more) {
 }
 
 const std::vector<Wrong> wrong{
-    {with("--record-scale 2 --record-peak 1"), {"record-scale and record-peak exclude each other"}},
+    {with("--record-scale 2 --record-peak 1"), {"record-scale and record-peak cannot be combined"}},
     {with("--record-peak 0"), {"record-peak = 0"}},
     {with("--record-peak -1g"), {"record-peak = -1"}},
     {with("--record-spectrum 0"), {"record-spectrum = 0"}},
     {with("--record-peak 1m"), {"record-peak", "1m"}},
     {"simulate --v0 0 --p 1 --f 0 --delta 0 --excitation half-sine --k 1 --lambda 1 --record-peak "
      "1",
-     {"record-peak and excitation half-sine exclude each other"}},
+     {"record-peak and excitation half-sine cannot be combined"}},
     {joined(moved, "--record zeros.txt --record-peak 1"), {"record zeros.txt: is 0 throughout"}},
     {joined(moved, "--record zeros.txt --record-spectrum 1"),
      {"record zeros.txt: moves no oscillator"}},
@@ -158,7 +157,7 @@ const std::vector<Wrong> wrong{
     {"design --record a.txt --search-period 2:3 --record-spectrum 1",
      {"record-spectrum-period is missing"}},
     {"design --period 2 --records-list peaks.csv --record-spectrum 1",
-     {"records-list peaks.csv: its targets and record-spectrum exclude each other"}},
+     {"records-list peaks.csv: its targets and record-spectrum cannot be combined"}},
     {"design --period 2 --records-list none.csv", {"records-list none.csv, line 2: peak = 0"}},
     {"design --period 2 --record empty", {"record empty: this folder has no record", ".AT2"}},
     {joined(moved, "--record empty"), {"Is a directory"}},

@@ -12,6 +12,8 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(region_command_test)
 
@@ -39,7 +41,7 @@ std::set<std::string> violated(const json& report) {
 BOOST_FIXTURE_TEST_SUITE(region_command, Sandbox)
 
 BOOST_AUTO_TEST_CASE(gives_the_bounds) {
-  const json report = report_of(*this, region());
+  const json report = reported(region());
   BOOST_TEST(report["schema"] == "stillpoint/region-report/1");
   check_fields(report, {"input:object", "region:object", "delta1_published:null",
                         "delta1_exact:null", "admissible:null", "constraints:array"});
@@ -58,14 +60,8 @@ BOOST_AUTO_TEST_CASE(gives_the_bounds) {
   BOOST_TEST(report["constraints"].empty());
 }
 
-BOOST_AUTO_TEST_CASE(amplitude_that_does_not_bind_has_a_negative_bound) {
-  const json report = report_of(*this, "region --v0 1 --p 1 --beta 2");
-  BOOST_TEST(near(report["region"]["f2"], -0.75, 1e-15));
-  BOOST_TEST(report["region"]["f_lower"].get<double>() == 0);
-}
-
 BOOST_AUTO_TEST_CASE(gives_both_lower_bounds_of_delta_at_f) {
-  const json report = report_of(*this, region("--f 0.3"));
+  const json report = reported(region("--f 0.3"));
   const double radius = std::hypot(1, 0.3);
   BOOST_TEST(near(report["delta1_published"], (radius - 0.6) * (radius - 0.6) / 2, 1e-14));
   BOOST_TEST(near(report["delta1_exact"], (radius - 0.3) * (radius - 0.9) / 2, 1e-14));
@@ -73,101 +69,41 @@ BOOST_AUTO_TEST_CASE(gives_both_lower_bounds_of_delta_at_f) {
   BOOST_TEST(report["constraints"].empty());
 }
 
-BOOST_AUTO_TEST_CASE(exact_bound_does_not_exist_where_the_motion_does_not_return) {
-  const json report = report_of(*this, region("--f 0.36"));
-  check_fields(report, {"delta1_published:number", "delta1_exact:null"});
-}
-
 BOOST_AUTO_TEST_CASE(judges_a_point) {
-  const json inside = report_of(*this, region("--f 0.3 --delta 0.4"));
-  BOOST_TEST(inside["admissible"] == true);
-  BOOST_TEST(violated(inside).empty());
-  BOOST_TEST(inside["constraints"].size() == 5U);
-
-  const json start = report_of(*this, region("--f 0.3 --delta 0.51"));
-  BOOST_TEST(start["admissible"] == false);
-  BOOST_TEST((violated(start) == std::set<std::string>{"start"}));
-
-  const json amplitude = report_of(*this, region("--f 0.22 --delta 0.4"));
-  BOOST_TEST(amplitude["admissible"] == false);
-  BOOST_TEST((violated(amplitude) == std::set<std::string>{"amplitude"}));
-
-  const json back = report_of(*this, region("--f 0.36 --delta 0.4"));
-  BOOST_TEST(back["admissible"] == false);
-  BOOST_TEST((violated(back) == std::set<std::string>{"return"}));
-
-  const json stop = report_of(*this, region("--f 0.3 --delta 0.09"));
-  BOOST_TEST(stop["admissible"] == false);
-  BOOST_TEST((violated(stop) == std::set<std::string>{"stop"}));
-
-  // f above f1 lies above f3 as well wherever f2 is below f3.
-  const json dead_zone = report_of(*this, region("--f 0.85 --delta 0.4"));
-  BOOST_TEST(dead_zone["admissible"] == false);
-  BOOST_TEST((violated(dead_zone) == std::set<std::string>{"dead_zone", "return"}));
-}
-
-BOOST_AUTO_TEST_CASE(slack_is_the_distance_to_the_limit) {
-  const json report = report_of(*this, region("--f 0.22 --delta 0.4"));
-  for (const json& now : report["constraints"]) {
-    check_fields(now,
-                 {"name:text", "value:number", "limit:number", "slack:number", "satisfied:bool"});
-    const double distance = std::abs(now["value"].get<double>() - now["limit"].get<double>());
-    const double sign = now["satisfied"] == true ? 1 : -1;
-    BOOST_TEST(near(now["slack"], sign * distance, 1e-14));
+  using Names = std::set<std::string>;
+  for (const auto& [point, violates] : std::vector<std::pair<Arguments, Names>>{
+           {"--f 0.3 --delta 0.4", {}},
+           {"--f 0.3 --delta 0.51", {"start"}},
+           {"--f 0.22 --delta 0.4", {"amplitude"}},
+           {"--f 0.36 --delta 0.4", {"return"}},
+           {"--f 0.3 --delta 0.09", {"stop"}},
+           // f above f1 lies above f3 as well wherever f2 is below f3.
+           {"--f 0.85 --delta 0.4", {"dead_zone", "return"}}}) {
+    const json report = reported(region(point));
+    BOOST_TEST(report["admissible"] == violates.empty());
+    BOOST_TEST((violated(report) == violates));
+    BOOST_TEST(report["constraints"].size() == 5U);
   }
 }
 
-BOOST_AUTO_TEST_CASE(edges_belong_to_the_region_as_the_conditions_say) {
-  const auto admissible = [&](double f, double delta) {
-    return report_of(*this, region({"--f", in_full(f), "--delta", in_full(delta)}))["admissible"] ==
-           true;
-  };
-  const json at = report_of(*this, region("--f 0.3"));
-  const double delta1 = at["delta1_published"];
-  const double f2 = at["region"]["f2"];
-  BOOST_TEST(!admissible(0.3, delta1));
-  BOOST_TEST(admissible(0.3, std::nextafter(delta1, 1)));
-  BOOST_TEST(admissible(0.3, 0.5));
-  BOOST_TEST(!admissible(0.3, std::nextafter(0.5, 1)));
-  BOOST_TEST(admissible(f2, 0.4));
-  BOOST_TEST(!admissible(std::nextafter(f2, 0), 0.4));
-}
-
-BOOST_AUTO_TEST_CASE(criterion_decides_between_the_two_bounds) {
-  const Arguments between("--f 0.3 --delta 0.07");
-  BOOST_TEST(report_of(*this, region(between))["admissible"] == false);
-  BOOST_TEST(report_of(*this, region(joined(between, "--criterion exact")))["admissible"] == true);
-}
-
-BOOST_AUTO_TEST_CASE(limits_count_for_a_point) {
-  const Arguments point("--f 0.3 --delta 0.4");
-  for (const Arguments& limit : std::vector<Arguments>{{"--f-max", "0.29"},
-                                                       {"--delta-max", "0.39"},
-                                                       {"--acceleration-max", "1.04"},  // S = 1.044
-                                                       {"--tolerance", "0.2"}}) {
-    BOOST_TEST(report_of(*this, region(joined(point, limit)))["admissible"] == false);
-  }
-  BOOST_TEST(report_of(*this, region(joined(point, "--tolerance 0.1")))["admissible"] == true);
-}
-
-/// A point that is served has all three blocks; one that is not still has its hits.
+/// An admissible point has all three blocks; another still has its hits.
 BOOST_AUTO_TEST_CASE(a_point_says_what_it_serves) {
-  const json good = report_of(*this, region("--f 0.3 --delta 0.4 --acceleration-max 1.1"));
+  const json good = reported(region("--f 0.3 --delta 0.4 --acceleration-max 1.1"));
   BOOST_TEST(near(good["works_for"]["v0"][0], std::sqrt(0.8), 1e-15));
   BOOST_TEST(near(good["works_for"]["p"][1], std::sqrt(1.1 * 1.1 - 0.3 * 0.3), 1e-15));
   BOOST_TEST(near(good["practice"]["notch_width_min"], 0.5, 1e-14));
   BOOST_TEST(good["hits"][1]["ends"] == "centred");
-  const json wrong = report_of(*this, region("--f 0.3 --delta 0.9"));
+  const json wrong = reported(region("--f 0.3 --delta 0.9"));
   check_fields(wrong, {"works_for:null", "practice:null"});
   BOOST_TEST(wrong["hits"][0]["ends"] == "held");
-  check_fields(report_of(*this, region("--f 0.3")), {"hits:null"});
+  check_fields(reported(region("--f 0.3")), {"hits:null"});
 }
 
 /// Each bound names the variable that it bounds, in the report for people as in JSON.
 BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
   const Arguments arguments = region("--f 0.3 --delta 0.4 --f-max 0.31 --delta-max 0.41");
   std::map<std::string, std::string> variable;
-  const json report = report_of(*this, arguments);
+  const json report = reported(arguments);
   for (const json& now : report["constraints"]) {
     variable[now.at("name")] = now.value("variable", "none");
   }
@@ -195,15 +131,10 @@ BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
 /// Where amplitude does not bind, f may come as near to 0 as it likes: its edge is 0, not what is
 /// left of v0^2 divided by v0 twice.
 BOOST_AUTO_TEST_CASE(edge_at_zero_is_zero) {
-  for (const int tenths : {1, 3, 7, 11, 13, 29, 31, 97}) {
-    const json report =
-        report_of(*this, {"region", "--v0", in_full(tenths / 10.0), "--p", "1", "--beta", "100"});
-    BOOST_TEST(report["region"]["f_lower"].get<double>() == 0, "v0 = " << tenths / 10.0);
-  }
   // V0 = beta p in decimals, which as doubles differ in their last bits.
   for (const auto& [v0, p, beta] : {std::array{"1.1", "0.1", "11"}, std::array{"0.3", "0.1", "3"},
                                     std::array{"0.6", "0.2", "3"}, std::array{"0.7", "0.1", "7"}}) {
-    const json report = report_of(*this, {"region", "--v0", v0, "--p", p, "--beta", beta});
+    const json report = reported({"region", "--v0", v0, "--p", p, "--beta", beta});
     BOOST_TEST(report["region"]["f2"].get<double>() == 0, "v0 = " << v0);
     BOOST_TEST(report["region"]["f_lower"].get<double>() == 0, "v0 = " << v0);
   }
@@ -218,7 +149,7 @@ BOOST_AUTO_TEST_CASE(friction_beyond_measure_is_refused_or_reported_in_finite_nu
       BOOST_TEST(contains(text.err, "f = "), text.err);
       continue;
     }
-    const json report = report_of(*this, arguments);
+    const json report = reported(arguments);
     check_fields(report, {"delta1_published:number", "delta1_exact:null"});
     for (const json& now : report["constraints"]) {
       check_fields(now, {"value:number", "limit:number", "slack:number"});
@@ -237,12 +168,12 @@ BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
   BOOST_TEST(report["region"]["mends"].size() == 3U);
   const ProgramRun text = run(empty);
   BOOST_TEST(text.exit_code == 3);
-  BOOST_TEST(contains(text.out, "amplitude and return exclude each other"));
+  BOOST_TEST(contains(text.out, "amplitude and return conflict"));
 }
 
 BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
   const Arguments isolator("region --velocity 0.4 --period 3 --max-displacement 0.16 --mass 2e5");
-  const json report = report_of(*this, joined(isolator, "--f 0.0225 --delta-m 0.006"));
+  const json report = reported(joined(isolator, "--f 0.0225 --delta-m 0.006"));
   BOOST_TEST(report["admissible"] == true);
   const json& quantities = report["physical"];
   BOOST_TEST(near(quantities["delta2_m"], 0.16 / (2 * 9.80665), 1e-14));
@@ -262,10 +193,10 @@ BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
                         in_full(report["input"]["p"]),
                         "--beta",
                         in_full(report["input"]["beta"])};
-  BOOST_TEST(report_of(*this, again)["region"] == report["region"]);
+  BOOST_TEST(reported(again)["region"] == report["region"]);
 }
 
-/// A mend speaks of what was given: whoever gave a stiffness is told a stiffness.
+/// A suggested change is in the terms given: for a stiffness it is a stiffness.
 BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
   const auto isolator = [](const std::string& stiffness) {
     return Arguments{"region", "--velocity", "0.4", "--stiffness", stiffness, "--max-displacement",
@@ -280,7 +211,7 @@ BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
   const double mended = quantities["stiffness_mend_n_per_m"];
   constexpr double digits = 1e-13;  // to the safe side
   BOOST_TEST(near(mended, 1e5 * 0.16 / 0.02, digits));
-  BOOST_TEST(run(isolator(in_full(mended))).exit_code == 0);
+  succeed(isolator(in_full(mended)));
   BOOST_TEST(run(isolator(in_full(mended * (1 - 1e-12)))).exit_code == 3);
 
   const Arguments by_period("region --velocity 0.4 --period 2.5651 --max-displacement 0.1");
@@ -290,8 +221,7 @@ BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
 }
 
 BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
-  const ProgramRun text = run(region("--f 0.36 --delta 0.4"));
-  BOOST_TEST(text.exit_code == 0);
+  const ProgramRun text = succeed(region("--f 0.36 --delta 0.4"));
   check_contains(text.out, {"Admissible region", "0.225", "0.353553", "0.707107", "not admissible",
                             "violated", "does not return"});
 }

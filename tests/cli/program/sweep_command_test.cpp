@@ -283,16 +283,15 @@ BOOST_AUTO_TEST_CASE(of_problems_takes_a_pulse_in_place_of_the_velocity) {
 BOOST_AUTO_TEST_CASE(scenes_have_axes_of_ranges) {
   write("scene.json", R"({"v0": [1, [0.9, 1.1], "0:1"], "p": "0.95:1.05", "beta": 2,
                           "tolerance_f": [0.8, 1.2], "residual": [0, 0.1]})");
-  const ProgramRun flags =
-      run("sweep --v0 1,0.9:1.1,0:1 --p 0.95:1.05 --beta 2 --tolerance-f 0.8:1.2 --residual 0,0.1");
-  BOOST_TEST_REQUIRE(flags.exit_code == 0, flags.err);
+  const ProgramRun flags = succeed(
+      "sweep --v0 1,0.9:1.1,0:1 --p 0.95:1.05 --beta 2 --tolerance-f 0.8:1.2 --residual 0,0.1");
   BOOST_TEST(run("sweep scene.json").out == flags.out);
 }
 
 BOOST_AUTO_TEST_CASE(ranges_are_columns_of_npy) {
   const Arguments task("sweep --v0 0.9:1.1,0:1 --p 1 --beta 2 --residual 0.05");
   const SweepTable csv = table_of(run(task));
-  BOOST_TEST(run(joined(task, "--output d.npy")).exit_code == 0);
+  succeed(joined(task, "--output d.npy"));
   const NpyFile npy = read_npy(read("d.npy"));
   BOOST_TEST_REQUIRE(npy.count == 2);
   BOOST_TEST_REQUIRE(npy.fields.size() == csv.columns.size());
@@ -356,8 +355,7 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_the_threads) {
        {Arguments("--f 0:0.3:60 --delta 0:0.5:70 --times"),
         Arguments("--f 0:0.3:20 --delta 0:0.1:15 --x0 0.5"),
         Arguments("--f 0:0.3:20 --delta 0:0.1:15 --excitation full-sine --k 0.3 --lambda 0.7")}) {
-    const ProgramRun one = run(sweep(joined(more, "--threads 1")));
-    BOOST_TEST(one.exit_code == 0, one.err);
+    const ProgramRun one = succeed(sweep(joined(more, "--threads 1")));
     BOOST_TEST(one.out.size() > 10'000U);
     for (const char* threads : {"2", "7"}) {
       BOOST_TEST((run(sweep(joined(more, {"--threads", threads}))).out == one.out));

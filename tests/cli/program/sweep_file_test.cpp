@@ -28,7 +28,7 @@ Surroundings with_input(const std::string& text) {
   return {.input = text};
 }
 
-/// What a number of the file is where the CSV has nothing.
+/// The number in the file where the CSV is empty.
 double absent(const std::string& outcome, const std::string& column) {
   return outcome == "never_stops" && column != "stop_position"
              ? std::numeric_limits<double>::infinity()
@@ -50,8 +50,7 @@ BOOST_AUTO_TEST_CASE(holds_what_the_csv_holds) {
       "--f 0.1,0.4 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 30");
   for (const Arguments& entries : {grid, forced}) {
     const SweepTable table = read_csv(run(sweep(entries)).out);
-    const ProgramRun answer = run(sweep(joined(entries, "--output rows.npy")));
-    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    succeed(sweep(joined(entries, "--output rows.npy")));
     const NpyFile npy = read_npy(read("rows.npy"));
     BOOST_TEST_REQUIRE(npy.fields.size() == table.columns.size());
     BOOST_TEST_REQUIRE(npy.count == static_cast<std::int64_t>(table.rows.size()));
@@ -75,7 +74,7 @@ BOOST_AUTO_TEST_CASE(holds_what_the_csv_holds) {
 }
 
 BOOST_AUTO_TEST_CASE(of_designs_has_a_truth_value) {
-  BOOST_TEST(run(sweep("--beta 0.5,0.9 --output rows.npy")).exit_code == 0);
+  succeed(sweep("--beta 0.5,0.9 --output rows.npy"));
   const NpyFile npy = read_npy(read("rows.npy"));
   BOOST_TEST(npy.fields[1].name == "feasible");
   BOOST_TEST(npy.fields[1].type == "|b1");
@@ -89,16 +88,15 @@ BOOST_AUTO_TEST_CASE(of_a_list_gets_its_length_at_the_end) {
   for (int i = 0; i < 1234; ++i) {
     text += "0.1,0.5\n";
   }
-  const ProgramRun answer = run(sweep("--list - --output rows.npy"), with_input(text));
-  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  succeed(sweep("--list - --output rows.npy"), with_input(text));
   BOOST_TEST(read_npy(read("rows.npy")).count == 1234);
-  BOOST_TEST(run(sweep("--list - --output none.npy"), with_input("f,delta\n")).exit_code == 0);
+  succeed(sweep("--list - --output none.npy"), with_input("f,delta\n"));
   BOOST_TEST(read_npy(read("none.npy")).count == 0);
 }
 
 BOOST_AUTO_TEST_CASE(of_a_grid_may_go_through_a_pipe) {
   const ProgramRun piped = run(sweep(joined(grid, "--format npy")));
-  BOOST_TEST(run(sweep(joined(grid, "--output rows.npy"))).exit_code == 0);
+  succeed(sweep(joined(grid, "--output rows.npy")));
   BOOST_TEST(piped.out == read("rows.npy"));
 }
 
@@ -108,8 +106,7 @@ BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 
 BOOST_AUTO_TEST_CASE(holds_what_standard_output_would) {
   write("rows.csv", "old");
-  const ProgramRun answer = run(sweep(joined(grid, "--output rows.csv")));
-  BOOST_TEST(answer.exit_code == 0);
+  const ProgramRun answer = succeed(sweep(joined(grid, "--output rows.csv")));
   BOOST_TEST(answer.err.empty(), answer.err);
   BOOST_TEST(answer.out.starts_with("Sweep\n"), answer.out);
   BOOST_TEST(read("rows.csv") == run(sweep(grid)).out);
@@ -119,20 +116,19 @@ BOOST_AUTO_TEST_CASE(holds_what_standard_output_would) {
 BOOST_AUTO_TEST_CASE(keeps_a_link) {
   fs::create_directory(path("elsewhere"));
   fs::create_symlink("elsewhere/rows.csv", path("link.csv"));
-  BOOST_TEST(run(sweep(joined(grid, "--output link.csv"))).exit_code == 0);
+  succeed(sweep(joined(grid, "--output link.csv")));
   BOOST_TEST(fs::is_symlink(path("link.csv")));
   BOOST_TEST(read("elsewhere/rows.csv").starts_with("f,delta,"));
 }
 
 BOOST_AUTO_TEST_CASE(may_be_standard_output_or_a_device) {
   BOOST_TEST(run(sweep(joined(grid, "--output /dev/stdout"))).out == run(sweep(grid)).out);
-  BOOST_TEST(run(sweep(joined(grid, "--output /dev/null"))).exit_code == 0);
+  succeed(sweep(joined(grid, "--output /dev/null")));
   BOOST_TEST(contents().empty());
 }
 
 BOOST_AUTO_TEST_CASE(has_a_report) {
-  const ProgramRun answer = run(sweep(joined(grid, "--output rows.npy --json")));
-  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = succeed(sweep(joined(grid, "--output rows.npy --json")));
   const json report = answer.json();
   check_fields(report, {"schema:text", "program:object", "kind:text", "output:object", "rows:count",
                         "outcomes:object", "feasible:null", "resumed_at:count", "threads:count",

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const Arguments grid("sweep --v0 1 --p 1 --f 0.02:0.35:13 --delta 0:0.5:5");
 
-/// While it lives, no program that is started can write a file beyond so many bytes: it gets
+/// While it lives, no program started can write a file beyond this many bytes: it gets
 /// SIGXFSZ, or an error where that is ignored.
 class WriteLimit {
  public:
@@ -78,8 +78,7 @@ struct Parts : Sandbox {
 
   void check_merged(const Arguments& sweep, int n, const std::string& extension) const {
     BOOST_TEST_CONTEXT(n << " parts, " << extension) {
-      const ProgramRun whole = run(joined(sweep, {"--output", "whole." + extension}));
-      BOOST_TEST_REQUIRE(whole.exit_code == 0, whole.err);
+      const ProgramRun whole = succeed(joined(sweep, {"--output", "whole." + extension}));
       const ProgramRun answer = merge(split(sweep, n, extension));
       BOOST_TEST(answer.exit_code == 0, answer.err);
       BOOST_TEST((read("merged") == read("whole." + extension)));
@@ -136,8 +135,8 @@ BOOST_AUTO_TEST_CASE(may_be_given_by_a_launcher) {
   for (const char* rank : {"0", "1", "2"}) {
     const Surroundings ranked{
         .environment = {{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "3"}}};
-    const ProgramRun answer = run(joined(grid, "--part auto --output {part}.csv --json"), ranked);
-    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const ProgramRun answer =
+        succeed(joined(grid, "--part auto --output {part}.csv --json"), ranked);
     names.push_back(answer.json().at("output").at("file"));
   }
   BOOST_TEST(names.front() == "1-of-3.csv");
@@ -188,8 +187,7 @@ BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
   };
   BOOST_TEST_REQUIRE(run(second, killed).exit_code == -1);
   BOOST_TEST(!fs::exists(path("2-of-3.csv")));
-  const ProgramRun resumed = run(joined(second, "--resume --json"));
-  BOOST_TEST_REQUIRE(resumed.exit_code == 0, resumed.err);
+  succeed(joined(second, "--resume --json"));
   for (const int i : {1, 3}) {
     static_cast<void>(part(forced, i, 3));
   }
@@ -202,9 +200,9 @@ BOOST_AUTO_TEST_CASE(that_are_missing_or_doubled_are_refused) {
   const Arguments names = split(grid, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
   check_refused({names[2]}, {"2/3", "is missing", "2"});
-  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "like"});
+  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "and so is"});
   fs::copy_file(path(names[1]), path("copy.csv"));
-  check_refused(joined(names, "copy.csv"), {"copy.csv", "is part 2/3", "like " + names[1]});
+  check_refused(joined(names, "copy.csv"), {"copy.csv", "is part 2/3", "and so is " + names[1]});
   check_refused({}, {"PART"});
   check_refused(joined(names, "none.csv"), {"none.csv", "No such file"});
 }
@@ -218,12 +216,12 @@ BOOST_AUTO_TEST_CASE(that_are_torn_are_refused) {
     const std::size_t step = whole.size() / 23;
     for (std::size_t size = 0; size < whole.size(); size += step) {
       write(torn, whole.substr(0, size));
-      check_refused(names, {torn, "not a whole part"});
+      check_refused(names, {torn, "not a complete part"});
     }
     write(torn, whole.substr(0, whole.size() - 1));
-    check_refused(names, {torn, "not a whole part"});
+    check_refused(names, {torn, "not a complete part"});
     write(torn, whole + "\n");
-    check_refused(names, {torn, "not a whole part"});
+    check_refused(names, {torn, "not a complete part"});
     const std::size_t seal = whole.find("#stillpoint-part");
     for (std::size_t place = 0; place < seal; place += step) {
       std::string changed = whole;
@@ -245,7 +243,7 @@ BOOST_AUTO_TEST_CASE(whose_seal_has_numbers_that_are_no_integers_are_refused) {
       std::string changed = whole;
       write(names[0], changed.replace(place, end - place, number));
       BOOST_TEST_CONTEXT(key << " " << number) {
-        check_refused(names, {names[0], "not a whole part"});
+        check_refused(names, {names[0], "not a complete part"});
       }
     }
   }
@@ -267,7 +265,7 @@ BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
   static_cast<void>(run(joined(grid, "--part 3/3 --output foreign")));
   check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
   static_cast<void>(run(joined(grid, "--output foreign")));  // not in parts
-  check_refused({names[1], "foreign"}, {"foreign", "not a whole part"});
+  check_refused({names[1], "foreign"}, {"foreign", "not a complete part"});
 }
 
 BOOST_AUTO_TEST_CASE(of_a_list_that_has_changed_are_refused) {

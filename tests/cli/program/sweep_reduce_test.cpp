@@ -140,13 +140,12 @@ void check_best(const json& best, const SweepTable& table) {
 
 struct Reduced : Sandbox {
   [[nodiscard]] json report(const Arguments& arguments) const {
-    const ProgramRun answer = run(joined(arguments, "--json"));
-    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const ProgramRun answer = succeed(joined(arguments, "--json"));
     check_report_schema(answer.out);
     return answer.json();
   }
 
-  /// Asserts that it says of its rows what is true of them.
+  /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {
     const SweepTable table = read_csv(run(sweep).out);
     const json found = report(joined(sweep, more));
@@ -180,14 +179,12 @@ struct Reduced : Sandbox {
     for (int i = n; i >= 1; --i) {
       const std::string part = std::to_string(i) + "/" + std::to_string(n);
       const std::string name = "part" + std::to_string(i) + ".json";
-      const ProgramRun answer = run(joined(
-          sweep, {"--part", part, "--output", name, "--threads", std::to_string(1 + i % 3)}));
-      BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+      succeed(joined(sweep,
+                     {"--part", part, "--output", name, "--threads", std::to_string(1 + i % 3)}));
       check_report_schema(read(name));
       merge.push_back(name);
     }
-    const ProgramRun answer = run(merge);
-    BOOST_TEST(answer.exit_code == 0, answer.err);
+    succeed(merge);
     BOOST_TEST((read("merged.json") == read("whole.json")), n << " parts");
   }
 };
@@ -196,7 +193,9 @@ BOOST_FIXTURE_TEST_SUITE(reductions, Reduced)
 
 BOOST_AUTO_TEST_CASE(say_what_the_rows_say) {
   check_true(motions, asked);
-  check_true(designs, "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4");
+  check_true(designs,
+             "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4 --histogram "
+             "delta:0:0.4:1");
   check_true(
       "sweep --p 1 --f 0.05:0.2:9 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
       "--reduce --best final_velocity:3");
@@ -235,9 +234,9 @@ BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
   };
   check("1-of-2.json", {"2/2", "is missing"});
   check("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
-  check("1-of-2.json torn.json", {"torn.json", "not a whole part"});
-  check("1-of-2.json changed.json", {"changed.json", "not a whole part"});
-  check("1-of-2.json whole.json", {"whole.json", "not a whole part"});
+  check("1-of-2.json torn.json", {"torn.json", "not a complete part"});
+  check("1-of-2.json changed.json", {"changed.json", "not a complete part"});
+  check("1-of-2.json whole.json", {"whole.json", "not a complete part"});
   check("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
 }
 
@@ -245,7 +244,7 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
   const Arguments part = joined(motions, "--reduce --output r.json --part");
   static_cast<void>(run(joined(part, "1/2")));
   const std::string found = read("r.json");
-  BOOST_TEST(run(joined(part, "1/2 --resume")).exit_code == 0);
+  succeed(joined(part, "1/2 --resume"));
   BOOST_TEST(read("r.json") == found);
   check_refusal(run(joined(part, "2/2")), {"r.json", "1/2", "{part}"});
 }
@@ -270,9 +269,15 @@ const Wrong wrong_reductions[] = {
     {joined(motions, "--reduce --best stop_time:0"), {"best", "stop_time:0", "1 to"}},
     {joined(motions, "--reduce --best stop_time"), {"best"}},
     {joined(motions, "--reduce --best stop_time:5:first"), {"best", "smallest"}},
-    {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "rising"}},
+    {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:1:0:5"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:5:1:5:log"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:0"), {"histogram", "1 to"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:1e9"), {"histogram", "1 to"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:2.5"), {"histogram", "BINS"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:5:exp"), {"histogram", "BINS"}},
     {joined(motions, "--reduce --histogram stop_time:1"), {"histogram", "1 to"}},
-    {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "rising"}}};
+    {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "increasing"}}};
 
 }  // namespace
 

@@ -35,7 +35,7 @@ std::uintmax_t size_of(const fs::path& path) {
   return none ? 0 : size;
 }
 
-/// Sends the signal as soon as the file has more than so many bytes.
+/// Sends the signal as soon as the file has more than this many bytes.
 Surroundings signalled(int signal, const fs::path& path, std::uintmax_t above) {
   Surroundings surroundings{.signal = signal};
   surroundings.signal_when = [path, above] { return size_of(path) > above; };
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(is_not_passed_over) {
 
 BOOST_AUTO_TEST_CASE(is_forgotten_with_its_part) {
   fs::remove(path("rows.csv.part"));
-  BOOST_TEST(run(sweep("--output rows.csv")).exit_code == 0);
+  succeed(sweep("--output rows.csv"));
   BOOST_TEST(read("rows.csv") == whole);
   BOOST_TEST(contents().size() == 1U);
 }
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none)
   BOOST_TEST(resume().exit_code == 0);
 }
 
-/// Whatever else there is to say of its file: nobody is to remove it.
+/// Whatever else is wrong with its file, the message must not suggest removing it.
 BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   const int other = ::open(path("rows.csv.part").c_str(), O_RDWR | O_CLOEXEC);
   BOOST_TEST_REQUIRE(::flock(other, LOCK_EX) == 0);
@@ -168,7 +168,8 @@ BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   BOOST_TEST(resume().exit_code == 0);
 }
 
-/// Where others may write as well, a link under the name of one of its files leads nowhere.
+/// In a directory where others may write, a link under the name of one of its files is not
+/// followed.
 BOOST_AUTO_TEST_CASE(follows_no_link_from_its_own_files) {
   write("victim", "not ours");
   fs::create_symlink("victim", path("rows.csv.part.json.new"));
@@ -227,7 +228,7 @@ BOOST_AUTO_TEST_CASE(at_any_moment_leaves_what_can_be_resumed) {
   // Half of it must take longer than the tenth of a second before the first checkpoint.
   const std::string f = "0.001:0.01:240";
   for (const std::string name : {"rows.csv", "rows.npy"}) {
-    BOOST_TEST_REQUIRE(run(sweep({"--output", "whole-" + name}, f)).exit_code == 0);
+    succeed(sweep({"--output", "whole-" + name}, f));
     const std::string whole = read("whole-" + name);
     std::int64_t resumed_at = 0;
     for (std::uintmax_t above : {std::uintmax_t{0}, whole.size() / 3, whole.size() / 2}) {
@@ -238,8 +239,7 @@ BOOST_AUTO_TEST_CASE(at_any_moment_leaves_what_can_be_resumed) {
       resumed_at = json::parse(read(name + ".part.json"))["rows"];
     }
     BOOST_TEST(resumed_at > 0);
-    const ProgramRun answer = run(sweep({"--output", name, "--resume", "--json"}, f));
-    BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+    const ProgramRun answer = succeed(sweep({"--output", name, "--resume", "--json"}, f));
     BOOST_TEST(answer.json()["resumed_at"] == resumed_at);
     BOOST_TEST(read(name) == whole);
     BOOST_TEST(!fs::exists(path(name + ".part")));
@@ -252,15 +252,13 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_FIXTURE_TEST_SUITE(resume_option, Sandbox)
 
 BOOST_AUTO_TEST_CASE(begins_where_nothing_is_left) {
-  const ProgramRun answer = run(sweep("--output rows.csv --resume --json"));
-  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = succeed(sweep("--output rows.csv --resume --json"));
   BOOST_TEST(answer.json()["resumed_at"] == 0);
 }
 
 BOOST_AUTO_TEST_CASE(goes_on_with_one_that_just_began) {
   write("rows.csv.part", "");
-  const ProgramRun answer = run(sweep("--output rows.csv --resume --json"));
-  BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
+  const ProgramRun answer = succeed(sweep("--output rows.csv --resume --json"));
   BOOST_TEST(answer.json()["resumed_at"] == 0);
   BOOST_TEST(answer.json()["rows"] == 3000);
 }

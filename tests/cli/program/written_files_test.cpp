@@ -27,7 +27,7 @@ const Arguments record("--record r.txt");
 const Arguments design("design --v0 1 --p 1 --beta 0.9");
 const Arguments list("sweep --v0 1 --p 1 --list l.csv");
 
-/// What there is to lose.
+/// The files that must survive.
 void prepare(const Sandbox& sandbox) {
   sandbox.write("s.json", scene);
   sandbox.write("r.txt", "0 0\n0.1 0.2\n0.2 0\n");
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(of_a_scene_are_looked_at_as_well) {
   write("s.json", text);
   check_refusal(run("design s.json"), {"output s.json", "scene s.json"});
   BOOST_TEST(read("s.json") == text);
-  BOOST_TEST(run("design s.json --output other.json").exit_code == 0);
+  succeed("design s.json --output other.json");
 }
 
 BOOST_AUTO_TEST_CASE(are_all_different) {
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(are_not_those_of_a_running_sweep) {
     BOOST_TEST(contents() == before);
   }
   ::close(part);
-  BOOST_TEST(run(joined(simulate, "--output m.npy.part")).exit_code == 0);
+  succeed(joined(simulate, "--output m.npy.part"));
 }
 
 // An old report may be replaced, also one of the same name elsewhere; a device takes everything.
@@ -127,8 +127,7 @@ BOOST_AUTO_TEST_CASE(are_written_where_nothing_is_lost) {
                               joined(simulate, "--svg d --output d/map.svg"),
                               joined(simulate, "--trajectory /dev/null --output /dev/null"),
                               joined(simulate, "--trajectory /dev/stdout --output /dev/stdout")}) {
-    const ProgramRun done = run(right);
-    BOOST_TEST(done.exit_code == 0, done.err);
+    succeed(right);
   }
   BOOST_TEST(read("r.txt") == "0 0\n0.1 0.2\n0.2 0\n");
 }

@@ -22,9 +22,10 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
                {Quantity::delta, sweep::parse_axis("delta", "0.01:1:3:log")}};
   spec.columns = sweep::default_columns(spec);
   spec.output = "/dev/null";
-  sweep::SweepMap map(spec);
-  const auto summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &map});
-  const figures::Figure figure = report::page(spec, summary, map).figures.at(0);
+  report::SweepReport report{spec};
+  report.map.emplace(spec);
+  report.summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &*report.map});
+  const figures::Figure figure = page(report).figures.at(0);
   BOOST_TEST(figure.x.least == 0.05, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(figure.x.most == 0.45, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(figure.y.position(0.1) == 0.5, boost::test_tools::tolerance(1e-12));
@@ -40,8 +41,8 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   BOOST_TEST(figure.map.labels.at(sweep::SweepClass::ranges * 2) == "does not move");
   // The boundaries of the first return are those of the paper's notch.
   BOOST_TEST(!figure.curves.empty());
-  spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});
-  const figures::Figure built = report::page(spec, summary, map).figures.at(0);
+  report.spec.axes.push_back({Quantity::notch_width, sweep::Axis({0.1})});
+  const figures::Figure built = page(report).figures.at(0);
   BOOST_TEST(built.curves.empty());
   BOOST_TEST(contains(built.description, "in the notch"));
 }

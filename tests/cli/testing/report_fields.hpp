@@ -23,11 +23,6 @@ void check_only_finite(std::string_view report);
 /// The report without its wall times, which are the only thing that differs from run to run.
 [[nodiscard]] nlohmann::json without_wall_times(nlohmann::json report);
 
-/// The report of a run with --json that must end well, with finite numbers alone. Standard error
-/// may say that the damper locks, and nothing else.
-[[nodiscard]] nlohmann::json report_of(const Sandbox& sandbox, const Arguments& arguments,
-                                       const Surroundings& surroundings = {});
-
 /// |a - b| <= tolerance * max(|a|, |b|)
 [[nodiscard]] bool near(double a, double b, double tolerance);
 

@@ -166,7 +166,7 @@ class FileActions {
 
 using Clock = std::chrono::steady_clock;
 
-/// SIGINT as a program in the foreground has it, wherever the tests run.
+/// SIGINT as for a program in the foreground, wherever the tests run.
 class Attributes {
  public:
   Attributes() {
@@ -337,6 +337,12 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   result.exit_code = wait_for(child);
   check_reports(*this, arguments, result);
   return result;
+}
+
+ProgramRun Sandbox::succeed(const Arguments& arguments, const Surroundings& surroundings) const {
+  ProgramRun done = run(arguments, surroundings);
+  BOOST_TEST_REQUIRE(done.exit_code == 0, done.err);
+  return done;
 }
 
 std::map<std::string, std::string> Sandbox::contents() const {

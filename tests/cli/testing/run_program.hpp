@@ -28,7 +28,7 @@ struct Arguments : std::vector<std::string> {
   Arguments(const char* line);  // NOLINT(google-explicit-constructor): stands for its words
 };
 
-/// What a run left behind.
+/// The results of a run.
 struct ProgramRun {
   int exit_code{-1};  ///< -1: it crashed, or was ended by a signal or after its time
   std::string out;
@@ -56,7 +56,7 @@ struct Surroundings {
   /// Sends SIGINT as soon as the program handles it; with error_is_terminal once it has said
   /// something there.
   bool interrupt{false};
-  bool interrupt_once_heard{false};  ///< the same where standard error is no terminal
+  bool interrupt_once_heard{false};  ///< the same if standard error is not a terminal
   /// Sends `signal` once this holds; it is asked every millisecond.
   std::function<bool()> signal_when{};
   int signal{SIGINT};
@@ -69,6 +69,12 @@ class Sandbox : public test::Folder {
   /// Runs the program with this directory as its own.
   [[nodiscard]] ProgramRun run(const Arguments& arguments,
                                const Surroundings& surroundings = {}) const;
+  /// The same of a run that must end well.
+  ProgramRun succeed(const Arguments& arguments, const Surroundings& surroundings = {}) const;
+  /// The report of such a run with --json, whose numbers are finite. Standard error may say that
+  /// the damper locks, and nothing else.
+  [[nodiscard]] nlohmann::json reported(const Arguments& arguments,
+                                        const Surroundings& surroundings = {}) const;
 
   /// Every entry by name: the text of a file, the target of a link, "/" for a directory. Of files
   /// over a mebibyte the size alone.

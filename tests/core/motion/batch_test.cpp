@@ -2,10 +2,7 @@
 #include "testing/checks.hpp"
 #include "testing/random_scene.hpp"
 
-#include <stillpoint/core/batch.hpp>
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,8 +4,7 @@
 #include "testing/printing.hpp"
 #include "testing/random_scene.hpp"
 
-#include <stillpoint/core/forced_batch.hpp>
-#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

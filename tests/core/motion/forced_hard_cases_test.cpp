@@ -4,8 +4,7 @@
 #include "testing/scene_s5.hpp"
 #include "testing/simple_forced.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

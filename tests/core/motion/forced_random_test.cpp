@@ -13,7 +13,7 @@
 #include <numbers>
 
 // Seeded random scenes of every excitation: in double against the same rules in 50 digits, and
-// every piece looked at closely for an event that was stepped over. STILLPOINT_FORCED_SCENES in the
+// every piece examined closely for an event that was stepped over. STILLPOINT_FORCED_SCENES in the
 // environment asks for another number of scenes than a thousand.
 
 namespace stillpoint::test {

@@ -2,9 +2,7 @@
 #include "testing/forced_scene.hpp"
 #include "testing/printing.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

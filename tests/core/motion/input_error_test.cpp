@@ -2,9 +2,7 @@
 #include "testing/checks.hpp"
 #include "testing/scene.hpp"
 
-#include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -94,7 +92,7 @@ BOOST_AUTO_TEST_CASE(p_times_x0_and_f_over_p_are_bounded_though_each_input_is_no
 }
 
 BOOST_AUTO_TEST_CASE(friction_that_would_underflow_is_not_taken_for_none) {
-  // f / p = 1e-350 is no double: 5e199 half-cycles, but not a motion that never stops.
+  // f / p = 1e-350 is not a double: 5e199 half-cycles, but not a motion that never stops.
   names_the_field("f", [] { (void)response({0, 1e-150, 1e150, 1e-200, 0}); });
   names_the_field("f", [] { (void)response({0, 1, 1e8, 1e-300, 0.1}); });
   BOOST_CHECK_NO_THROW((void)response({0, 1, 1, 1e-300, 0.1}));

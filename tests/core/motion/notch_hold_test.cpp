@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_batch.hpp>
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/trajectory.hpp>
 #include "testing/printing.hpp"
 #include "testing/simple_forced.hpp"
+
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-// A notch that holds only so much, docs/notches.md rule 1, with inputs for which the answer is
+// A notch of limited capacity, docs/notches.md rule 1, with inputs for which the answer is
 // simple.
 
 namespace stillpoint::test {

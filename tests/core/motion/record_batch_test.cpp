@@ -2,9 +2,7 @@
 #include "testing/forced_scene.hpp"
 #include "testing/random_scene.hpp"
 
-#include <stillpoint/core/forced_batch.hpp>
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core.hpp>
 
 #include <hwy/targets.h>
 #include <boost/test/unit_test.hpp>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "testing/checks.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/simulation.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,9 +4,7 @@
 #include "testing/scene_count.hpp"
 #include "testing/simple_forced.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -210,7 +208,7 @@ double load(const Record& record, double tau) {
   return record.values[i] + (record.values[i + 1] - record.values[i]) * part;
 }
 
-/// Where to look between two instants: evenly, close to both ends, and at the samples.
+/// Where to check between two instants: evenly, close to both ends, and at the samples.
 std::vector<double> instants(const Excitation& excitation, double from, double to) {
   constexpr double close_to_an_end = 1e-9;
   constexpr double looks_a_radian = 200;

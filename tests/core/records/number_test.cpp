@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(value_of_a_field) {
   BOOST_TEST(refusal(parse_number, "abc") == "f = \"abc\": must be a finite number");
   BOOST_TEST(refusal(parse_number, "nan") == "f = \"nan\": must be a finite number");
   BOOST_TEST(refusal(parse_number, "1e400") ==
-             "f = 1e400: must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+             "f = 1e400: must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");
   BOOST_TEST(parse_integer("f", "-42") == -42);
   BOOST_TEST(parse_integer("f", "9223372036854775807") == 9223372036854775807);
   BOOST_TEST(parse_integer("f", "1.0") == 1);

@@ -3,9 +3,7 @@
 #include "reference.hpp"
 #include "scan.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arrivals_task.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -50,7 +49,7 @@ int arrival_by_map(const Problem& problem, Wide f, Wide delta) {
       return n;
     }
     if (arrival < d) {
-      return 0;  // it stops here, but the published criterion does not vouch for it
+      return 0;  // it stops here, but the published criterion does not guarantee it
     }
     r = std::sqrt(t * t - d);
   }

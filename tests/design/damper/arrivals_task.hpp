@@ -5,8 +5,7 @@
 
 #include "random_source.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <cmath>
 #include <sstream>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arrivals_task.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,8 +2,7 @@
 #include "random_source.hpp"
 #include "testing/printing.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/physical.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,10 +3,7 @@
 #include "reference.hpp"
 #include "unit_problem.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/cross_check.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

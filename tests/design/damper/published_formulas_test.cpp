@@ -5,9 +5,7 @@
 
 #include "testing/printing.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

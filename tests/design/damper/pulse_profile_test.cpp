@@ -10,7 +10,7 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_profile_test)
 
-// What the samples of f know of the motions between them. They are no proof, so this counts.
+// What the samples of f show of the motions between them. They are not a proof, so this counts.
 
 namespace {
 

@@ -19,7 +19,7 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_region_test)
 
-// The region of a pulse without a design, and dampers held against it: the region is that of the
+// The region of a pulse without a design, and dampers compared with it: the region is that of the
 // design, and the dampers stand as their own motions say.
 
 namespace {

@@ -10,7 +10,7 @@
 
 BOOST_AUTO_TEST_SUITE(ranges_mends_test)
 
-// What would help where no damper serves the ranges or has the tolerance.
+// What would help if no damper serves the ranges or has the tolerance.
 
 namespace {
 

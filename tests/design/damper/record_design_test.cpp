@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "suites_of_records.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

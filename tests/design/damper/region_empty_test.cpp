@@ -3,8 +3,7 @@
 #include "reference.hpp"
 #include "testing/printing.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -154,7 +153,7 @@ BOOST_AUTO_TEST_CASE(a_reason_is_in_the_units_that_are_asked_for) {
 BOOST_AUTO_TEST_CASE(a_region_narrower_than_rounding_is_explained) {
   Region region;
   region.conflict = Conflict::narrower_than_rounding;
-  BOOST_TEST((reason(region, {1, 1, 1}).find("neighbouring doubles") != std::string::npos));
+  BOOST_TEST((reason(region, {1, 1, 1}).find("narrower than rounding") != std::string::npos));
 }
 
 BOOST_AUTO_TEST_CASE(what_the_limits_leave_of_f_agrees_with_admissible) {

@@ -2,8 +2,7 @@
 #include "check/runge_kutta.hpp"
 #include "random_source.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

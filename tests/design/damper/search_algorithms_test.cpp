@@ -2,8 +2,7 @@
 #include "random_source.hpp"
 #include "scan.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/search.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,7 +17,7 @@ namespace {
 using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
-/// How near every algorithm comes to the default one: of R absolute, of the others relative.
+/// How close every algorithm comes to the default one: of R absolute, of the others relative.
 constexpr double algorithm_tolerance = 1e-3;
 
 /// Of R, if a local search follows a global one: SBPLX stops at steps of 1e-10 of x.

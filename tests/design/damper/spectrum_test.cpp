@@ -3,8 +3,7 @@
 
 #include "random_source.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/spectrum.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,9 +2,7 @@
 #include "random_source.hpp"
 #include "scan.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/region.hpp>
-#include <stillpoint/design/trade_off.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

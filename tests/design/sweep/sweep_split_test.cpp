@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(what_contradicts_or_is_missing_is_refused) {
   check_refused(array("4", "2", "1", "2"), {"SLURM_ARRAY_TASK_ID", "4", "step"});
   check_refused({{"PMI_RANK", "4"}, {"PMI_SIZE", "4"}}, {"PMI_RANK", "part 5 of 4"});
   check_refused({{"PMI_RANK", "x"}, {"PMI_SIZE", "4"}}, {"PMI_RANK", "x"});
-  // One more than this is no whole number, nor is what lies between these.
+  // One more than this is not a whole number, nor is anything between these.
   const std::string most = "9223372036854775807";
   check_refused({{"PMI_RANK", most}, {"PMI_SIZE", "4"}}, {"PMI_RANK = " + most, "1000000000000"});
   check_refused(array("2", "4", ("-" + most).c_str()),

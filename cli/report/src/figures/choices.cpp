@@ -30,8 +30,7 @@ Figure over_stroke(const std::vector<design::TradeOff>& front, const FigureUnits
     least = std::min(least, quantity(now));
     most = std::max(most, quantity(now));
   }
-  const auto unit = [](const std::string& words) { return words.empty() ? "" : ", " + words; };
-  figure.x = figures::axis_around("stroke" + unit(units.length_unit), curve.strokes[0].back().x,
+  figure.x = figures::axis_around(in("stroke", units.length_unit), curve.strokes[0].back().x,
                                   curve.strokes[0].front().x);
   figure.y = figures::axis_around(curve.name, least, most);
   figure.curves.push_back(std::move(curve));
@@ -65,7 +64,7 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
   add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
   if (outside > 0) {
     figure.caption.back() = ';';
-    figure.caption += format(" {} of the {} parts {} outside of this figure.", outside,
+    figure.caption += format(" {} of the {} parts {} outside this figure.", outside,
                              catalogue.parts.size(), outside == 1 ? "lies" : "lie");
   }
 }

@@ -33,7 +33,7 @@ std::optional<double> end_of_beginning(const std::vector<HalfCycle>& listed) {
              : std::optional(listed.back().end_time);
 }
 
-/// The same start without friction, where that has few half-cycles and is of the same size.
+/// The same start without friction, if that has few half-cycles and a similar size.
 std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
                                 const Excitation& excitation) {
   if (motion.turns.size() > most_single_half_cycles || motion.oscillator.p == 0) {
@@ -133,7 +133,7 @@ DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start
 
 namespace {
 
-/// The end of a figure of a motion that comes to rest: the load is seen whole.
+/// The end of the figure for a motion that comes to rest: the whole load is shown.
 double seen_until(const Excitation& excitation, double stop_time) {
   constexpr double seen_at_rest = 1.25;
   return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
@@ -160,7 +160,7 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
       forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
   const auto& stop_time = answer.response.stop_time;
-  if (stop_time == 0.0) {  // the load is seen whole here too
+  if (stop_time == 0.0) {  // the whole load is shown here too
     last = std::min(last, duration(excitation).value_or(last));
     DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
     motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;

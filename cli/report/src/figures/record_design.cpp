@@ -3,6 +3,7 @@
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
 
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/record_design.hpp>
 
 #include <algorithm>
@@ -137,14 +138,13 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   const char* const what = result.finding ? "chosen" : "nearest";
   drawn.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
   drawn.notes.push_back({what, place});
-  drawn.description = format(
-      "The plane of f and Δ: the {} of the records combined, and where a "
-      "limit is broken.",
-      name(task.objective));
-  drawn.caption = least <= most
-                      ? "Blue meets every limit, the darker the better; every other colour breaks "
-                        "one."
-                      : "Each colour names the first limit that is broken there.";
+  drawn.description =
+      format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
+             name(task.objective));
+  drawn.caption =
+      least <= most
+          ? "Blue meets every limit, the darker the better; every other colour violates one."
+          : "Each colour names the first limit that is violated there.";
   return drawn;
 }
 
@@ -231,14 +231,7 @@ std::vector<Figure> design_spectra(const design::RecordDesign& result, const Fig
 figures::HtmlPage page(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   const FigureUnits units(report.physical);
-  const Document words = document(report);
-  figures::HtmlPage page{.title = words.title,
-                         .verdict = words.verdict,
-                         .answer = html(words.answer),
-                         .figures = {},
-                         .body = html(words),
-                         .report = text(words, {.verbosity = Verbosity::full}),
-                         .footer = {}};
+  figures::HtmlPage page = page_of(document(report));
   const design::RecordDesignRequest& task = result.request;
   if (task.f->low < task.f->high && task.delta->low < task.delta->high) {
     page.figures.push_back(map_figure(result, result.nearest, units));

@@ -2,6 +2,7 @@
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
 
+#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/spectrum.hpp>
 
@@ -23,7 +24,7 @@ namespace {
 using design::SpectrumFigures;
 using design::SpectrumPoint;
 
-/// What is drawn of a motion; empty where it does not exist.
+/// The value drawn for a motion; empty if it does not exist.
 using Drawn = std::optional<double> (*)(const SpectrumFigures&);
 
 struct SpectrumAxes {
@@ -57,7 +58,7 @@ double highest(const std::vector<std::vector<FigurePoint>>& strokes) {
   return most;
 }
 
-/// Each record's line faint behind those of all together.
+/// The line of each record, faint behind those of all together.
 void add_curves(Figure& figure, const design::Spectrum& spectrum, const SpectrumAxes& axes) {
   const bool several = spectrum.records.size() > 1;
   const std::string which = !several                                            ? ""
@@ -95,8 +96,6 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     periods.push_back(period(p));
   }
   const auto [shortest, longest] = std::ranges::minmax(periods);
-  const std::string length =
-      units.length_unit.empty() ? std::string() : format(", {}", units.length_unit);
   struct Kind {
     std::string_view id;
     std::string name;
@@ -107,10 +106,10 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
   const std::vector<Kind> kinds{
       {spectrum_figure_names[0], "transmitted acceleration", "acceleration, g", 1,
        [](const SpectrumFigures& one) { return std::optional(one.acceleration); }},
-      {spectrum_figure_names[1], "peak displacement", "peak" + length, units.length,
+      {spectrum_figure_names[1], "peak displacement", in("peak", units.length_unit), units.length,
        [](const SpectrumFigures& one) { return std::optional(one.peak); }},
-      {spectrum_figure_names[2], "residual displacement", "residual" + length, units.length,
-       [](const SpectrumFigures& one) { return one.residual; }}};
+      {spectrum_figure_names[2], "residual displacement", in("residual", units.length_unit),
+       units.length, [](const SpectrumFigures& one) { return one.residual; }}};
   std::vector<Figure> all;
   for (const Kind& kind : kinds) {
     Figure figure;
@@ -147,14 +146,9 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
 }
 
 figures::HtmlPage page(const SpectrumReport& report) {
-  const Document words = document(report);
-  return {.title = words.title,
-          .verdict = words.verdict,
-          .answer = html(words.answer),
-          .figures = spectrum_figures(report.result, FigureUnits(report.physical)),
-          .body = html(words),
-          .report = text(words, {.verbosity = Verbosity::full}),
-          .footer = {}};
+  figures::HtmlPage page = page_of(document(report));
+  page.figures = spectrum_figures(report.result, FigureUnits(report.physical));
+  return page;
 }
 
 }  // namespace stillpoint::report

@@ -13,13 +13,14 @@ using nlohmann::ordered_json;
 void add_pulse(ordered_json& task, const std::optional<design::Pulse>& pulse,
                const design::PulseRanges& ranges) {
   const auto& [k_low, lambda_high] = ranges;
-  task["pulse"] = pulse ? ordered_json(design::name(*pulse)) : ordered_json(nullptr);
-  task["k"] = pulse ? number(design::peak_load(*pulse)) : ordered_json(nullptr);
+  task["pulse"] = or_null(pulse, [](const auto& given) { return design::name(given); });
+  task["k"] = or_null(pulse, [](const auto& given) { return number(design::peak_load(given)); });
   task["k_range"] = nullptr;
   if (k_low) {
     task["k_range"] = {number(*k_low), task["k"]};
   }
-  task["lambda"] = pulse ? number(design::angular_frequency(*pulse)) : ordered_json(nullptr);
+  task["lambda"] =
+      or_null(pulse, [](const auto& given) { return number(design::angular_frequency(given)); });
   task["lambda_range"] = nullptr;
   if (lambda_high) {
     task["lambda_range"] = {task["lambda"], number(*lambda_high)};
@@ -43,21 +44,19 @@ ordered_json design_point_json(const design::DesignResult& result) {
           {"tolerance", number(design::even_tolerance(result))},
           {"tolerance_f", within(limits.shape.f_low, limits.shape.f_high)},
           {"tolerance_delta", within(limits.shape.delta_low, limits.shape.delta_high)},
-          {"arrival", finding.arrival ? ordered_json(*finding.arrival) : ordered_json(nullptr)},
+          {"arrival", or_null(finding.arrival)},
           {"delta1_published", number(needs.published)},
           {"delta1_exact", number(needs.exact)}};
 }
 
 ordered_json strips_json(const std::vector<design::Strip>& strips) {
-  ordered_json list = ordered_json::array();
-  for (const design::Strip& strip : strips) {
-    list.push_back({{"arrival", strip.arrival},
-                    {"beta_min", number(strip.beta_min)},
-                    {"f_lower", number(strip.f_lower)},
-                    {"f_upper", number(strip.f_upper)},
-                    {"tolerance", number(strip.tolerance)}});
-  }
-  return list;
+  return list_json(strips, [](const design::Strip& strip) -> ordered_json {
+    return {{"arrival", strip.arrival},
+            {"beta_min", number(strip.beta_min)},
+            {"f_lower", number(strip.f_lower)},
+            {"f_upper", number(strip.f_upper)},
+            {"tolerance", number(strip.tolerance)}};
+  });
 }
 
 ordered_json search_json(const design::DesignResult& result) {
@@ -74,73 +73,55 @@ ordered_json search_json(const design::DesignResult& result) {
 }
 
 ordered_json cross_check_json(const design::CrossCheck& check) {
-  ordered_json methods = ordered_json::array();
-  for (const design::CheckMethod& method : check.methods) {
-    methods.push_back({{"name", method.name},
-                       {"tolerance", number(method.tolerance)},
-                       {"peak_amplitude", number(method.peak_amplitude)},
-                       {"peak_acceleration", number(method.peak_acceleration)},
-                       {"stop_time", number(method.stop_time)},
-                       {"arrival_speed", number(method.arrival_speed)},
-                       {"half_cycles", count(method.half_cycles)},
-                       {"stop_position", number(method.stop_position)},
-                       {"relative_error", number(method.relative_error)},
-                       {"wall_time_s", number(method.wall_time_s)},
-                       {"decided", method.decided},
-                       {"passed", method.passed}});
-  }
-  return {{"passed", check.passed}, {"methods", methods}};
+  const auto method_json = [](const design::CheckMethod& method) -> ordered_json {
+    return {{"name", method.name},
+            {"tolerance", number(method.tolerance)},
+            {"peak_amplitude", number(method.peak_amplitude)},
+            {"peak_acceleration", number(method.peak_acceleration)},
+            {"stop_time", number(method.stop_time)},
+            {"arrival_speed", number(method.arrival_speed)},
+            {"half_cycles", count(method.half_cycles)},
+            {"stop_position", number(method.stop_position)},
+            {"relative_error", number(method.relative_error)},
+            {"wall_time_s", number(method.wall_time_s)},
+            {"decided", method.decided},
+            {"passed", method.passed}};
+  };
+  return {{"passed", check.passed}, {"methods", list_json(check.methods, method_json)}};
 }
 
-/// How the design stands under its pulse.
+/// The design under its pulse.
 ordered_json pulse_check_json(const design::PulseCheck& check) {
-  ordered_json warnings = ordered_json::array();
-  for (const design::PulseWarning warning : check.warnings) {
-    warnings.push_back(name(warning));
-  }
-  ordered_json worst = nullptr;
-  if (check.worst) {
-    worst = {{"peak_amplitude", number(check.worst->peak)},
-             {"peak_absolute_acceleration", number(check.worst->acceleration)},
-             {"stop_time", number(check.worst->stop_time)}};
-  }
-  return {
-      {"lambda", number(design::angular_frequency(check.pulse))},
-      {"p", number(check.p)},
-      {"worst", worst},
-      {"shortness", number(check.shortness)},
-      {"friction_ratio", number(check.friction_ratio)},
-      {"equivalent_v0", number(check.start ? std::optional(check.start->speed) : std::nullopt)},
-      {"equivalent_start", number(check.start ? std::optional(check.start->tau) : std::nullopt)},
-      {"peak_error", number(check.peak_error)},
-      {"stop_time_error", number(check.stop_time_error)},
-      {"warnings", warnings},
-      {"searched", number(check.searched)},
-      {"bracketed", number(check.bracketed)},
-      {"response", forced_json(check.response)}};
+  const auto worst = [](const auto& figures) -> ordered_json {
+    return {{"peak_amplitude", number(figures.peak)},
+            {"peak_absolute_acceleration", number(figures.acceleration)},
+            {"stop_time", number(figures.stop_time)}};
+  };
+  return {{"lambda", number(design::angular_frequency(check.pulse))},
+          {"p", number(check.p)},
+          {"worst", or_null(check.worst, worst)},
+          {"shortness", number(check.shortness)},
+          {"friction_ratio", number(check.friction_ratio)},
+          {"equivalent_v0",
+           or_null(check.start, [](const auto& start) { return number(start.speed); })},
+          {"equivalent_start",
+           or_null(check.start, [](const auto& start) { return number(start.tau); })},
+          {"peak_error", number(check.peak_error)},
+          {"stop_time_error", number(check.stop_time_error)},
+          {"warnings", list_json(check.warnings, [](auto warning) { return name(warning); })},
+          {"searched", number(check.searched)},
+          {"bracketed", number(check.bracketed)},
+          {"response", forced_json(check.response)}};
 }
-
-}  // namespace
-
-namespace {
 
 ordered_json file_of(const std::optional<Catalogue>& catalogue) {
-  return catalogue ? ordered_json(spelled_out(catalogue->file)) : ordered_json(nullptr);
+  return or_null(catalogue, [](const Catalogue& given) { return spelled_out(given.file); });
 }
 
-/// In metres where the input was.
-ordered_json built_notch_json(const DesignReport& report) {
-  if (!report.built_notch) {
-    return nullptr;
-  }
-  const auto& [shape, friction, response, changes_nothing] = *report.built_notch;
-  const auto metres = [&](const std::optional<double>& length) {
-    return number(report.physical && length
-                      ? std::optional(*length * report.physical->scales.length_m)
-                      : std::nullopt);
-  };
+ordered_json built_notch_json(const design::BuiltNotch& built, const Physical& physical) {
+  const auto& [shape, friction, response, changes_nothing] = built;
   return {{"width", number(shape.width)},
-          {"width_m", metres(shape.width)},
+          {"width_m", metres(physical, shape.width)},
           {"friction", number(friction)},
           {"hold", number(shape.hold)},
           {"changes_nothing", changes_nothing},
@@ -148,7 +129,7 @@ ordered_json built_notch_json(const DesignReport& report) {
           {"zero_passages", count(response.zero_passages)},
           {"stop_time", number(response.stop_time)},
           {"stop_position", number(response.stop_position)},
-          {"stop_position_m", metres(response.stop_position)},
+          {"stop_position_m", metres(physical, response.stop_position)},
           {"peak_amplitude", number(response.peak_amplitude)},
           {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)}};
 }
@@ -160,42 +141,48 @@ ordered_json json(const DesignReport& report) {
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   ordered_json task = task_json(problem, limits);
   add_pulse(task, pulse, ranges);
-  if (pulse && problem.v0 == 0) {
-    task["v0"] = nullptr;  // a full sine leaves none
+  if (pulse) {
+    task["v0"] = number(result.reduced_v0);
   }
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);
   task["catalogue"] = file_of(report.catalogue);
-  task["trade_off"] = report.trade_offs ? ordered_json(*report.trade_offs) : ordered_json(nullptr);
+  task["trade_off"] = or_null(report.trade_offs);
   const PartTask parts{problem, limits, report.physical};
-  ordered_json json{{"schema", "stillpoint/design-report/1"},
-                    {"program", program_json()},
-                    {"input", task},
-                    {"region", region_fields(result)},
-                    {"design", nullptr},
-                    {"constraints", ordered_json::array()},
-                    {"works_for", nullptr},
-                    {"hits", nullptr},
-                    {"practice", nullptr},
-                    {"response", nullptr},
-                    {"search", nullptr},
-                    {"cross_check", nullptr},
-                    {"pulse", nullptr},
-                    {"built_notch", built_notch_json(report)},
-                    {"catalogue", catalogue_json(report.catalogue, parts)},
-                    {"trade_off", trade_off_json(report.trade_off, report.physical)},
-                    {"physical", physical_json(report)}};
+  ordered_json json{
+      {"schema", "stillpoint/design-report/1"},
+      {"program", program_json()},
+      {"input", task},
+      {"region", region_fields(result)},
+      {"design", nullptr},
+      {"constraints", ordered_json::array()},
+      {"works_for", nullptr},
+      {"hits", nullptr},
+      {"practice", nullptr},
+      {"response", nullptr},
+      {"search", nullptr},
+      {"cross_check", nullptr},
+      {"pulse", nullptr},
+      {"built_notch",
+       or_null(report.built_notch,
+               [&](const auto& built) { return built_notch_json(built, report.physical); })},
+      {"catalogue", or_null(report.catalogue,
+                            [&](const Catalogue& given) { return catalogue_json(given, parts); })},
+      {"trade_off",
+       or_null(report.trade_off,
+               [&](const auto& front) { return trade_off_json(front, report.physical); })},
+      {"physical", physical_json(report)}};
   if (result.finding) {
     const design::Finding& finding = *result.finding;
     json["design"] = design_point_json(result);
-    json["design"]["name"] =
-        report.catalogue ? ordered_json(report.catalogue->parts.front().part.name) : nullptr;
+    json["design"]["name"] = or_null(
+        report.catalogue, [](const Catalogue& given) { return given.parts.front().part.name; });
     json["constraints"] = constraints_json(finding.constraints);
-    json["works_for"] = works_for_json(finding.works_for);
+    json["works_for"] = or_null(finding.works_for, works_for_json);
     if (!pulse) {
       json["hits"] = hits_json(shown_hits(problem, finding.point.f, finding.point.delta));
     }
-    json["practice"] = practice_json(finding.practice);
+    json["practice"] = or_null(finding.practice, practice_json);
     json["response"] =
         finding.pulse ? forced_json(finding.pulse->response) : response_json(finding.response);
     if (!report.catalogue) {
@@ -221,6 +208,7 @@ ordered_json json(const RegionReport& report) {
   task["delta"] = number(delta);
   task["catalogue"] = file_of(report.catalogue);
   const bool hit_by = f && delta && !pulse;
+  const PartTask parts{problem, limits, report.physical};
   return {
       {"schema", "stillpoint/region-report/1"},
       {"program", program_json()},
@@ -229,14 +217,15 @@ ordered_json json(const RegionReport& report) {
       {"strips", strips_json(answer.strips)},
       {"delta1_published", number(answer.delta1_published)},
       {"delta1_exact", number(answer.delta1_exact)},
-      {"admissible", answer.admissible ? ordered_json(*answer.admissible) : ordered_json(nullptr)},
+      {"admissible", or_null(answer.admissible)},
       {"tolerance", number(answer.tolerance)},
-      {"arrival", answer.arrival ? ordered_json(*answer.arrival) : ordered_json(nullptr)},
+      {"arrival", or_null(answer.arrival)},
       {"constraints", constraints_json(answer.constraints)},
-      {"works_for", works_for_json(answer.works_for)},
+      {"works_for", or_null(answer.works_for, works_for_json)},
       {"hits", hit_by ? hits_json(shown_hits(problem, *f, *delta)) : ordered_json(nullptr)},
-      {"practice", practice_json(answer.practice)},
-      {"catalogue", catalogue_json(report.catalogue, {problem, limits, report.physical})},
+      {"practice", or_null(answer.practice, practice_json)},
+      {"catalogue", or_null(report.catalogue,
+                            [&](const Catalogue& given) { return catalogue_json(given, parts); })},
       {"physical", physical_json(report)}};
 }
 

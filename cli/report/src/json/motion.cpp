@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Its numbers as given; what a type does not have is null.
+/// Its numbers as given; null for what a type does not have.
 ordered_json excitation_json(const Excitation& excitation,
                              const std::optional<RecordOrigin>& record) {
   if (std::holds_alternative<NoExcitation>(excitation)) {
@@ -54,27 +54,24 @@ ordered_json excitation_json(const Excitation& excitation,
 }
 
 ordered_json half_cycles_json(const std::vector<HalfCycle>& half_cycles) {
-  ordered_json list = ordered_json::array();
-  for (const HalfCycle& now : half_cycles) {
-    list.push_back({{"index", now.index},
-                    {"side", now.side},
-                    {"start_time", number(now.start_time)},
-                    {"departure_speed", number(now.departure_speed)},
-                    {"peak_time", number(now.peak_time)},
-                    {"peak", number(now.peak)},
-                    {"end_time", number(now.end_time)},
-                    {"end_position", number(now.end_position)},
-                    {"arrival_speed", number(now.arrival_speed)},
-                    {"impulse", number(now.impulse)}});
-  }
-  return list;
+  return list_json(half_cycles, [](const HalfCycle& now) -> ordered_json {
+    return {{"index", now.index},
+            {"side", now.side},
+            {"start_time", number(now.start_time)},
+            {"departure_speed", number(now.departure_speed)},
+            {"peak_time", number(now.peak_time)},
+            {"peak", number(now.peak)},
+            {"end_time", number(now.end_time)},
+            {"end_position", number(now.end_position)},
+            {"arrival_speed", number(now.arrival_speed)},
+            {"impulse", number(now.impulse)}};
+  });
 }
 
 ordered_json zones_json(const std::vector<FrictionZone>& zones) {
-  ordered_json list = ordered_json::array();
-  for (const FrictionZone& zone : zones) {
-    list.push_back({{"to", number(zone.to)}, {"f", number(zone.f)}});
-  }
+  ordered_json list = list_json(zones, [](const FrictionZone& zone) -> ordered_json {
+    return {{"to", number(zone.to)}, {"f", number(zone.f)}};
+  });
   return list.empty() ? ordered_json() : list;
 }
 

@@ -12,30 +12,44 @@
 #include <nlohmann/json.hpp>
 
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace stillpoint::report {
 
-/// Of everything else in a part.
+/// The digest of everything else in a part.
 [[nodiscard]] nlohmann::ordered_json digest_json(const nlohmann::ordered_json& report);
 
-/// The part of a `whole` in a file, which `part_from` makes of its JSON. Throws records::FileError
-/// if it is not whole.
-template <class Part>
-[[nodiscard]] Part read_part(const std::string& path, std::string_view whole,
-                             Part (*part_from)(nlohmann::ordered_json)) {
+/// The part of a `whole` in a file of this schema. `part_from` makes it of its JSON, less what
+/// every label has; `rows` counts what it holds. Throws records::FileError if it is not whole.
+template <class Part, class Rows>
+[[nodiscard]] Part read_part(const std::string& path, std::string_view schema,
+                             std::string_view whole,
+                             Part (*part_from)(const nlohmann::ordered_json&), const Rows& rows) {
   constexpr std::size_t largest_file = std::size_t{1} << 30U;
   const std::string text = records::read_text_file("part", path, largest_file);
   try {
     sweep::require_json_object(text, {.kind = "part", .path = path});
-    Part part = part_from(nlohmann::ordered_json::parse(text));
+    auto document = nlohmann::ordered_json::parse(text);
+    const nlohmann::ordered_json digest = document.at("digest");
+    document.erase("digest");
+    if (document.at("schema") != schema || digest != digest_json(document)) {
+      throw std::runtime_error("not a part");
+    }
+    Part part = part_from(document);
     part.label.path = path;
+    part.label.task = document.at("task").dump();
+    sweep::read_integers(document.at("part").at("number"), part.label.part.number);
+    sweep::read_integers(document.at("part").at("count"), part.label.part.count);
+    if (!part.label.is_whole(rows(part))) {
+      throw std::runtime_error("not that part");
+    }
     return part;
   } catch (const std::exception&) {
     throw records::FileError(
         {.kind = "part", .path = path},
-        fmt::format("is not a whole part of {}: it was cut short or has changed", whole));
+        fmt::format("is not a complete part of {}: it was cut short or has changed", whole));
   }
 }
 

@@ -18,42 +18,29 @@ std::string json_text(const ordered_json& json) {
 namespace {
 
 ordered_json mends_json(const std::vector<design::Mend>& mends) {
-  ordered_json list = ordered_json::array();
-  for (const design::Mend& mend : mends) {
-    list.push_back({{"input", mend.field}, {"value", number(mend.value)}});
-  }
-  return list;
+  return list_json(mends, [](const design::Mend& mend) -> ordered_json {
+    return {{"input", mend.field}, {"value", number(mend.value)}};
+  });
 }
 
-ordered_json joint_json(const std::optional<design::JointMend>& joint) {
-  if (!joint) {
-    return nullptr;
-  }
-  return {{"largest_tolerance", number(joint->largest_tolerance)},
-          {"mends", mends_json(joint->mends)}};
+ordered_json joint_json(const design::JointMend& joint) {
+  return {{"largest_tolerance", number(joint.largest_tolerance)},
+          {"mends", mends_json(joint.mends)}};
 }
 
-ordered_json point_json(const std::optional<design::DesignPoint>& point) {
-  if (!point) {
-    return nullptr;
-  }
-  return {{"tolerance", number(point->tolerance)},
-          {"f", number(point->f)},
-          {"delta", number(point->delta)}};
+ordered_json point_json(const design::DesignPoint& point) {
+  return {{"tolerance", number(point.tolerance)},
+          {"f", number(point.f)},
+          {"delta", number(point.delta)}};
 }
 
-ordered_json intervals_json(const std::optional<std::vector<design::FrictionInterval>>& intervals) {
-  if (!intervals) {
-    return nullptr;
-  }
-  ordered_json list = ordered_json::array();
-  for (const auto& [low, high] : *intervals) {
-    list.push_back({number(low), number(high)});
-  }
-  return list;
+ordered_json intervals_json(const std::vector<design::FrictionInterval>& intervals) {
+  return list_json(intervals, [](const design::FrictionInterval& interval) -> ordered_json {
+    return {number(interval.low), number(interval.high)};
+  });
 }
 
-/// The constraints and limits that exclude each other, by name; null where none do.
+/// The constraints and limits that conflict, by name; null where none do.
 ordered_json conflict_json(design::Conflict conflict) {
   switch (conflict) {
     case design::Conflict::none:
@@ -86,7 +73,7 @@ ordered_json number(double value) {
 }
 
 ordered_json number(const std::optional<double>& value) {
-  return value ? number(*value) : ordered_json(nullptr);
+  return or_null(value, [](double plain) { return number(plain); });
 }
 
 ordered_json count(const std::optional<double>& value) {
@@ -99,6 +86,14 @@ ordered_json count(const std::optional<double>& value) {
 
 ordered_json text_or_null(const std::string& value) {
   return value.empty() ? ordered_json(nullptr) : ordered_json(value);
+}
+
+ordered_json metres(const Physical& physical, const std::optional<double>& length) {
+  return physical && length ? number(*length * physical->scales.length_m) : ordered_json(nullptr);
+}
+
+ordered_json seconds(const Physical& physical, const std::optional<double>& tau) {
+  return physical && tau ? number(*tau * physical->scales.time_s) : ordered_json(nullptr);
 }
 
 ordered_json region_fields(const design::RegionVerdict& verdict) {
@@ -115,24 +110,19 @@ ordered_json region_fields(const design::RegionVerdict& verdict) {
           {"delta2", number(region.delta2)},
           {"beta_min", number(region.beta_min)},
           {"by", verdict.intervals ? ordered_json("forced_motion") : ordered_json(nullptr)},
-          {"intervals", intervals_json(verdict.intervals)},
-          {"most_tolerant", point_json(verdict.most_tolerant)},
+          {"intervals", or_null(verdict.intervals, intervals_json)},
+          {"most_tolerant", or_null(verdict.most_tolerant, point_json)},
           {"mends", mends_json(verdict.mends)},
-          {"joint_mend", joint_json(verdict.joint_mend)}};
+          {"joint_mend", or_null(verdict.joint_mend, joint_json)}};
 }
 
 ordered_json constraints_json(std::span<const design::Constraint> constraints) {
-  ordered_json list = ordered_json::array();
-  for (const design::Constraint& constraint : constraints) {
-    list.push_back({{"name", constraint.name},
-                    {"variable", constraint.variable},
-                    {"relation", constraint.relation},
-                    {"value", number(constraint.value)},
-                    {"limit", number(constraint.limit)},
-                    {"slack", number(constraint.slack)},
-                    {"satisfied", constraint.satisfied}});
-  }
-  return list;
+  return list_json(constraints, [](const design::Constraint& constraint) -> ordered_json {
+    return {{"name", constraint.name},           {"variable", constraint.variable},
+            {"relation", constraint.relation},   {"value", number(constraint.value)},
+            {"limit", number(constraint.limit)}, {"slack", number(constraint.slack)},
+            {"satisfied", constraint.satisfied}};
+  });
 }
 
 ordered_json response_json(const Response& response) {

@@ -9,6 +9,7 @@
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/works_for.hpp>
 #include <stillpoint/report/report.hpp>
+#include "units.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -22,19 +23,44 @@ namespace stillpoint::report {
 /// Null where it does not exist; a number that is not finite is an assertion.
 [[nodiscard]] nlohmann::ordered_json number(double value);
 [[nodiscard]] nlohmann::ordered_json number(const std::optional<double>& value);
-/// A count: an integer as long as a double holds it exactly.
+/// A count: an integer, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
 /// Null where it is empty.
 [[nodiscard]] nlohmann::ordered_json text_or_null(const std::string& value);
+/// A length and a tau in SI units; null without physical input as well.
+[[nodiscard]] nlohmann::ordered_json metres(const Physical& physical,
+                                            const std::optional<double>& length);
+[[nodiscard]] nlohmann::ordered_json seconds(const Physical& physical,
+                                             const std::optional<double>& tau);
+
+/// What `make` makes of it; null where it does not exist.
+template <class Value, class Make>
+[[nodiscard]] nlohmann::ordered_json or_null(const std::optional<Value>& value, const Make& make) {
+  return value ? nlohmann::ordered_json(make(*value)) : nlohmann::ordered_json(nullptr);
+}
+template <class Value>
+[[nodiscard]] nlohmann::ordered_json or_null(const std::optional<Value>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+/// An array of what `make` makes of each item.
+template <class Items, class Make>
+[[nodiscard]] nlohmann::ordered_json list_json(const Items& items, const Make& make) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& item : items) {
+    list.push_back(make(item));
+  }
+  return list;
+}
 
 /// The part of `input` that design and region share.
 [[nodiscard]] nlohmann::ordered_json task_json(const design::Problem& problem,
                                                const design::Limits& limits);
 [[nodiscard]] nlohmann::ordered_json constraints_json(
     std::span<const design::Constraint> constraints);
-[[nodiscard]] nlohmann::ordered_json works_for_json(const std::optional<design::WorksFor>& served);
+[[nodiscard]] nlohmann::ordered_json works_for_json(const design::WorksFor& served);
 [[nodiscard]] nlohmann::ordered_json hits_json(const std::vector<design::Hits>& hits);
-[[nodiscard]] nlohmann::ordered_json practice_json(const std::optional<design::Practice>& lines);
+[[nodiscard]] nlohmann::ordered_json practice_json(const design::Practice& lines);
 [[nodiscard]] nlohmann::ordered_json response_json(const Response& response);
 [[nodiscard]] nlohmann::ordered_json forced_json(const ForcedResponse& forced);
 /// The input of a motion.

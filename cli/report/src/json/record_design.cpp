@@ -14,35 +14,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Lengths and times of a report, in metres and seconds where the input was.
-class SuiteUnits {
- public:
-  explicit SuiteUnits(const std::optional<design::PhysicalInput>& physical) {
-    if (physical) {
-      length_ = physical->scales.length_m;
-      time_ = physical->scales.time_s;
-    }
-  }
-  [[nodiscard]] ordered_json metres(const std::optional<double>& length) const {
-    return length && length_ ? number(*length * *length_) : ordered_json(nullptr);
-  }
-  [[nodiscard]] ordered_json period(double p) const {
-    return time_ ? number(2 * std::numbers::pi / p * *time_) : ordered_json(nullptr);
-  }
-  [[nodiscard]] ordered_json seconds(const std::optional<double>& tau) const {
-    return tau && time_ ? number(*tau * *time_) : ordered_json(nullptr);
-  }
-
- private:
-  std::optional<double> length_;
-  std::optional<double> time_;
-};
+/// The period without friction; null without physical input.
+ordered_json period_json(const Physical& physical, double p) {
+  return seconds(physical, 2 * std::numbers::pi / p);
+}
 
 ordered_json range_json(const design::SearchRange& range) {
   return ordered_json::array({number(range.low), number(range.high)});
 }
 
-ordered_json task_json(const design::RecordDesignRequest& task, const SuiteUnits& units) {
+ordered_json task_json(const design::RecordDesignRequest& task, const Physical& physical) {
   return {{"records", task.records.size()},
           {"p_range", range_json(task.p)},
           {"f_range", range_json(task.f.value())},
@@ -50,37 +31,37 @@ ordered_json task_json(const design::RecordDesignRequest& task, const SuiteUnits
           {"objective", name(task.objective)},
           {"combine", name(task.combine.value())},
           {"beta", number(task.limits.peak)},
-          {"max_displacement_m", units.metres(task.limits.peak)},
+          {"max_displacement_m", metres(physical, task.limits.peak)},
           {"residual", number(task.limits.residual)},
-          {"residual_m", units.metres(task.limits.residual)},
+          {"residual_m", metres(physical, task.limits.residual)},
           {"acceleration_max", number(task.limits.acceleration)},
           {"hold", number(task.hold)},
           {"notch_width", number(task.notch_width)},
-          {"notch_width_m", units.metres(task.notch_width)},
+          {"notch_width_m", metres(physical, task.notch_width)},
           {"tolerance", number(task.tolerance)}};
 }
 
-ordered_json damper_json(const design::SuiteDamper& damper, const SuiteUnits& units) {
+ordered_json damper_json(const design::SuiteDamper& damper, const Physical& physical) {
   return {{"f", number(damper.f)},
           {"delta", number(damper.delta)},
-          {"delta_m", units.metres(damper.delta)},
+          {"delta_m", metres(physical, damper.delta)},
           {"p", number(damper.p)},
-          {"period_s", units.period(damper.p)}};
+          {"period_s", period_json(physical, damper.p)}};
 }
 
 /// Null where a motion never rests.
-ordered_json figures_json(const design::SuiteFigures& figures, const SuiteUnits& units) {
+ordered_json figures_json(const design::SuiteFigures& figures, const Physical& physical) {
   if (!figures.settled) {
     return nullptr;
   }
   return {{"peak_amplitude", number(figures.peak)},
-          {"peak_m", units.metres(figures.peak)},
+          {"peak_m", metres(physical, figures.peak)},
           {"peak_absolute_acceleration", number(figures.acceleration)},
           {"residual", number(figures.residual)},
-          {"residual_m", units.metres(figures.residual)}};
+          {"residual_m", metres(physical, figures.residual)}};
 }
 
-ordered_json records_json(const design::RecordDesign& result, const SuiteUnits& units) {
+ordered_json records_json(const design::RecordDesign& result, const Physical& physical) {
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < result.finding->responses.size(); ++i) {
     const design::SuiteRecord& record = result.request.records[i];
@@ -91,13 +72,13 @@ ordered_json records_json(const design::RecordDesign& result, const SuiteUnits& 
                     {"scale", number(record.scale)},
                     {"pga", number(pga)},
                     {"peak_amplitude", number(response.peak_amplitude)},
-                    {"peak_m", units.metres(response.peak_amplitude)},
+                    {"peak_m", metres(physical, response.peak_amplitude)},
                     {"peak_absolute_acceleration", number(response.peak_absolute_acceleration)},
                     {"residual", number(residual)},
-                    {"residual_m", units.metres(residual)},
+                    {"residual_m", metres(physical, residual)},
                     {"outcome", name(response.outcome)},
                     {"locked_from", number(response.locked_from)},
-                    {"locked_from_s", units.seconds(response.locked_from)},
+                    {"locked_from_s", seconds(physical, response.locked_from)},
                     {"largest_load_while_locked", number(response.largest_load_while_locked)},
                     {"decision_margin", number(response.decision_margin)}});
   }
@@ -115,21 +96,21 @@ ordered_json search_json(const design::SuiteSearch& search) {
           {"interrupted", search.interrupted}};
 }
 
-ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const SuiteUnits& units) {
+ordered_json sensitivity_json(const design::Sensitivity& sensitivity, const Physical& physical) {
   return {{"tolerance", number(sensitivity.tolerance)},
           {"samples", sensitivity.samples},
           {"admissible", sensitivity.admissible},
-          {"worst_within", figures_json(sensitivity.worst, units)}};
+          {"worst_within", figures_json(sensitivity.worst, physical)}};
 }
 
 ordered_json check_json(const design::SuiteCheck& check) {
-  ordered_json records = ordered_json::array();
-  for (const design::SuiteCheckRow& row : check.records) {
-    records.push_back({{"peak_amplitude", number(row.peak)},
-                       {"peak_absolute_acceleration", number(row.acceleration)},
-                       {"residual", number(row.residual)},
-                       {"relative_error", number(row.relative_error)}});
-  }
+  ordered_json records =
+      list_json(check.records, [](const design::SuiteCheckRow& row) -> ordered_json {
+        return {{"peak_amplitude", number(row.peak)},
+                {"peak_absolute_acceleration", number(row.acceleration)},
+                {"residual", number(row.residual)},
+                {"relative_error", number(row.relative_error)}};
+      });
   return {{"passed", check.passed},
           {"methods",
            {{{"name", "runge_kutta"},
@@ -151,33 +132,30 @@ std::string_view limit_name(design::SuiteObjective which) {
   return "acceleration_max";
 }
 
-ordered_json shortfalls_json(const design::RecordDesign& result, const SuiteUnits& units) {
-  ordered_json list = ordered_json::array();
-  for (const auto& [which, limit, figure, relaxed] : result.shortfalls) {
-    const bool is_length = which != design::SuiteObjective::acceleration;
+ordered_json shortfalls_json(const design::RecordDesign& result, const Physical& physical) {
+  return list_json(result.shortfalls, [&](const design::SuiteShortfall& now) -> ordered_json {
+    const auto& [which, limit, figure, relaxed] = now;
     const auto nearest = result.nearest.figures.settled ? std::optional(figure) : std::nullopt;
-    const auto metres = [&](const std::optional<double>& value) {
-      return is_length ? units.metres(value) : ordered_json(nullptr);
-    };
-    list.push_back({{"limit", limit_name(which)},
-                    {"value", number(limit)},
-                    {"value_m", metres(limit)},
-                    {"nearest", number(nearest)},
-                    {"nearest_m", metres(nearest)},
-                    {"relaxed", number(relaxed)},
-                    {"relaxed_m", metres(relaxed)}});
-  }
-  return list;
+    const Physical of_length =
+        which == design::SuiteObjective::acceleration ? std::nullopt : physical;
+    return {{"limit", limit_name(which)},
+            {"value", number(limit)},
+            {"value_m", metres(of_length, limit)},
+            {"nearest", number(nearest)},
+            {"nearest_m", metres(of_length, nearest)},
+            {"relaxed", number(relaxed)},
+            {"relaxed_m", metres(of_length, relaxed)}};
+  });
 }
 
 }  // namespace
 
 ordered_json json(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
-  const SuiteUnits units(report.physical);
+  const Physical& physical = report.physical;
   ordered_json json{{"schema", "stillpoint/record-design-report/1"},
                     {"program", program_json()},
-                    {"input", task_json(result.request, units)},
+                    {"input", task_json(result.request, physical)},
                     {"design", nullptr},
                     {"reason", nullptr},
                     {"worst", nullptr},
@@ -186,17 +164,17 @@ ordered_json json(const RecordDesignReport& report) {
                     {"sensitivity", nullptr},
                     {"cross_check", nullptr},
                     {"nearest", nullptr},
-                    {"limits", shortfalls_json(result, units)}};
+                    {"limits", shortfalls_json(result, physical)}};
   if (result.finding) {
-    json["design"] = damper_json(result.finding->point.damper, units);
-    json["worst"] = figures_json(result.finding->point.figures, units);
-    json["records"] = records_json(result, units);
-    json["sensitivity"] = sensitivity_json(result.finding->sensitivity, units);
+    json["design"] = damper_json(result.finding->point.damper, physical);
+    json["worst"] = figures_json(result.finding->point.figures, physical);
+    json["records"] = records_json(result, physical);
+    json["sensitivity"] = sensitivity_json(result.finding->sensitivity, physical);
     json["cross_check"] = check_json(result.finding->check);
   } else {
     json["reason"] = shortfall_sentence(report);
-    json["nearest"] = {{"design", damper_json(result.nearest.damper, units)},
-                       {"worst", figures_json(result.nearest.figures, units)}};
+    json["nearest"] = {{"design", damper_json(result.nearest.damper, physical)},
+                       {"worst", figures_json(result.nearest.figures, physical)}};
   }
   return json;
 }

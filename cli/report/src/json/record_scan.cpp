@@ -7,6 +7,8 @@
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <array>
+#include <cstddef>
+#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -25,17 +27,9 @@ constexpr std::array<std::pair<const char*, double SuiteFigures::*>, 4> scan_col
      {"residual", &SuiteFigures::residual},
      {"decision_margin", &SuiteFigures::margin}}};
 
-RecordScan record_scan_from(ordered_json document) {
-  const ordered_json digest = document.at("digest");
-  document.erase("digest");
-  if (document.at("schema") != record_scan_schema || digest != digest_json(document)) {
-    throw std::runtime_error("not a part of a scan");
-  }
+RecordScan record_scan_from(const ordered_json& document) {
   RecordScan scan;
-  sweep::read_integers(document.at("part").at("number"), scan.label.part.number);
-  sweep::read_integers(document.at("part").at("count"), scan.label.part.count);
   sweep::read_integers(document.at("dampers"), scan.label.whole.entries);
-  scan.label.task = document.at("task").dump();
   const ordered_json& columns = document.at("figures");
   scan.figures.resize(columns.at(scan_columns.front().first).size());
   for (const auto& [column, member] : scan_columns) {
@@ -49,13 +43,18 @@ RecordScan record_scan_from(ordered_json document) {
       }
     }
   }
-  if (!scan.label.is_whole(std::ssize(scan.figures))) {
-    throw std::runtime_error("not that part");
-  }
   return scan;
 }
 
 }  // namespace
+
+Document document(const RecordScan& scan) {
+  Document document;
+  document.title = fmt::format("Part {} of a design", sweep::text(scan.label.part));
+  document.verdict =
+      fmt::format("{} of {} dampers.", scan.figures.size(), scan.label.whole.entries);
+  return document;
+}
 
 ordered_json json(const RecordScan& scan) {
   ordered_json columns;
@@ -76,8 +75,16 @@ ordered_json json(const RecordScan& scan) {
   return result;
 }
 
+bool is_record_scan(const std::string& path) {
+  constexpr std::size_t most = 100;
+  std::string beginning(most, ' ');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), most);
+  return beginning.find(record_scan_schema) != std::string::npos;
+}
+
 RecordScan read_record_scan(const std::string& path) {
-  return read_part(path, "a design under records", record_scan_from);
+  return read_part(path, record_scan_schema, "a design under records", record_scan_from,
+                   [](const RecordScan& scan) { return std::ssize(scan.figures); });
 }
 
 std::optional<RecordScan> find_record_scan(const sweep::PartLabel& wanted) {

@@ -84,11 +84,6 @@ ReducedRow row_from(const ordered_json& row, const std::vector<RowColumn>& colum
   return result;
 }
 
-ordered_json extreme_json(const std::optional<ReducedRow>& row,
-                          const std::vector<RowColumn>& columns) {
-  return row ? row_json(*row, columns) : ordered_json(nullptr);
-}
-
 std::optional<ReducedRow> extreme_from(const ordered_json& row,
                                        const std::vector<RowColumn>& columns) {
   return row.is_null() ? std::nullopt : std::optional(row_from(row, columns));
@@ -105,18 +100,18 @@ ordered_json quantiles_json(const Reduction& reduction, const ReducedColumn& col
 }
 
 ordered_json column_json(const Reduction& reduction, const ReducedColumn& column) {
-  ordered_json bins = ordered_json::array();
-  for (const FineBins::Bin& bin : column.bins.filled()) {
-    bins.push_back({bin.low, bin.high, bin.count});
-  }
+  const auto row = [&](const ReducedRow& extreme) { return row_json(extreme, reduction.row); };
+  const auto bin_json = [](const FineBins::Bin& bin) -> ordered_json {
+    return {bin.low, bin.high, bin.count};
+  };
   return {{"column", reduction.row[column.column].name},
           {"count", column.count},
           {"absent", column.absent},
           {"infinite", column.infinite},
-          {"least", extreme_json(column.least, reduction.row)},
-          {"largest", extreme_json(column.largest, reduction.row)},
+          {"least", or_null(column.least, row)},
+          {"largest", or_null(column.largest, row)},
           {"quantiles", quantiles_json(reduction, column)},
-          {"bins", bins}};
+          {"bins", list_json(column.bins.filled(), bin_json)}};
 }
 
 std::size_t place_of(const std::vector<RowColumn>& columns, const ordered_json& name) {
@@ -162,14 +157,11 @@ Histogram histogram_from(const ordered_json& histogram, const std::vector<RowCol
 }
 
 ordered_json best_json(const BestRows& best, const std::vector<RowColumn>& columns) {
-  ordered_json rows = ordered_json::array();
-  for (const ReducedRow& row : best.rows()) {
-    rows.push_back(row_json(row, columns));
-  }
+  const auto best_row = [&](const ReducedRow& row) { return row_json(row, columns); };
   return {{"column", columns[best.column()].name},
           {"order", best.largest() ? "largest" : "smallest"},
           {"most", best.most()},
-          {"rows", rows}};
+          {"rows", list_json(best.rows(), best_row)}};
 }
 
 BestRows best_from(const ordered_json& best, const std::vector<RowColumn>& columns) {
@@ -180,15 +172,6 @@ BestRows best_from(const ordered_json& best, const std::vector<RowColumn>& colum
     result.add(row_from(row, columns));
   }
   return result;
-}
-
-template <class Item, class Make>
-ordered_json list_json(const std::vector<Item>& items, const Make& make) {
-  ordered_json list = ordered_json::array();
-  for (const Item& item : items) {
-    list.push_back(make(item));
-  }
-  return list;
 }
 
 std::vector<RowColumn> columns_from(const ordered_json& columns) {
@@ -205,20 +188,12 @@ std::vector<RowColumn> columns_from(const ordered_json& columns) {
   return result;
 }
 
-ReductionReport report_from(ordered_json document) {
-  const ordered_json digest = document.at("digest");
-  document.erase("digest");
-  if (document.at("schema") != reduction_schema || digest != digest_json(document)) {
-    throw std::runtime_error("not the report of a part");
-  }
+ReductionReport report_from(const ordered_json& document) {
   ReductionReport report;
   document.at("kind").get_to(report.kind);
   report.split = true;
-  sweep::read_integers(document.at("part").at("number"), report.label.part.number);
-  sweep::read_integers(document.at("part").at("count"), report.label.part.count);
   sweep::read_integers(document.at("entries"), report.label.whole.entries);
   sweep::read_integers(document.at("list_digest"), report.label.whole.digest);
-  report.label.task = document.at("task").dump();
   sweep::read_integers(document.at("rows"), report.state.rows);
   if (document.at("outcomes").is_null()) {
     sweep::read_integers(document.at("feasible"), report.state.feasible);
@@ -235,9 +210,6 @@ ReductionReport report_from(ordered_json document) {
   }
   for (const ordered_json& best : document.at("best")) {
     reduction.best.push_back(best_from(best, reduction.row));
-  }
-  if (!report.label.is_whole(report.state.rows)) {
-    throw std::runtime_error("not that part");
   }
   return report;
 }
@@ -275,10 +247,6 @@ ordered_json json(const ReductionReport& report) {
   const auto& [number, count] = report.label.part;
   const Reduction& reduction = report.reduction;
   const auto& row = reduction.row;
-  ordered_json names = ordered_json::array();
-  for (const RowColumn& column : row) {
-    names.push_back(column.name);
-  }
   const ordered_json part{{"number", number}, {"count", count}};
   ordered_json result{
       {"schema", reduction_schema},
@@ -289,7 +257,7 @@ ordered_json json(const ReductionReport& report) {
       {"rows", report.state.rows},
       {"outcomes", design ? ordered_json(nullptr) : outcomes_json(report.state)},
       {"feasible", design ? ordered_json(report.state.feasible) : ordered_json(nullptr)},
-      {"row", names},
+      {"row", list_json(row, [](const RowColumn& column) { return column.name; })},
       {"columns",
        list_json(reduction.columns,
                  [&](const ReducedColumn& column) { return column_json(reduction, column); })},
@@ -310,7 +278,8 @@ bool is_reduction(const std::string& path) {
 }
 
 ReductionReport read_reduction(const std::string& path) {
-  return read_part(path, "a reduced sweep", report_from);
+  return read_part(path, reduction_schema, "a reduced sweep", report_from,
+                   [](const ReductionReport& report) { return report.state.rows; });
 }
 
 std::optional<ReductionReport> find_reduction(const sweep::PartLabel& wanted) {

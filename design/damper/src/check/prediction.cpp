@@ -29,7 +29,7 @@ Prediction predict(const Problem& problem, double f) {
 
 namespace {
 
-/// Wherever the strongest hit comes to rest.
+/// The place where the strongest hit comes to rest, whichever it is.
 Prediction predict_rest(const Problem& problem, double f, double delta) {
   const double a = f / problem.p / problem.v0;
   const auto rest =

@@ -18,7 +18,8 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr double first_kutta_step = 1e-3;  // of 1 / p; the controller mends a poor choice at once
+constexpr double first_kutta_step =
+    1e-3;  // of 1 / p; the controller corrects a poor choice at once
 
 /// From rest at a turn or with a speed at x = 0, to the next of them.
 class Slides {
@@ -59,7 +60,7 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
     motion.stopped = true;
     motion.stop_position = position * v0 / oscillator.p;
   };
-  // As the region compares it: scaled by v0 first, an exact tie could round to the other side.
+  // Compared as in the region: if scaled by v0 first, an exact tie could round to the other side.
   if (2 * oscillator.delta > v0 * v0) {
     stop(0);
     return motion;

@@ -34,7 +34,7 @@ struct Moving {
   double j{0};  ///< v''
 };
 
-/// A moment of a slide.
+/// An instant of a slide.
 struct Moment {
   double h{0};
   Moving motion;
@@ -67,7 +67,7 @@ class SineSlide {
     now.j = lambda_ * cosine - now.v;
     return now;
   }
-  /// The same by Taylor's series where h is near the last moment that was not.
+  /// The same by Taylor's series, if h is close to the last instant that was not computed by it.
   [[nodiscard]] Moving near(double h, Moment& last) const;
   [[nodiscard]] double time_to(double psi) const { return (psi - psi_) / lambda_; }
   [[nodiscard]] double phase(double h) const { return psi_ + lambda_ * h; }
@@ -104,8 +104,8 @@ class SineSlide {
 };
 
 /// Eight terms, good to a rounding within 1/16 of 1 and of 1/lambda. The load and its slope are
-/// those of the motion: sin psi = a - c + y, lambda cos psi = j + v. A full sine that is short
-/// leaves a small difference of speeds, which has no digit to spare.
+/// those of the motion: sin psi = a - c + y, lambda cos psi = j + v. A short full sine leaves a
+/// small difference of speeds, which has no digits to spare.
 Moving SineSlide::near(double h, Moment& last) const {
   constexpr double part = 1.0 / 16;
   const double d = h - last.h;
@@ -129,7 +129,7 @@ Moving SineSlide::near(double h, Moment& last) const {
     }
     return rate[first] + value;
   };
-  constexpr std::size_t steer = 4;  // a and j only say where to look next
+  constexpr std::size_t steer = 4;  // a and j only say where to search next
   return {sum(0, terms), sum(1, terms), sum(2, steer), sum(3, steer)};
 }
 
@@ -141,7 +141,7 @@ struct Taylor {
 
 /// A step of this part of the time is the last one: it leaves an error of its cube.
 constexpr double last_step = 1e-6;
-/// Steps to a zero, were it double or lost in rounding.
+/// The most steps to a zero, even if it is double or lost in rounding.
 constexpr int most_steps = 100;
 
 double halley_step(const Taylor& figure) {
@@ -149,13 +149,13 @@ double halley_step(const Taylor& figure) {
   return newton / (1 + newton * figure.curvature / (2 * figure.slope));
 }
 
-/// The parabola's next zero is far behind this one, and its error is small beside the slope.
+/// The parabola's next zero is far beyond this one, and its error is small compared with the slope.
 bool is_near(const Taylor& figure, double step) {
   return step <= std::min(1.0, -figure.slope) / 4 &&
          std::abs(figure.value * figure.curvature) <= figure.slope * figure.slope / 4;
 }
 
-/// The zero of a figure of the motion between a time when it is positive and one when it is not.
+/// The zero of a quantity of the motion between a time when it is positive and one when it is not.
 template <class Figure>
 Moment zero(const SineSlide& slide, double positive, const Moment& not_positive,
             const Figure& figure) {
@@ -207,7 +207,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
       const double to = std::min(from + step, end);
       if (driven && to == end) {  // u > 0
         from = end;
-        step = pi / 2;  // at most pi; where it mostly turns
+        step = pi / 2;  // at most pi, where it usually turns
         break;
       }
       now = {to, slide.near(to, known)};
@@ -238,7 +238,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
                                         : Slid{SlideEvent::load_over, now};
 }
 
-/// The motion so far, and how it goes on when the load is over.
+/// The motion so far, and how it continues when the load is over.
 class MotionSoFar {
  public:
   explicit MotionSoFar(double f) { motion_.f = f; }
@@ -322,14 +322,14 @@ FirstReturn under_rectangle(double lambda, double f) {
   }
 }
 
-/// When a mass that has turned sets out again.
+/// When a mass that has turned starts again.
 struct Release {
   double psi;
   bool outwards;
 };
 
-/// Of a mass that has turned at y; empty if it is held for ever. If it had hardly moved, it was on
-/// the edge of being held, where rounding would let it set out again and again.
+/// For a mass that has turned at y; empty if it is held for ever. If it has hardly moved, it was on
+/// the edge of being held, where rounding would let it start again and again.
 std::optional<Release> release_of(double f, double y, double psi, double last, bool moved) {
   const double load = elementary::sin_cos(psi).sine;
   if (moved && std::abs(y - load) > f) {
@@ -348,7 +348,7 @@ std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
   MotionSoFar so_far(f);
   double y = 0;
   Release release{elementary::asin(f), true};
-  // Of a pulse of a hundred natural periods. Rounding could hold a mass on the edge of a slide.
+  // For a pulse of a hundred natural periods. Rounding could hold a mass on the edge of a slide.
   constexpr int most_slides = 1000;
   for (int i = 0; i < most_slides; ++i) {
     const SineSlide slide(lambda, release.psi, release.outwards ? -f : f, y);
@@ -385,7 +385,7 @@ std::optional<FirstReturn> closed_return(const Pulse& pulse, double f) {
     return under_rectangle(lambda, f);
   }
   const bool full = std::holds_alternative<FullSine>(pulse);
-  // A full sine that is short leaves a velocity that is a difference of its two halves.
+  // A short full sine leaves a velocity that is the difference of its two halves.
   constexpr double short_sine = 1e3;
   if (full && lambda > short_sine) {
     return std::nullopt;

@@ -8,8 +8,8 @@
 
 namespace stillpoint::design {
 
-/// How close the ends of an interval are that holds an edge: a relative 1e-14, or 1e-18, which is
-/// nothing for an f/k as for a tolerance.
+/// The final width of an interval that contains an edge: a relative 1e-14, or 1e-18, which is
+/// negligible for an f/k and for a tolerance.
 inline double edge_width(double a, double b) {
   constexpr double close = 1e-14;
   constexpr double nothing = 1e-18;
@@ -35,7 +35,7 @@ double last_not_negative(double holds_at, double fails_at, const Function& funct
   double at_a = function(a);
   double at_b = function(b);
   double part = 0.5;
-  constexpr int patience = 50;  // where the function jumps, halves are better than any parabola
+  constexpr int patience = 50;  // where the function jumps, bisection is better than any parabola
   for (int step = 0; std::abs(b - a) > edge_width(a, b); ++step) {
     const double now = a + part * (b - a);
     const double at_now = function(now);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a pulse does with one f: a forced run, held at its first return by a notch that nothing
-// passes. In units of k and p: k = p = 1, so that f is f/k, a length is x p^2/k, Delta is
+// What a pulse does with one f: a forced run, ended at its first return by a notch that nothing can
+// pass. In units of k and p: k = p = 1, so that f is f/k, a length is x p^2/k, Delta is
 // Delta p^2/k^2, time is p tau, and only lambda/p is left.
 
 #include <stillpoint/design/problem.hpp>

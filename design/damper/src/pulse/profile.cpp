@@ -19,7 +19,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// More than any arrival has: the notch holds it.
+/// More than the energy of any arrival, so the notch holds it.
 constexpr double unpassable = 1e250;
 
 Pulse unit_pulse(const Pulse& pulse, double p) {
@@ -38,7 +38,7 @@ double impulse(const Pulse& pulse) {
                                                     : 4 / lambda;
 }
 
-/// The f at which to look first. The spring of a mass that the pulse has given the speed I reaches
+/// The first f to try. The spring of a mass that the pulse has given the speed I reaches
 /// p I at most, so with a short pulse f is of that order. Fractions are those of the smaller of p I
 /// and k; a pulse of one sign brings nothing back beyond half of it, (67), a full sine does up to
 /// k.
@@ -75,8 +75,8 @@ bool same_kind(const FirstReturn& a, const FirstReturn& b) {
   return a.returns == b.returns && (!a.returns || a.turns == b.turns);
 }
 
-/// No figure that a requirement bounds comes to a top between the middle two, rising up to it or
-/// falling from it: no box has its largest there.
+/// No figure that a requirement bounds has a maximum between the middle two, so no box has its
+/// largest value there.
 bool no_top_between(const FirstReturn& a, const FirstReturn& b, const FirstReturn& c,
                     const FirstReturn& d) {
   const auto no_top = [&](double FirstReturn::*figure) {
@@ -149,7 +149,7 @@ void PulseProfile::add_changes(const FirstReturn& to, bool k_varies) {
       };
       last_not_negative(before.f, to.f, clearance);
     } else {
-      // Ever closer, until nothing that matters happens between the two.
+      // Closer and closer, until nothing that matters happens between the two.
       for (const double near : {1.0 / 64, 1.0 / 4096, 0.0}) {
         last_that_holds(last.f, after.f, same_at, near * (to.f - before.f));
         const bool time_goes_on = (before.time <= last.time) == (after.time <= to.time);
@@ -172,7 +172,7 @@ FirstReturn PulseProfile::at(double f) const {
 }
 
 void PulseProfile::add_maxima(Criterion criterion, bool k_varies) {
-  constexpr int bits = 24;  // the value at a maximum then has all digits
+  constexpr int bits = 24;  // the value at a maximum then has all its digits
   const auto add = [&](const auto& value) {
     std::vector<FirstReturn> found;
     for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {

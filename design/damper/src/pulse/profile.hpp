@@ -12,19 +12,19 @@
 
 namespace stillpoint::design {
 
-/// No f closer to k is looked at. A full sine returns up to k, where nothing moves; there its two
+/// f closer to k are ignored. A full sine returns up to k, where nothing moves; there its two
 /// slips are (1 - f)^2/lambda^2 long and cancel but for (p/lambda)^2 of them, so that closer to k
 /// rounding would decide how fast the mass comes back.
 inline constexpr double nearest_to_k = 1 - 1e-4;
 
-/// One run of the pulse with that f, in units of k and p; the pulse in its own.
+/// One run of the pulse with that f, in units of k and p; the pulse is in its own units.
 [[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
 
-/// Motions over f, close enough to know where the mass returns and where the motion changes its
+/// Motions over f, dense enough to know where the mass returns and where the motion changes its
 /// kind: there two neighbours differ by a relative 1e-14.
 class PulseProfile {
  public:
-  /// With the maxima of need/f^2 as well where k has a range: docs/theory.md section 15.
+  /// Also with the maxima of need/f^2 if k has a range: docs/theory.md section 15.
   PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies = false);
 
   [[nodiscard]] FirstReturn at(double f) const;

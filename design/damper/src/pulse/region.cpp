@@ -14,8 +14,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// More than the rounding of a motion in other units, and less than anything that can be
-/// built.
+/// More than the rounding of a motion in other units, and less than any manufacturing accuracy.
 constexpr double edge_rounding = 1e-13;
 
 }  // namespace
@@ -35,8 +34,8 @@ PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const Pulse
   find_islands();
 }
 
-/// By how much the requirements that are not those of Delta are kept, as a part of the limit of the
-/// one that is kept least; they hold where this is >= 0.
+/// The margin of the requirements that do not concern Delta: the smallest, as a fraction of its
+/// limit; they hold if this is >= 0.
 double PulseRegion::room(const FirstReturn& motion) const {
   if (!motion.returns) {
     return -1;
@@ -51,14 +50,14 @@ double PulseRegion::room(const FirstReturn& motion) const {
 void PulseRegion::find_islands() {
   std::vector<FirstReturn> points = profile_->samples();
   if (f_max_ <= points.back().f) {
-    // Below every sample there is one more decade to look at.
+    // Below every sample there is one more decade to examine.
     for (const double f : {f_max_ / 8, f_max_}) {
       points.push_back(at(f));
     }
     std::ranges::sort(points, {}, &FirstReturn::f);
   }
   if (std::isfinite(acceleration_max_)) {
-    // It may be kept between two samples that do not keep it.
+    // It may be met between two samples that do not meet it.
     std::vector<FirstReturn> found;
     constexpr int bits = 24;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -114,7 +113,7 @@ std::optional<FrictionBox> PulseRegion::cheapest_box(const Island& island, doubl
   if (at_last.use <= 1 || profile_->need_falls(island.low, island.high, criterion_)) {
     return at_last;
   }
-  // The box that needs least as far as the samples know.
+  // The box that needs least, according to the samples.
   const auto rough = [&](double low) {
     return profile_->rough_need_between(low, low * ratio, criterion_);
   };
@@ -152,7 +151,7 @@ bool PulseRegion::feasible() const {
 
 /// As far as f and delta_max, or the given Delta, allow.
 double PulseRegion::widest(const Island& island, double f, double delta) const {
-  // A side of the box that stays where it is allows any tolerance.
+  // A side of the box that does not move allows any tolerance.
   const auto along = [](double room, double side) { return side > 0 ? room / side : HUGE_VAL; };
   const double of_f = f < island.low || f > island.high
                           ? 0

@@ -18,7 +18,7 @@
 
 namespace stillpoint::design {
 
-/// An interval of admissible f, in units of k; no tolerance is looked at.
+/// An interval of admissible f, in units of k, regardless of the tolerance.
 struct Island {
   double low{0};
   double high{0};
@@ -41,9 +41,9 @@ class PulseRegion {
   [[nodiscard]] const std::shared_ptr<const WorstReturn>& profile() const { return profile_; }
   [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
   [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
-  /// The largest need of a box, over what delta_max leaves for it: at most 1 where it fits.
+  /// The largest need of a box, over what delta_max leaves for it: at most 1 if it fits.
   [[nodiscard]] double use_of_delta(double low, double high, double tolerance) const;
-  /// The box of that tolerance that needs the least Delta; empty where none fits in f.
+  /// The box of that tolerance that needs the least Delta; empty if none fits in f.
   [[nodiscard]] std::optional<FrictionBox> cheapest_box(const Island& island,
                                                         double tolerance) const;
   /// Its low end, where the need is within delta_max.
@@ -77,12 +77,12 @@ class PulseRegion {
   [[nodiscard]] double middle_of(double low, double tolerance) const {
     return low / (1 - shape_.f_low * tolerance);
   }
-  /// The f whose boxes of the tolerance asked for lie in the island: nothing, where low > high.
+  /// The f whose boxes of the tolerance asked for lie in the island: none if low > high.
   [[nodiscard]] Island middles(const Island& island) const {
     return {middle_of(island.low, asked_), island.high / (1 + shape_.f_high * asked_)};
   }
   [[nodiscard]] const BoxShape& shape() const { return shape_; }
-  /// The largest tolerance that is looked for.
+  /// The largest tolerance that is searched for.
   [[nodiscard]] double most_tolerance() const;
 
  private:
@@ -104,9 +104,9 @@ class PulseRegion {
   BoxShape shape_;
 };
 
-/// Nothing bounds Delta from above but delta_max, so that an interval of f that begins at 0 would
-/// have any tolerance below 1, with a Delta that grows beyond all bounds. No more than this is
-/// looked for, unless it is asked for.
+/// Nothing bounds Delta from above but delta_max, so an interval of f that begins at 0 would have
+/// any tolerance below 1, with a Delta that grows beyond all bounds. The search ends here, unless
+/// more is asked for.
 inline constexpr double widest_tolerance = 0.995;
 
 /// Like mends() of mends.hpp, with k and lambda instead of v0.

@@ -12,7 +12,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// What grows with k and falls with p, and what else is bounded from above.
+/// The quantities that grow with k and fall with p, and others bounded from above.
 constexpr std::array bounded_figures{&FirstReturn::peak,       &FirstReturn::speed,
                                      &FirstReturn::time,       &FirstReturn::acceleration,
                                      &FirstReturn::exact_need, &FirstReturn::published_need};
@@ -51,13 +51,13 @@ Pulse with_wave(Pulse pulse, double k, double lambda) {
   return pulse;
 }
 
-/// A value at a place.
+/// A value and its position.
 struct Placed {
   double at;
   double value;
 };
 
-/// The top of the parabola through three values, where it is between them; else the largest.
+/// The top of the parabola through three values, if it is between them; else the largest.
 double top_of(const Placed& before, const Placed& now, const Placed& after) {
   const double largest = std::max({before.value, now.value, after.value});
   const double left = now.at - before.at;
@@ -183,7 +183,8 @@ FirstReturn WorstReturn::found_at(double f) const {
     each.push_back(worst_of(cases_[i], f));
     take_worse(worst, each.back());
   }
-  // Between the cases it may be more. What the parabola has more than its three is counted twice.
+  // Between the cases it may be larger. The excess of the parabola over its three values is counted
+  // twice.
   const auto placed = [&](std::size_t i, const auto figure) {
     return Placed{elementary::log(cases_[i].lambda / cases_[i].p), each[i].*figure};
   };
@@ -239,7 +240,7 @@ bool WorstReturn::need_falls(double low, double high, Criterion criterion) const
   return is_single() && std::is_sorted(from, to, needs_more);
 }
 
-/// No need at f is larger: of one pulse and spring the samples have the local maxima.
+/// No need at f is larger: for one pulse and spring the samples have the local maxima.
 double WorstReturn::most_near(double f, Criterion criterion) const {
   const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
   return is_single() && after != samples_.begin() && after != samples_.end()

@@ -72,7 +72,7 @@ double roomiest_p(const Case& now) {
   return f4 < most ? std::sqrt((most - f4) / v0) * std::sqrt((most + f4) / v0) : 0;
 }
 
-/// What asks for more p and what asks for less, and both.
+/// The conditions that need more p, those that need less, and both.
 template <class Amplitude, class Strip, class All>
 std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, const Strip& strip,
                                const All& all) {
@@ -104,7 +104,7 @@ std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, con
 }
 
 /// The same for a later arrival, whose strip in a = f/(V0 p) does not depend on p. That is a root,
-/// so the last bits are left to the points themselves.
+/// so the last bits are decided by the points themselves.
 std::optional<double> mended_p(const Case& base, int n) {
   const double tolerance = base.limits.tolerance;
   const auto in_strip = [&](const Case& now) { return Way(now.problem, now.limits, n); };
@@ -146,7 +146,7 @@ std::optional<double> mended_p(const Case& base, int n) {
 }
 
 /// The p that is nearest in either direction. More p helps the peak and the return and harms the
-/// stop, so it is looked for in steps.
+/// stop, so it is searched for in steps.
 std::optional<double> stepped_p(const Case& base) {
   constexpr double step = 1.02;
   constexpr int most_steps = 700;  // a factor of a million
@@ -166,7 +166,7 @@ std::optional<double> stepped_p(const Case& base) {
   return std::nullopt;
 }
 
-/// Of ranges each end by itself, as far as the other end.
+/// For ranges, each end by itself, as far as the other end.
 std::vector<Mend> mends_of_ranges(const Case& base) {
   const Problem& problem = base.problem;
   std::vector<Mend> list;
@@ -221,7 +221,7 @@ std::optional<Mend> more_arrivals(const Case& base) {
       return has_damper(more);
     });
   }
-  // A strip is the same whatever later ones are allowed, so the first that has a box is looked for.
+  // A strip is the same whatever later ones are allowed, so the first that has a box is sought.
   more.problem.arrivals = most_arrivals_offered;
   int enough = 0;
   for_each_way(more.problem, more.limits, [&](const Way& way) {
@@ -264,7 +264,7 @@ std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits
   if (has_damper(base) || !mends(problem, limits).empty()) {
     return std::nullopt;
   }
-  // More p does no better than more beta: p beta / v0 is the same, and f_max comes nearer.
+  // More p does no better than more beta: p beta / v0 is the same, and f_max comes closer.
   return joint_mend_of(base, has_damper, {beta_of(problem), v0_of(problem)});
 }
 

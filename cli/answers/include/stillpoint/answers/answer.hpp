@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/answers/exit_code.hpp>
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
+#include <stillpoint/report/page_frame.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,7 @@
 
 namespace stillpoint::answers {
 
-/// What a command found, for whoever is not the program. Its report is made when someone looks.
+/// What a command found, for users other than the program. Its report is made when it is read.
 class Answer {
  public:
   Answer() = default;
@@ -22,22 +23,33 @@ class Answer {
   Answer& operator=(Answer&&) = delete;
   virtual ~Answer() = default;
 
-  [[nodiscard]] virtual ExitCode exit() const = 0;
   [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
   [[nodiscard]] virtual report::Document document() const = 0;
   [[nodiscard]] virtual figures::HtmlPage page() const = 0;
 };
 
-/// Of a report that has json(), document() and page().
+/// For a report that has json() and document(), and page() if there is something to draw.
 template <class Report>
 class AnswerOf : public Answer {
  public:
   explicit AnswerOf(Report report) : report_(std::move(report)) {}
 
-  [[nodiscard]] ExitCode exit() const override { return exit_code(report_); }
-  [[nodiscard]] nlohmann::ordered_json json() const override { return report::json(report_); }
-  [[nodiscard]] report::Document document() const override { return report::document(report_); }
-  [[nodiscard]] figures::HtmlPage page() const override { return report::page(report_); }
+  [[nodiscard]] nlohmann::ordered_json json() const override {
+    using report::json;
+    return json(report_);
+  }
+  [[nodiscard]] report::Document document() const override {
+    using report::document;
+    return document(report_);
+  }
+  [[nodiscard]] figures::HtmlPage page() const override {
+    using report::page;
+    if constexpr (requires { page(report_); }) {
+      return page(report_);
+    } else {
+      return report::page_of(document());
+    }
+  }
 
   [[nodiscard]] const Report& made() const { return report_; }
 

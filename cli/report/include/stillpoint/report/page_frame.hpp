@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/figures/html_page.hpp>
+#include <stillpoint/report/document.hpp>
 
 #include <span>
 #include <string>
@@ -9,11 +10,14 @@
 
 namespace stillpoint::report {
 
-/// What a page has beside the answer.
+/// The page of a document, without figures.
+[[nodiscard]] figures::HtmlPage page_of(const Document& document);
+
+/// What a page has besides the answer.
 struct PageFrame {
   std::string title;         ///< the user's own, may be empty
   std::string_view command;  ///< that made it
-  std::string scene;         ///< its input, which makes the page again
+  std::string scene;         ///< its input, from which the page can be made again
 };
 
 /// Adds the frame and the version of the program.

@@ -5,7 +5,7 @@
 
 namespace stillpoint::design {
 
-/// An independent method for the same figures, and its distance from the prediction.
+/// An independent method for the same quantities, and its distance from the prediction.
 struct CheckMethod {
   std::string_view name;  ///< half_cycle_map or runge_kutta
   double tolerance{0};    ///< for relative_error

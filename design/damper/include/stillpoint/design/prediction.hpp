@@ -17,10 +17,10 @@ struct Prediction {
   double stop_position{0};
 };
 
-/// Of the first arrival. Throws InputError unless 0 <= f <= f3.
+/// For the first arrival. Throws InputError unless 0 <= f <= f3.
 [[nodiscard]] Prediction predict(const Problem& problem, double f);
-/// Of the arrival at which (f, delta) stops the mass. Throws InputError where it does at none that
-/// is allowed.
+/// For the arrival at which (f, delta) stops the mass. Throws InputError if it stops it at none
+/// that is allowed.
 [[nodiscard]] Prediction predict(const Problem& problem, double f, double delta);
 
 }  // namespace stillpoint::design

@@ -24,8 +24,8 @@ namespace stillpoint::design {
 [[nodiscard]] std::optional<double> any_f_up_to(const Problem& problem, Limits limits, double delta,
                                                 double tolerance);
 
-/// Of the dampers that the task admits at tolerance 0 the one with the largest tolerance, where
-/// that is less than the one asked for, so that none has it; else empty, also where none has any.
+/// Of the dampers that the task admits at tolerance 0, the one with the largest tolerance, if that
+/// is less than the one asked for; otherwise empty, also if no damper has any tolerance.
 [[nodiscard]] std::optional<DesignPoint> most_tolerant(const Problem& problem,
                                                        const Limits& limits);
 
