@@ -174,6 +174,9 @@ class HarmonicDrive {
     return piece.first_event(limit, want_arrival);
   }
 
+  /// The first guess for the next arrival; returns what it would have been.
+  Real expects_arrival_after(const Real& h) { return std::exchange(guesses_.arrival, h); }
+
   void advance(const ExactSum<Real>& h) {
     phase_.advance(h);
     now_ = phase_.sin_cos();
