@@ -22,6 +22,10 @@ std::string with_a_unit(const Option& option) {
   return found;
 }
 
+sweep::NumberReader reader(const Option& option) {
+  return [&option](std::string_view number) { return parse_value(option, number); };
+}
+
 }  // namespace
 
 double parse_value(const Option& option, std::string_view text) {
@@ -33,14 +37,6 @@ double parse_value(const Option& option, std::string_view text) {
   return records::parse_value(option.name, dimension, text,
                               dimension == Dimension::none ? with_a_unit(option) : "");
 }
-
-namespace {
-
-sweep::NumberReader reader(const Option& option) {
-  return [&option](std::string_view number) { return parse_value(option, number); };
-}
-
-}  // namespace
 
 Range range_value(const Option& option, std::string_view text) {
   return sweep::parse_range(option.name, text, reader(option));
