@@ -59,7 +59,7 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 /// arrival speed, by the published criterion f^2/(2 p^2) more; of ranges the largest. Empty where
 /// it does not return.
 [[nodiscard]] std::optional<double> least_delta(const PulseProblem& problem, double f);
-/// The same as a function of f, for many of them. It keeps its last motions: one for each thread.
+/// The same as a function of f, for many of them.
 [[nodiscard]] std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem);
 
 /// An interval of f whose motion returns, stays within beta and keeps the limits.
