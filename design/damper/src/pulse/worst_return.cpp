@@ -216,7 +216,9 @@ FirstReturn WorstReturn::between(double low, double high) const {
 
 double WorstReturn::need_between(double low, double high, Criterion criterion,
                                  RecentMotions* recent) const {
-  const auto need_at = [&](double f) { return (recent ? recent->at(f) : at(f)).need(criterion); };
+  const auto need_at = [&](double f) {
+    return (recent != nullptr ? recent->at(f) : at(f)).need(criterion);
+  };
   const double known = std::max(need_at(low), need_of_samples(low, high, criterion));
   return most_near(high, criterion) <= known ? known : std::max(known, need_at(high));
 }
