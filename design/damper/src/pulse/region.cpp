@@ -158,11 +158,12 @@ std::vector<Island> PulseRegion::left_by_delta(const Island& island, double tole
   return where(points, [&](const FirstReturn& now) { return most - need(now); });
 }
 
-double PulseRegion::use_of_delta(double low, double high, double tolerance) const {
-  return std::isinf(delta_max_)
-             ? 0
-             : profile_->need_between(low, high, criterion_) * (1 + shape_.delta_high * tolerance) /
-                   (1 - shape_.delta_low * tolerance) / delta_max_;
+double PulseRegion::use_of_delta(double low, double high, double tolerance,
+                                 RecentMotions* recent) const {
+  return std::isinf(delta_max_) ? 0
+                                : profile_->need_between(low, high, criterion_, recent) *
+                                      (1 + shape_.delta_high * tolerance) /
+                                      (1 - shape_.delta_low * tolerance) / delta_max_;
 }
 
 double PulseRegion::most_tolerance() const {

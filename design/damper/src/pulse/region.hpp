@@ -37,7 +37,8 @@ class PulseRegion {
   [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
   [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
   /// The largest need of a box, over what delta_max leaves for it: at most 1 if it fits.
-  [[nodiscard]] double use_of_delta(double low, double high, double tolerance) const;
+  [[nodiscard]] double use_of_delta(double low, double high, double tolerance,
+                                    RecentMotions* recent = nullptr) const;
   /// The highest low end of a box of that tolerance whose need is within that part of delta_max.
   [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance,
                                              double use = 1) const;

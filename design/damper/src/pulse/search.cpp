@@ -16,7 +16,9 @@
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace stillpoint::design {
@@ -28,12 +30,13 @@ namespace {
 /// the last digit may exceed it in a run that rounds differently.
 struct PulseTask {
   const PulseRegion& region;
+  RecentMotions& recent;
   Objective objective;
   Island island;
   double most_use{1};  ///< of delta_max
 
-  PulseTask(const PulseRegion& of, Objective what, const Island& whole)
-      : region(of), objective(what), island(whole) {
+  PulseTask(const PulseRegion& of, RecentMotions& last, Objective what, const Island& whole)
+      : region(of), recent(last), objective(what), island(whole) {
     constexpr double inset = 1e-9;
     const Island inner{whole.low * (1 + inset), whole.high * (1 - inset)};
     if (inner.low < inner.high && region.box_in(inner, region.asked())) {
@@ -46,7 +49,7 @@ struct PulseTask {
 
   [[nodiscard]] double cost(double f) const {
     return objective == Objective::robust ? -region.widest_box(island, f)
-                                          : objective_of(objective, region.at(f));
+                                          : objective_of(objective, recent.at(f));
   }
   /// The tolerance asked for is reached.
   [[nodiscard]] bool fits(double f) const { return room(f) >= 0; }
@@ -58,9 +61,10 @@ struct PulseTask {
     constexpr double rounding = 1e-14;
     const double within = std::min(low / (island.low * (1 - rounding)) - 1,
                                    1 - high / (island.high * (1 + rounding)));
-    return within < 0 ? within
-                      : most_use - region.use_of_delta(std::max(low, island.low),
-                                                       std::min(high, island.high), tolerance);
+    return within < 0
+               ? within
+               : most_use - region.use_of_delta(std::max(low, island.low),
+                                                std::min(high, island.high), tolerance, &recent);
   }
 };
 
@@ -251,7 +255,8 @@ NloptProblem constrained(const PulseTask& task, double scale,
     const double box_low = std::clamp(f * (1 - down * t), low, high);
     // It converges on the edge from outside.
     constexpr double inset = 1e-9;
-    return task.region.use_of_delta(box_low, std::clamp(f * (1 + up * t), box_low, high), t) -
+    return task.region.use_of_delta(box_low, std::clamp(f * (1 + up * t), box_low, high), t,
+                                    &task.recent) -
            task.most_use * (1 - inset);
   };
   posed.constraints.emplace_back([=, &task](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
@@ -321,6 +326,7 @@ std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOption
   const double started = seconds_now();
   std::optional<PulseOptimum> best;
   SearchRecord record;
+  RecentMotions recent(*region.profile());
   double least = HUGE_VAL;
   double searched_least = HUGE_VAL;
   double bracketed_least = HUGE_VAL;
@@ -328,7 +334,7 @@ std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOption
     if (!region.box_in(whole, region.asked())) {
       continue;
     }
-    const PulseTask task(region, options.objective, whole);
+    const PulseTask task(region, recent, options.objective, whole);
     const PulseBest along = bracketed(task);
     const double scale = along.f && along.cost > 0 ? along.cost : 1;
     const PulseBest by_nlopt = searched(task, scale, options, record);

@@ -77,7 +77,6 @@ double top_of(const Placed& before, const Placed& now, const Placed& after) {
 WorstReturn::WorstReturn(const PulseProblem& problem)
     : criterion_(problem.criterion),
       weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)) {
-  recent_.fill({.f = -1});
   add_cases(problem);
   add_samples();
 }
@@ -158,18 +157,8 @@ FirstReturn WorstReturn::worst_of(const Case& one, double f) const {
 }
 
 FirstReturn WorstReturn::at(double f) const {
-  const auto* const known = std::ranges::find(recent_, f, &FirstReturn::f);
-  if (known != recent_.end()) {
-    return *known;
-  }
   const auto sample = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
-  if (sample != samples_.end() && sample->f == f) {
-    return *sample;
-  }
-  recent_[oldest_] = found_at(f);
-  const FirstReturn& found = recent_[oldest_];
-  oldest_ = (oldest_ + 1) % recent_.size();
-  return found;
+  return sample != samples_.end() && sample->f == f ? *sample : found_at(f);
 }
 
 FirstReturn WorstReturn::found_at(double f) const {
@@ -226,9 +215,24 @@ FirstReturn WorstReturn::between(double low, double high) const {
   return worst;
 }
 
-double WorstReturn::need_between(double low, double high, Criterion criterion) const {
-  const double known = std::max(at(low).need(criterion), need_of_samples(low, high, criterion));
-  return most_near(high, criterion) <= known ? known : std::max(known, at(high).need(criterion));
+double WorstReturn::need_between(double low, double high, Criterion criterion,
+                                 RecentMotions* recent) const {
+  const auto need_at = [&](double f) {
+    return (recent != nullptr ? recent->at(f) : at(f)).need(criterion);
+  };
+  const double known = std::max(need_at(low), need_of_samples(low, high, criterion));
+  return most_near(high, criterion) <= known ? known : std::max(known, need_at(high));
+}
+
+const FirstReturn& RecentMotions::at(double f) {
+  auto* const known = std::ranges::find(motions_, f, &FirstReturn::f);
+  if (known != motions_.end()) {
+    return *known;
+  }
+  FirstReturn& forgotten = motions_[oldest_];
+  oldest_ = (oldest_ + 1) % motions_.size();
+  forgotten = profile_.at(f);
+  return forgotten;
 }
 
 /// No need at f is larger: of one pulse and spring the samples have the local maxima.

@@ -14,9 +14,10 @@
 
 namespace stillpoint::design {
 
+class RecentMotions;
+
 /// For one pulse and one spring it is their PulseProfile. Over ranges every figure of a motion is
-/// the largest of any pulse with any spring, and it returns if all do. Searches ask for the same f
-/// again and again, so the last motions are kept; not thread-safe.
+/// the largest of any pulse with any spring, and it returns if all do.
 class WorstReturn {
  public:
   explicit WorstReturn(const PulseProblem& problem);
@@ -27,7 +28,8 @@ class WorstReturn {
   [[nodiscard]] FirstReturn between(double low, double high) const;
   /// The largest need from low to high: of both ends and of the samples between them, which have
   /// the local maxima.
-  [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;
+  [[nodiscard]] double need_between(double low, double high, Criterion criterion,
+                                    RecentMotions* recent = nullptr) const;
   /// Of the problem that this is of, the one pulse and spring with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 
@@ -53,8 +55,21 @@ class WorstReturn {
   std::vector<Case> cases_;
   std::size_t corner_{0};  ///< the case where p has reached its low end and lambda starts to grow
   std::vector<FirstReturn> samples_;
-  mutable std::array<FirstReturn, 8> recent_;
-  mutable std::size_t oldest_{0};
+};
+
+/// The last motions of one search, which asks for the same f again and again.
+class RecentMotions {
+ public:
+  explicit RecentMotions(const WorstReturn& profile) : profile_(profile) {
+    motions_.fill({.f = -1});
+  }
+
+  const FirstReturn& at(double f);
+
+ private:
+  const WorstReturn& profile_;
+  std::array<FirstReturn, 8> motions_;
+  std::size_t oldest_{0};
 };
 
 }  // namespace stillpoint::design

@@ -59,7 +59,7 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 /// arrival speed, by the published criterion f^2/(2 p^2) more; with ranges the largest. Empty if
 /// the mass does not return.
 [[nodiscard]] std::optional<double> least_delta(const PulseProblem& problem, double f);
-/// The same as a function of f, for many f. It keeps its last motions, so use one per thread.
+/// The same as a function of f, for many f.
 [[nodiscard]] std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem);
 
 /// An interval of f for which the motion returns, stays within beta and meets the limits.
