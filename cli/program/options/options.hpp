@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "options/load.hpp"
+
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
@@ -84,9 +86,6 @@ enum class FileUse { none, read, written, directory };
 
 /// A design is for a hit or under records; what only one of them takes.
 enum class DesignFor { both, hit, records };
-
-/// Which loads, or pulses, an option shapes; a wave is a harmonic or a pulse.
-enum class Load { none, harmonic, pulse, wave, record };
 
 /// What most options leave as it is.
 struct OptionTraits {
