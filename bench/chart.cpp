@@ -33,7 +33,7 @@ using figures::Shape;
 
 constexpr double microsecond = 1e-6;
 
-/// The looks of a method, by its place in the list; the kernel is the first.
+/// The style of a method, by its place in the list; the kernel is the first.
 constexpr std::array<std::pair<Shape, Ink>, 6> looks{{{Shape::star, Ink::orange},
                                                       {Shape::disc, Ink::blue},
                                                       {Shape::square, Ink::amber},

@@ -79,7 +79,7 @@ std::vector<Part> thousand_parts() {
   return parts;
 }
 
-/// What the ranges and the residual make of a task.
+/// A task with ranges and a residual.
 struct Variation {
   std::string name;
   std::function<void(Problem&)> apply;

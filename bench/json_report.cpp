@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Measured figures with the digits that mean something.
+/// Measured figures with their significant digits.
 double four_digits(double value) {
   return std::stod(fmt::format("{:.4g}", value));
 }

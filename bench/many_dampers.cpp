@@ -31,7 +31,8 @@ struct Dampers {
       const Eigen::Index row = i / side;
       const double along = static_cast<double>(row) / side;
       const double across = static_cast<double>(i % side) / side;
-      f[i] = 0.005 + 0.195 * along * along;  // less makes thousands of half-cycles after the record
+      f[i] = 0.005 + 0.195 * along *
+                         along;  // less friction makes thousands of half-cycles after the record
       delta[i] = 0.1 * across * across;
     }
   }
@@ -50,7 +51,7 @@ std::vector<Record> eleven(const Record& record) {
   return list;
 }
 
-/// Of the dampers that are run one by one: under one record, to its end.
+/// For the dampers run one by one: under one record, to its end.
 peers::Scene scene(const Dampers& dampers, Eigen::Index i, const Record& record) {
   return {{dampers.p[i], dampers.f[i], dampers.delta[i]},
           {},

@@ -13,7 +13,7 @@ struct Verdict {
   double peak{0};
   double end{0};  ///< of the stop time of a free motion; of x and v at the end of a forced one
   bool counts_right{
-      false};          ///< passages, turns, sticks; of a free motion also that it stops at zero
+      false};          ///< passages, turns, sticks; for a free motion also that it stops at zero
   std::string counts;  ///< "64, 64, 0"
 
   [[nodiscard]] double largest() const { return peak > end ? peak : end; }

@@ -1,4 +1,4 @@
-# Finds MPFR, numbers of many digits for what the tests hold doubles against. Sets MPFR_FOUND and defines MPFR::mpfr.
+# Finds MPFR, multiple-precision numbers, the reference of the tests. Sets MPFR_FOUND and defines MPFR::mpfr.
 
 find_path(MPFR_INCLUDE_DIR mpfr.h)
 find_library(MPFR_LIBRARY mpfr)

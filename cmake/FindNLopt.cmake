@@ -1,7 +1,7 @@
 # Finds NLopt with its C++ interface: target NLopt::nlopt.
 #
-# Debian ships two NLoptConfig.cmake, one of the C library and one of the C++ one, and which of
-# them find_package meets is chance. This module serves the build and, installed beside
+# Debian ships two NLoptConfig.cmake, one of the C library and one of the C++ one, and find_package
+# may find either. This module serves the build and, installed beside
 # stillpointConfig.cmake, the users of the installed library. nlopt_cxx is preferred: it holds
 # the algorithms written in C++ (StoGO, AGS) as well.
 

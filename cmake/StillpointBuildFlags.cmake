@@ -9,22 +9,22 @@ target_compile_options(stillpoint_build_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow
   $<$<BOOL:${STILLPOINT_WERROR}>:-Werror>)
 
-# GCC 12 sees overlaps and overflows in "text" + std::string that are not there (GCC bug 105651).
+# GCC 12 warns of overlaps and overflows in "text" + std::string that do not exist (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(stillpoint_build_flags INTERFACE
     -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 
-# Where much is compiled at once, GCC spends a tenth of its time collecting garbage: from 512 MB on is early
-# enough.
+# When much is compiled at once, GCC spends a tenth of its time collecting garbage: starting at 512 MB is
+# early enough.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_UNITY_BUILD)
   target_compile_options(stillpoint_build_flags INTERFACE --param=ggc-min-heapsize=524288)
 endif()
 
-# What a program does not call is left out of it, also where many files are compiled as one.
+# Functions that a program does not call are left out of it, even if many files are compiled as one.
 target_compile_options(stillpoint_build_flags INTERFACE -ffunction-sections -fdata-sections)
 
-# Position-independent code must not cost speed: nobody is to replace our functions at run time.
+# Position-independent code must not cost speed: nobody should replace our functions at run time.
 target_compile_options(stillpoint_build_flags INTERFACE -fno-semantic-interposition)
 
 # a*b+c is rounded twice on every machine: a fused multiply-add would change the last digits
@@ -32,12 +32,12 @@ target_compile_options(stillpoint_build_flags INTERFACE -fno-semantic-interposit
 target_compile_options(stillpoint_build_flags INTERFACE -ffp-contract=off)
 
 if(STILLPOINT_SANITIZE)
-  # The first finding ends the program, so that a test cannot pass over it.
+  # The first finding ends the program, so that a test cannot ignore it.
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   if(STILLPOINT_BUILD_FUZZERS)
     list(APPEND sanitizers -fsanitize=fuzzer-no-link)
   endif()
-  # A target with STILLPOINT_NOT_SANITIZED is only linked with what is.
+  # A target with STILLPOINT_NOT_SANITIZED is only linked with what is sanitized.
   target_compile_options(stillpoint_build_flags INTERFACE
     "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:STILLPOINT_NOT_SANITIZED>>>:${sanitizers}>")
   # Instrumented code confuses GCC's data flow: <regex> alone gives a dozen false reports.

@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 
 # The program.
 set(generated_dir "${PROJECT_BINARY_DIR}/generated")
-# Debian's zsh looks into vendor-completions for what packages bring.
+# Debian's zsh looks for the completions of packages in vendor-completions.
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   set(zsh_dir "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions")
 else()
@@ -31,7 +31,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/build/explorer/stillpoint.html"
 install(DIRECTORY data/scenes DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT program)
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME copyright COMPONENT program)
 
-# The libraries. The headers are C++20: so must be whatever includes them.
+# The libraries. The headers are C++20, so the code that includes them must be too.
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/stillpoint")
 target_compile_features(stillpoint_motion PUBLIC cxx_std_20)
 
@@ -70,8 +70,8 @@ install(FILES
   "${PROJECT_SOURCE_DIR}/cmake/FindNLopt.cmake"
   DESTINATION "${package_dir}" COMPONENT development)
 
-# For pkg-config. The prefix is found from the place of the file, so that the whole can be moved.
-# The libraries are static: what they use is linked by whoever uses them.
+# For pkg-config. The prefix is found from the location of the file, so that everything can be moved.
+# The libraries are static: their users link what they use.
 file(RELATIVE_PATH pc_to_prefix "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
 cmake_path(GET NLopt_LIBRARY STEM pc_nlopt)

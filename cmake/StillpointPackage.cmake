@@ -35,7 +35,7 @@ mass on a spring comes to rest at its rest position on the first return. It
 says how far off the built damper may be, checks each answer by two other
 methods and follows free and forced motion exactly from event to event.")
 
-# The libraries are static: what they use is linked by whoever uses them. The names inside fmt carry
+# The libraries are static: their users link what they use. The names inside fmt carry
 # its major version, so the libraries need the one they were built with.
 find_package(fmt REQUIRED CONFIG)  # for its version
 math(EXPR next_fmt "${fmt_VERSION_MAJOR} + 1")

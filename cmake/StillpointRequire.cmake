@@ -1,5 +1,5 @@
-# stillpoint_require(DEBIAN_PACKAGES NAME ARGS...): find_package(NAME ARGS...), and where that
-# fails a message that says how to get the package.
+# stillpoint_require(DEBIAN_PACKAGES NAME ARGS...): find_package(NAME ARGS...), or if that fails a
+# message that says how to get the package.
 
 function(stillpoint_require debian_packages name)
   find_package(${name} ${ARGN} QUIET)

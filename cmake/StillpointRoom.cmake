@@ -1,8 +1,8 @@
 # stillpoint_room(NAME SOURCES FILE... [SMALL FILE...] [PUBLIC LIBRARY...] [PRIVATE LIBRARY...] [PRINTS]): a room of the
-# house, the static library stillpoint_NAME or stillpoint::NAME. Its headers stand in include/, what nobody else sees
-# in src/, from where its files name it: "way/room.hpp". It sees the rooms and packages that it names and no others.
-# What nobody waits for is compiled at -Os: the files of SMALL, as the objects stillpoint_NAME_small, and all of a room
-# that only PRINTS. The program and the Python module are smaller by it.
+# house, the static library stillpoint_NAME or stillpoint::NAME. Its public headers are in include/, its private ones
+# in src/, which its files include from there: "way/room.hpp". It sees only the rooms and packages that it names.
+# Code that is not critical for speed is compiled at -Os: the files of SMALL, as the objects stillpoint_NAME_small, and all of a room
+# that only PRINTS. This makes the program and the Python module smaller.
 function(stillpoint_room name)
   cmake_parse_arguments(PARSE_ARGV 1 arg PRINTS "" "SOURCES;SMALL;PUBLIC;PRIVATE")
   set(target stillpoint_${name})
@@ -33,7 +33,7 @@ function(stillpoint_room name)
   endforeach()
 endfunction()
 
-# Of a Release build. At -Os GCC sees optionals without a value read where they are not.
+# Of a Release build. At -Os GCC warns of reads of empty optionals that do not happen.
 function(stillpoint_small target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Os>
     $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)

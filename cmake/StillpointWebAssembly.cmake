@@ -1,7 +1,6 @@
-# The packages where the compiler is Emscripten's, which does not see /usr: the headers of those that are only
-# headers, and NLopt, built from the source of Debian's package, whose folder is STILLPOINT_NLOPT_SOURCE.
+# The packages for Emscripten's compiler, which does not see /usr: the headers of header-only packages, and NLopt, built from the source of Debian's package, whose folder is STILLPOINT_NLOPT_SOURCE.
 
-# As small as can be: the page carries it. Everything is linked at once, so no code need be independent of its position.
+# As small as possible: the page contains it. Everything is linked at once, so no code need be independent of its position.
 set(CMAKE_CXX_FLAGS_MINSIZEREL "-Oz -DNDEBUG")
 set(CMAKE_C_FLAGS_MINSIZEREL "-Oz -DNDEBUG")
 set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
@@ -26,7 +25,7 @@ foreach(package IN ITEMS Eigen3::Eigen fmt::fmt hwy::hwy Boost::headers nlohmann
 endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 
-# What libc++ lacks of C++20 comes before its own headers.
+# The parts of C++20 that libc++ lacks come before its own headers.
 include_directories(BEFORE SYSTEM "${PROJECT_SOURCE_DIR}/cli/explorer/engine/standard")
 
 file(STRINGS "${STILLPOINT_NLOPT_SOURCE}/CMakeLists.txt" versions REGEX "set *\\(NLOPT_[A-Z]+_VERSION")
@@ -35,7 +34,7 @@ foreach(line IN LISTS versions)
   list(APPEND nlopt_definitions ${definition})
 endforeach()
 file(WRITE "${PROJECT_BINARY_DIR}/nlopt/nlopt_config.h" "")
-# Those that a design can ask for; left_out.js says what happens to the rest. The headers are of all.
+# Those that a design can ask for; left_out.js says what happens to the rest. The headers are those of all.
 set(algorithms cdirect cobyla crs mma neldermead slsqp)
 foreach(algorithm IN ITEMS ${algorithms} auglag bobyqa direct esch isres luksan mlsl newuoa praxis)
   list(APPEND nlopt_folders "${STILLPOINT_NLOPT_SOURCE}/src/algs/${algorithm}")
@@ -57,7 +56,7 @@ target_compile_definitions(stillpoint_nlopt PRIVATE ${nlopt_definitions} THREADL
 target_compile_options(stillpoint_nlopt PRIVATE -w)
 add_library(NLopt::nlopt ALIAS stillpoint_nlopt)
 
-# What a page does not do, and what its library lacks or takes long to compile: sweeps, the comparison with other
+# What a page does not do, what its library lacks, and what takes long to compile: sweeps, the comparison with other
 # integrators, the command line.
 set(STILLPOINT_LEFT_OUT "src/(comparison|dopri5|exact|kernel|reference|regularised|runge_kutta4)|src/figure_map"
   "src/(run|rows|map|merge|reducer|reduction|step|seal|sink|state|list_source|request_of|grid|launcher|npy|part_label)|src/posix/(checkpoint|open_part|output|output_file|open_rows|part_file)"

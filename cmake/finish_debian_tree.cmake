@@ -1,8 +1,8 @@
-# cpack runs this between installing the parts and packing them. It gives each tree what Debian asks
-# of a package and a plain installation does without: compressed pages and changelogs, its own places
+# cpack runs this between installing the parts and packing them. It gives each tree what Debian
+# requires of a package and a plain installation does not need: compressed pages and changelogs, its own places
 # for completions of zsh and for modules of Python.
 
-# The date of the packages is SOURCE_DATE_EPOCH where that is set.
+# The date of the packages is SOURCE_DATE_EPOCH if that is set.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
 function(compress)

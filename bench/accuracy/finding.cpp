@@ -22,7 +22,7 @@ double ulps(double value, const Exact& expected) {
   return std::abs(static_cast<double>((Exact(value) - expected) / ulp));
 }
 
-/// By central differences in 50 digits, of which some fifteen remain.
+/// By central differences in 50 digits, of which about fifteen remain.
 double condition_number(const HardCase& hard_case, const Inputs<double>& inputs,
                         const Exact& value) {
   const Exact step("1e-20");
@@ -55,7 +55,7 @@ Errors errors_at(const HardCase& hard_case, const Inputs<double>& inputs, double
   return {error, error / std::max(1.0, condition), naive};
 }
 
-/// Of every neighbour, on all cores: the reference in 50 digits takes minutes.
+/// Every neighbour, on all cores: the reference in 50 digits takes minutes.
 std::vector<Errors> errors_of_neighbours(const HardCase& hard_case, double condition_alike) {
   constexpr int seed = 20261121;
   Dice dice(seed);

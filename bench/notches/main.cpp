@@ -52,11 +52,11 @@ void print_convergence(const Scene& scene) {
   }
 }
 
-/// The best of some rounds, in microseconds a run.
+/// The best of a few rounds, in microseconds per run.
 double time_of(const Scene& scene, const Surface& surface) {
   using Clock = std::chrono::steady_clock;
-  constexpr int rounds = 20;
-  constexpr int runs = 200;
+  constexpr int rounds = 400;
+  constexpr int runs = 10;  // so short that other work seldom interrupts one round
   double best = 1e300;
   double sum = 0;  // so that the runs are not left out
   for (int round = 0; round < rounds; ++round) {

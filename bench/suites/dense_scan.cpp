@@ -78,7 +78,7 @@ class DenseScan {
     points_ += size;
   }
 
-  /// Of the grids so far; infinite where none is of interest.
+  /// The best of the grids so far; infinite if none matters.
   [[nodiscard]] DenseBest best() const {
     return best_damper_ ? DenseBest{*best_damper_, best_, points_}
                         : DenseBest{{}, HUGE_VAL, points_};
@@ -96,8 +96,8 @@ class DenseScan {
     }
   }
 
-  /// Infinite where a limit is broken, and as soon as it cannot be better than the best. The record
-  /// that told last is first, because it mostly tells again.
+  /// Infinite if a limit is violated, and as soon as it cannot be better than the best. The record
+  /// that decided last is first, because it usually decides again.
   [[nodiscard]] double objective(const SuiteDamper& damper) {
     const bool largest = *task_.combine == Combine::max;
     const double share = largest ? 1 : 1 / static_cast<double>(loads_.size());

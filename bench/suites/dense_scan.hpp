@@ -14,7 +14,7 @@ struct DenseBest {
   std::int64_t points{0};
 };
 
-/// The best of some 10^6 dampers, computed from the kernel's responses alone: a third on a grid
+/// The best of about 10^6 dampers, computed from the kernel's responses alone: a third on a grid
 /// even in sqrt(f), sqrt(delta) and 1/p over the box of the search, a third on a finer one about
 /// the best of those, a third about the design, which is `found` and has that value. `request` as a
 /// RecordDesign has it.

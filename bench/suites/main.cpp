@@ -32,7 +32,7 @@ using design::RecordDesignRequest;
 using design::SearchRange;
 using design::SuitePoint;
 
-/// What the docs promise.
+/// The accuracy that the docs promise.
 constexpr double largest_excess = 1e-4;
 
 double processor_seconds() {
@@ -79,7 +79,7 @@ bool compare_with_dense_scans(const std::vector<NamedSuite>& all) {
   return good;
 }
 
-/// Where the best of a notch's values lies is looked for between its neighbours so often.
+/// The best of a notch's values is refined between its neighbours this often.
 constexpr int refinements = 3;
 
 double objective_of(const std::optional<RecordDesign>& design) {
@@ -87,7 +87,7 @@ double objective_of(const std::optional<RecordDesign>& design) {
 }
 
 /// The best design with a notch made by `notch` from any of `values`, which rise, or from one
-/// between two of them; empty where none was found.
+/// between two of them; empty if none was found.
 std::optional<RecordDesign> best_of(const std::vector<double>& values,
                                     const std::function<RecordDesignRequest(double)>& notch) {
   std::map<double, std::optional<RecordDesign>> tried;

@@ -26,7 +26,7 @@ SuiteRecord times(double scale, SuiteRecord record) {
   return record;
 }
 
-/// So many half-waves of a sine of 0.4 g, sampled, and a second of quiet.
+/// That many half-waves of a sine of 0.4 g, sampled, and a second of rest.
 SuiteRecord sine(double seconds, int half_waves) {
   constexpr int samples = 200;
   Record record;

@@ -21,8 +21,8 @@ struct NamedSuite {
 /// "holds 0.1 g"
 [[nodiscard]] std::string notch_words(const design::RecordDesignRequest& request);
 
-/// Of the two synthetic records in `folder`, of pulses and of both scaled, with two variables and
-/// with three; and where there are `recorded` files, of those.
+/// Suites of the two synthetic records in `folder`, of pulses, and of both scaled, with two
+/// variables and with three; and if there are `recorded` files, of those.
 [[nodiscard]] std::vector<NamedSuite> suites(const std::string& folder,
                                              const std::vector<std::string>& recorded);
 

@@ -22,7 +22,7 @@ std::string flags(std::string_view separator, Holds holds) {
 }
 
 /// The text of a description in [brackets], or of a message between colons, within single quotes: a
-/// quote ends them, stands escaped and begins them anew.
+/// quote ends them, is escaped, and begins them anew.
 std::string in_zsh(std::string_view text) {
   return escaped(escaped(text, "[]:\\", "\\"), "'", "'\\'");
 }

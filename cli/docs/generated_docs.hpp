@@ -3,14 +3,14 @@
 
 #include <string>
 
-/// What is made from the one table of options or by the library, so that it cannot drift from the
-/// program.
+/// Documents generated from the table of options or by the library, so that they cannot drift from
+/// the program.
 namespace stillpoint::cli {
 
 /// The manual page stillpoint(1), in roff.
 [[nodiscard]] std::string man_page();
 
-/// What a shell is to know of the commands and options.
+/// Completions of the commands and options for a shell.
 [[nodiscard]] std::string bash_completion();
 [[nodiscard]] std::string zsh_completion();
 [[nodiscard]] std::string fish_completion();

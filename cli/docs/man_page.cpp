@@ -14,7 +14,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A line of plain text as roff has it: no character is a request, a hyphen is a minus.
+/// A line of plain text in roff: no character is a request, a hyphen is a minus.
 std::string roff(std::string_view text) {
   static const std::map<char, std::string_view> escapes{
       {'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
@@ -26,7 +26,7 @@ std::string roff(std::string_view text) {
   return result.starts_with('.') ? "\\&" + result : result;
 }
 
-/// Lines that stay as they are.
+/// Lines that are not filled.
 std::string verbatim(std::string_view text) {
   std::string block = ".PP\n.EX\n";
   while (!text.empty()) {

@@ -43,7 +43,7 @@ template <class TextOf>
   return names;
 }
 
-/// What the option's value can be, with blanks between; "" where it is free.
+/// The possible values of the option, separated by blanks; "" if any value is allowed.
 [[nodiscard]] inline std::string value_names(const Option& option) {
   return fmt::format("{}", fmt::join(option.traits.values, " "));
 }

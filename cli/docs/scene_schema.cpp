@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A number, and in a text a number with its unit.
+/// A number, or a string with a number and its unit.
 ordered_json number_type(Dimension dimension) {
   if (dimension == Dimension::none) {
     return {{"type", "number"}};
@@ -68,14 +68,14 @@ ordered_json type_of(const Option& option) {
     case OptionKind::axis:
       break;
   }
-  assert(false && "an option of the table is no axis by itself");
+  assert(false && "an option of the table is not an axis by itself");
   return {};
 }
 
-/// "; may carry a unit: m, cm or mm"
+/// "; may have a unit: m, cm or mm"
 std::string units_text(const Option& option) {
   const std::string names = records::unit_names(option.traits.dimension);
-  return names.empty() ? "" : "; in a text it may carry its unit: " + names;
+  return names.empty() ? "" : "; in a string it may have a unit: " + names;
 }
 
 ordered_json described(const Option& option) {

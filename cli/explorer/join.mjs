@@ -12,7 +12,7 @@ const files = (/** @type {string} */ folder, /** @type {string} */ ending) =>
   readdirSync(folder)
     .filter((name) => name.endsWith(ending))
     .sort();
-/** Without what only its readers need: the blanks that lines begin with, and lines that are a comment alone. */
+/** Without what only readers need: indentation and lines that are only a comment. */
 const stripped = (/** @type {string} */ text) =>
   text
     .split("\n")

@@ -61,7 +61,7 @@ std::unique_ptr<answers::Answer> answer(Command command, const Settings& setting
     case Command::explore:
       break;
   }
-  throw UsageError(fmt::format("{}: is for the program alone", name(command)));
+  throw UsageError(fmt::format("{}: works only on the command line", name(command)));
 }
 
 }  // namespace stillpoint::cli

@@ -21,7 +21,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// Says so beforehand where the motion takes minutes, which needs a raised limit.
+/// Warns beforehand if the motion takes minutes, which needs a raised limit.
 Simulation free_simulation(SimulationRequest request) {
   constexpr double half_cycles_per_minute = 4e9;
   const auto limit = std::exchange(request.half_cycle_limit, {});
@@ -32,7 +32,7 @@ Simulation free_simulation(SimulationRequest request) {
   } catch (const TooManyHalfCycles& excess) {
     const double minutes = excess.bound().value_or(0) / half_cycles_per_minute;
     if (minutes > 2 && excess.bound() <= limit) {
-      remark(fmt::format("up to {:.3g} half-cycles: this may take some {:.3g} minutes",
+      remark(fmt::format("up to {:.3g} half-cycles: this may take about {:.3g} minutes",
                          *excess.bound(), minutes));
     }
   }
@@ -40,7 +40,7 @@ Simulation free_simulation(SimulationRequest request) {
   return simulate(request);
 }
 
-/// A forced run is watched over; a free one has a limit.
+/// A forced run can be interrupted; a free one has a limit.
 Simulation watched(const SimulationRequest& request) {
   if (!is_forced(request)) {
     return free_simulation(request);
@@ -48,7 +48,7 @@ Simulation watched(const SimulationRequest& request) {
   const double end = request.t_end.value_or(0);
   Progress progress([end](double tau, double) { return report::progress_in_tau(tau, end); }, end);
   double reached = 0;
-  // A trajectory up to t_end comes first. It is too long for its limit before it takes minutes.
+  // A trajectory up to t_end comes first. It exceeds its limit before it takes minutes.
   bool traced = !(request.t_end && request.samples);
   Simulation answer = simulate(request, [&](double tau) {
     traced = traced || tau < reached;

@@ -12,15 +12,15 @@ namespace stillpoint::cli {
 using answers::ExitCode;
 using enum answers::ExitCode;
 
-/// Runs a command that has settings and hands what it has to say to `output`, uncommitted. Wrong
-/// input leaves as an exception. A sweep sends its rows to their file or to standard output as they
-/// are computed; its exception says which of them are kept.
+/// Runs a command that has settings and puts its output into `output`, uncommitted. Wrong input
+/// throws. A sweep sends its rows to their file or to standard output as they are computed; its
+/// exception says which of them are kept.
 ExitCode run(Command command, const Settings& settings, Output& output);
 
-/// Those with a file of their own.
+/// Those with their own file.
 ExitCode run_record_design(const Settings& settings, Output& output);
 ExitCode run_sweep(const Settings& settings, Output& output);
-/// Joins the parts of a sweep, and those of a design, where `shown` says how to show it.
+/// Joins the parts of a sweep, and those of a design; `shown` says how to show the design.
 ExitCode run_merge(const MergeFiles& files, Output& output);
 ExitCode run_design_merge(const MergeFiles& files, const Settings& shown, Output& output);
 ExitCode run_accuracy(const Settings& settings, Output& output);

@@ -27,7 +27,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A scene may serve several commands; what this one does not use is said, not passed over.
+/// A scene may serve several commands; a note names the keys that this one does not use.
 void note_unused(const Settings& scene, const Settings& settings, Command command) {
   for (const auto& [option, entry] : scene.entries()) {
     if (!find_option(option)->serves(command) || !settings.has(option)) {
@@ -43,7 +43,8 @@ void explore(const std::optional<std::string>& wanted, Output& output) {
   }
   const std::optional<std::string> page = report::explorer();
   if (!page) {
-    throw UsageError("explore: the page is not installed: ./dev explorer in the source makes it");
+    throw UsageError(
+        "explore: the page is not installed: ./dev explorer in the source directory makes it");
   }
   if (wanted == "path") {
     output.print(*page + "\n");
@@ -77,11 +78,11 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
   }
   if (settings.flag("quiet")) {
     if (settings.flag("verbose")) {
-      throw UsageError("quiet and verbose exclude each other: give one of them");
+      throw UsageError("quiet and verbose cannot be combined: give one of them");
     }
     hush();
   }
-  // What --open needs, before anything long is done: a browser, and a page for it.
+  // Checks what --open needs before anything long is done: a browser, and a page for it.
   const bool opens = settings.flag("open") && find_option("open")->serves(invocation.command);
   const std::vector<std::string> opener = opens ? report::browser() : std::vector<std::string>();
   std::optional<report::TemporaryPage> temporary;

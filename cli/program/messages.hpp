@@ -5,14 +5,15 @@
 
 namespace stillpoint::cli {
 
-/// From here on standard error gets nothing but errors. For --quiet.
+/// From now on only errors go to standard error. For --quiet.
 void hush();
 [[nodiscard]] bool hushed();
 
 /// An error, on standard error, as one line.
 void say(const std::string& text);
 
-/// What is not an error: "note: ..." or "warning: ...". Not after hush, and nothing of no text.
+/// What is not an error: "note: ..." or "warning: ...". Not after hush, and nothing for an empty
+/// text.
 void remark(const std::string& text);
 
 }  // namespace stillpoint::cli

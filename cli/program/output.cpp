@@ -25,7 +25,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// The options that make the numbers, as a scene.
+/// The options that decide the numbers, as a scene.
 std::string scene_of(const Settings& settings, Command command) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
   for (const auto& [name, entry] : settings.entries()) {

@@ -20,8 +20,8 @@ using sweep::Output;
 /// The document as text for the terminal, under the title of the settings.
 [[nodiscard]] std::string shown(const report::Document& document, const Settings& settings);
 
-/// The report on standard output: JSON where it was asked for, else the document; and where
-/// `print` is false nothing. Each is made only if wanted.
+/// The report on standard output: JSON if asked for, else the document; nothing if `print` is
+/// false. Each is made only if wanted.
 template <class Report>
 void print_report(const Report& report, const Settings& settings, Output& output,
                   bool print = true) {
@@ -45,16 +45,16 @@ void print_report(const Report& report, const Settings& settings, Output& output
 /// Whether --html or --svg asks for a page or its figures.
 [[nodiscard]] bool wants_page(const Settings& settings);
 
-/// Makes the directory of --svg and checks that --html can be written, so that no long run is in
-/// vain. Throws InputError and FileError.
+/// Makes the directory of --svg and checks that --html can be written, so that no long run is
+/// wasted. Throws InputError and FileError.
 void prepare_page(const Settings& settings);
 
-/// Writes the page, with the title and the input that `settings` have, and each figure alone, where
-/// they are asked for. Throws InputError and FileError.
+/// Writes the page, with the title and the input from `settings`, and each figure alone, if they
+/// are asked for. Throws InputError and FileError.
 void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output);
 
-/// The page where it was asked for, and the report; where `print` is false only its file. Returns
-/// the report's exit code.
+/// The page if asked for, and the report; if `print` is false, only its file. Returns the report's
+/// exit code.
 template <class Report>
 answers::ExitCode finish(const Report& report, Command command, const Settings& settings,
                          Output& output, bool print = true) {

@@ -30,7 +30,8 @@ void note_interrupt(int /*signal*/) {
   interrupt_seen = true;
 }
 
-/// What handled an interrupt before. One that comes once this one does is not forgotten.
+/// The previous handler of interrupts. An interrupt that comes after this one is installed is not
+/// lost.
 auto handle_interrupts() {
   interrupt_seen = false;
   return std::signal(SIGINT, note_interrupt);
@@ -93,7 +94,7 @@ void Progress::announce_minutes(double done) {
   announced_ = true;
   const double left_s = end_ > 0 ? seconds_left(done, seconds) : 0;
   if (left_s > long_s) {
-    fmt::print(stderr, "stillpoint: {}: some {:.0f} minutes to go\n", line_(done, seconds),
+    fmt::print(stderr, "stillpoint: {}: about {:.0f} minutes to go\n", line_(done, seconds),
                left_s / 60);
   }
 }

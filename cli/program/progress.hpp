@@ -15,11 +15,11 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Watches over a long run: a line on standard error when that is a terminal, and an interrupt that
-/// ends the run instead of the program. One at a time.
+/// Watches a long run: shows a line on standard error if that is a terminal, and lets an interrupt
+/// end the run instead of the program. Only one may exist at a time.
 class Progress {
  public:
-  /// The line for what is done, after so many seconds. The time left is added to it.
+  /// The line for what is done, after this many seconds. The time left is added to it.
   using Line = std::function<std::string(double done, double seconds)>;
 
   /// `end`: what is done at the end, 0 if that is not known; `begun_with`: what was done before.
@@ -30,7 +30,7 @@ class Progress {
   Progress& operator=(Progress&&) = delete;
   ~Progress();
 
-  /// To be asked now and then, with what is done: false after an interrupt.
+  /// To be called now and then, with what is done: false after an interrupt.
   [[nodiscard]] bool goes_on(double done);
   /// If no terminal shows the line, says once, after the first second, that the run will take
   /// minutes.

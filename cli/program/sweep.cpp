@@ -23,7 +23,7 @@ using sweep::SweepEnd;
 using sweep::SweepSpec;
 using sweep::SweepSummary;
 
-/// What the user can do about an error, now that `left` is there.
+/// What the user can do about an error, given what is `left`.
 std::string advice(const std::exception& error, const sweep::LeftRows& left) {
   const auto* const file = dynamic_cast<const records::FileError*>(&error);
   if (file == nullptr || left.file.empty()) {
@@ -87,7 +87,7 @@ report::ReductionReport reduction_report(const SweepSpec& spec) {
 std::optional<report::ReductionReport> find_reduced_part(const SweepSpec& spec) {
   if (!spec.part) {
     if (spec.resume) {
-      throw UsageError("resume and reduce exclude each other: split the sweep with --part");
+      throw UsageError("resume and reduce cannot be combined: split the sweep with --part");
     }
     return std::nullopt;
   }
@@ -100,7 +100,7 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   const auto& [spec, summary, map] = report;
   if (spec.reduction) {
     if (wants_page(settings)) {
-      throw UsageError("reduce and a page exclude each other: a map shows the rows");
+      throw UsageError("reduce and a page cannot be combined: a map shows the rows");
     }
     print_report(reduction_report(spec), settings, output);
     return exit_done;
@@ -112,7 +112,7 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   }
   if (wants_page(settings)) {
     if (spec.part) {
-      throw UsageError("part and a page exclude each other: a map shows a whole sweep");
+      throw UsageError("part and a page cannot be combined: a map shows a whole sweep");
     }
     report.map.emplace(spec);
     prepare_page(settings);

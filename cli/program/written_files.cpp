@@ -16,7 +16,7 @@ namespace {
 
 using sweep::NamedFile;
 
-/// What the options that `use` a file name for this command.
+/// The files that the options with this `use` name for this command.
 std::vector<NamedFile> files(Command command, const Settings& settings, FileUse use) {
   std::vector<NamedFile> files;
   for (const Option& option : options()) {

@@ -8,7 +8,7 @@
 
 namespace stillpoint::cli {
 
-/// Throws records::FileError where a file that `command` would write is one that it reads (scene,
+/// Throws records::FileError if a file that `command` would write is one that it reads (scene,
 /// record, list), is to be written twice, or belongs to a sweep that is running. Links are
 /// followed; a device or a pipe may be written to any number of times. `scene` is a path, or "-"
 /// for standard input.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""suite.py RECORD...: one damper for a suite of acceleration records, and what each record does to it."""
+"""suite.py RECORD...: one damper for a suite of acceleration records, and its motion under each record."""
 
 import sys
 

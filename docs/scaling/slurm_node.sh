@@ -4,7 +4,7 @@
 #   slurm_node.sh start DIR      then: export SLURM_CONF=DIR/slurm.conf
 #   slurm_node.sh stop DIR
 #
-# On Debian it needs slurm-wlm. Two clusters at once need ports of their own, SLURM_TRIAL_PORT and the next one.
+# On Debian it needs slurm-wlm. Two clusters at once need different ports, SLURM_TRIAL_PORT and the next one.
 set -eu
 action=$1
 dir=$(realpath -m "$2")

@@ -11,7 +11,7 @@
 
 namespace stillpoint::browser_test {
 
-/// Of what is drawn with two decimals, at some 0.7 to 1.2 pixels a unit.
+/// For what is drawn with two decimals, at about 0.7 to 1.2 pixels per unit.
 constexpr double pixel_tolerance = 0.5;
 
 inline void check_near(const nlohmann::json& seen, const nlohmann::json& due, double tolerance) {
@@ -62,7 +62,7 @@ void for_each_ticked_figure(const Check& check) {
 /// An axis by its ticks, as a reader takes it: pixels = slope * value + origin, or of log10(value).
 class TickedAxis {
  public:
-  /// Of "x" or "y" in a state of a figure.
+  /// For "x" or "y" in a state of a figure.
   TickedAxis(const nlohmann::json& state, const std::string& axis)
       : logarithmic_(state["scales"][axis == "x" ? 0 : 1] == "logarithmic") {
     nlohmann::json first;

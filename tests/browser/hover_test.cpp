@@ -13,7 +13,7 @@ using nlohmann::json;
 constexpr double five_digits = 5e-5;          // of the values under the pointer
 constexpr double region_samples = 2.5;        // pixels from a point of a curve to its next sample
 constexpr double motion_samples = 12;         // the same, of 60 samples a period
-constexpr double hundredth_of_a_unit = 1e-3;  // two decimals of some 300 units, of values near 1
+constexpr double hundredth_of_a_unit = 1e-3;  // two decimals of about 300 units, for values near 1
 
 /// "centred after 7–15" for instance, of 15 half-cycles and a rest at x = 0.
 bool is_named(const MapRow& row, const std::string& name) {

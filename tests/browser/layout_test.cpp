@@ -7,8 +7,8 @@
 #include <cmath>
 #include <regex>
 
-// What any page must keep to: no complaint, nothing beside the window, no text on another, all of
-// it legible in both schemes of colours.
+// Rules for every page: no errors, nothing outside the window, no overlapping text, everything
+// legible in both colour schemes.
 
 namespace {
 

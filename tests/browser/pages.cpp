@@ -149,7 +149,7 @@ double millimetres(const json& report) {
 }
 
 std::vector<MapRow> map_rows() {
-  constexpr std::size_t every = 37;  // all columns and rows get their turn
+  constexpr std::size_t every = 37;  // all columns and rows are visited
   const auto table = cli_test::read_csv(pages().sandbox.read("map.csv"));
   std::vector<MapRow> rows;
   for (std::size_t i = 0; i < table.rows.size(); i += every) {

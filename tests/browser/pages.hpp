@@ -24,8 +24,9 @@ struct Pages {
 
 enum class Scheme { light, dark };
 
-/// What probe.js saw: [page][look], where a look is "1280" or "400" (the width of the window in
-/// pixels) or "print" (laid out as on paper 700 pixels wide). One run of the browser a scheme.
+/// What probe.js reported: [page][look], where a look is "1280" or "400" (the width of the window
+/// in pixels) or "print" (laid out as on paper 700 pixels wide). One run of the browser per colour
+/// scheme.
 [[nodiscard]] const nlohmann::json& seen(Scheme scheme);
 
 /// Some rows of the sweep that the page "sweep" draws.
@@ -38,10 +39,10 @@ struct MapRow {
 [[nodiscard]] std::vector<MapRow> map_rows();
 
 /// Points of curves and maps that the probe hovers over, by figure; from the reports and closed
-/// forms alone. In the units of the figure.
+/// forms only, in the units of the figure.
 [[nodiscard]] nlohmann::json points_of_interest(const std::string& page);
 
-/// What figures in millimetres multiply dimensionless lengths with.
+/// The factor of figures in millimetres for dimensionless lengths.
 [[nodiscard]] double millimetres(const nlohmann::json& report);
 
 }  // namespace stillpoint::browser_test

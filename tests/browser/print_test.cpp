@@ -13,7 +13,7 @@ namespace {
 
 using namespace stillpoint::browser_test;
 
-/// What a stream of a PDF holds; empty where it is no deflated one.
+/// The contents of a PDF stream; empty if it is not deflated.
 std::string inflated(const std::string& packed) {
   std::string plain(std::size_t{1} << 22U, '\0');
   uLongf size = plain.size();

@@ -20,11 +20,11 @@
     return [(left + right) / 2, (top + bottom) / 2];
   };
 
-  // What goes to whatever lies on top at the point; whether the page left the rest to the browser.
+  // Sends an event to the topmost element at the point; returns whether the page left the default to the browser.
   const point = (kind, type, [x, y], more = {}) => document.elementFromPoint(x, y).dispatchEvent(
     new kind(type, {clientX: x, clientY: y, bubbles: true, cancelable: true, ...more}));
 
-  // What lies evenly along an axis.
+  // Values spaced evenly along an axis.
   const scales = svg => svg.dataset.scales.split(' ');
   const even = {linear: value => value, logarithmic: Math.log10};
 
@@ -72,7 +72,7 @@
 
   // Far in about the anchor, some way to the side, back again.
   const zooming = (svg, anchor) => {
-    anchor = anchor.map(Math.round);  // a wheel knows whole pixels alone
+    anchor = anchor.map(Math.round);  // a wheel has only whole pixels
     const seen = {anchor, before: state(svg)};
     seen.taken_without_key = wheel(anchor, -100, false);
     seen.without_key = state(svg);
@@ -86,7 +86,7 @@
     seen.dragged = state(svg);
     hover(svg, middle);
     seen.let_go = state(svg);
-    point(PointerEvent, 'pointerdown', middle, {buttons: 1});  // and let go outside of the window
+    point(PointerEvent, 'pointerdown', middle, {buttons: 1});  // and released outside the window
     hover(svg, anchor);
     seen.lost = state(svg);
     point(PointerEvent, 'pointerup', middle);
@@ -115,7 +115,7 @@
       tick.due = tick.axis === 'x' ? place([tick.value, 1])[0] : place([1, tick.value])[1];
     seen.texts = [...svg.querySelectorAll('text')].map(word => {
       const style = getComputedStyle(word);
-      const note = word.closest('.plot');  // which cuts off what goes beyond it
+      const note = word.closest('.plot');  // which clips what goes beyond it
       const [left, top] = part([0, 1]), [right, bottom] = part([1, 0]);
       const pixels = parseFloat(style.fontSize) * (seen.box.right - seen.box.left) / svg.viewBox.baseVal.width;
       return {...text(word, style.fill), pixels, rim: note ? style.stroke : 'none',

@@ -30,7 +30,7 @@ inline nlohmann::json place(const Readout& readout, const nlohmann::json& state)
   return {TickedAxis(state, "x").place(readout.x), TickedAxis(state, "y").place(readout.y)};
 }
 
-/// The values shown lie within so many pixels of the pointer, and so does the ring about them.
+/// The values shown are within this many pixels of the pointer, and so is the ring around them.
 inline std::optional<Readout> check_shown(const nlohmann::json& hover, const nlohmann::json& state,
                                           double pixels) {
   auto readout = parsed(hover["readout"]);

@@ -8,7 +8,7 @@ namespace {
 using namespace stillpoint::browser_test;
 using nlohmann::json;
 
-constexpr double tick_digits_pixels = 0.5;  // what eight digits of ticks leave, and pixels
+constexpr double tick_digits_pixels = 0.5;  // the error of eight-digit ticks, and of pixels
 
 /// The ticks lie on one line for each axis, and all marks where that line says.
 void check_consistent(const json& state) {
@@ -26,7 +26,7 @@ void check_consistent(const json& state) {
   }
 }
 
-/// What lies at a place, by the ticks.
+/// The value at a place, by the ticks.
 json values_at(const json& state, const json& place) {
   return {TickedAxis(state, "x").value(place[0]), TickedAxis(state, "y").value(place[1])};
 }

@@ -6,7 +6,7 @@
 
 #include <array>
 
-// What holds of every design: its cross-check passes, and at the corners of its tolerance box,
+// What holds for every design: its cross-check passes, and at the corners of its tolerance box,
 // under the weakest and the strongest hit and on the softest and the stiffest spring, the simulated
 // mass does what was asked for.
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // What the fuzzers share: numbers from the bytes of an input, a file in memory, and what must hold
-// of every refusal.
+// for every refusal.
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>

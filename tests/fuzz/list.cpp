@@ -27,7 +27,7 @@ void read_entries(const std::string& path, const std::optional<SweepUnits>& unit
     require(values.size() == list.columns().size(), "{} values of {} columns", values.size(),
             list.columns().size());
     for (const double value : values) {
-      require(std::isfinite(value), "the value {} in line {}", value, list.line());
+      require(std::isfinite(value), "the value {} on line {}", value, list.line());
     }
   }
   List again(path, {}, units);

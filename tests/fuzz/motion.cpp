@@ -11,7 +11,7 @@
 #include <limits>
 #include <tuple>
 
-// What holds of every motion: its energy only falls, no change below half of the decision margin
+// What holds for every motion: its energy only falls, no change below half of the decision margin
 // changes how it ends, and a batch has the bits of the scalar kernel.
 
 namespace {

@@ -34,7 +34,7 @@ std::vector<std::string> files_of(std::string_view text) {
 }
 
 /// Puts the place of its seal right, with which a part with rows ends: any other is refused. What
-/// is refused for its digest stays so: that is no protection against intent.
+/// is refused for its digest stays so: that does not protect against intent.
 void seal(std::string& part) {
   constexpr std::size_t digits = 20;
   const std::size_t place = part.rfind("#stillpoint-part ");
@@ -52,7 +52,7 @@ void read_checkpoint(const std::string& path) {
 
 void merge_reductions(const std::vector<std::string>& paths) {
   const report::ReductionReport merged = report::merged(paths);
-  // What is printed holds no number that is not finite, which is an assertion.
+  // What is printed has no number that is not finite; that is an assertion.
   static_cast<void>(text(document(merged)));
   static_cast<void>(json(merged).dump());
 }

@@ -26,7 +26,7 @@ using namespace stillpoint;
 using namespace stillpoint::fuzz;
 using namespace stillpoint::cli;
 
-// What a scene may ask for here, so that an execution takes some milliseconds.
+// The limits of a scene here, so that an execution takes a few milliseconds.
 constexpr double most_half_cycles = 1000;
 constexpr std::int64_t most_samples = 50;
 constexpr std::int64_t most_entries = 30;

@@ -30,7 +30,7 @@ const SweepSpec& spec() {
   return spec;
 }
 
-/// What is said again is read again.
+/// What is printed reads back as the same value.
 void read_number(std::string_view text) {
   const double value = records::parse_number(field, text);
   require(std::isfinite(value), "a number that is not finite: {}", value);

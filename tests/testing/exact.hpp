@@ -5,7 +5,7 @@
 
 namespace stillpoint::test {
 
-/// 50 digits, what the tests hold doubles against.
+/// 50 digits, the reference of doubles in the tests.
 using Exact = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;

@@ -16,7 +16,7 @@ inline End end_of(const Scene<double>& scene) {
   return as_run(response(scene, {.times = false, .margin = false})).end;
 }
 
-/// `scene` with `input` moved from its value towards `far` to the first change of the end that
+/// `scene` with `input` moved from its value towards `far` to the first change of the outcome that
 /// bisection finds: the nearest double on the near side. Empty if the ends are equal.
 inline std::optional<Scene<double>> edge(Scene<double> scene, double Scene<double>::*input,
                                          double far) {

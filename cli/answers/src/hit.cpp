@@ -7,7 +7,7 @@ namespace stillpoint::answers {
 
 namespace {
 
-/// What the finding does with the notch to be built. Under a pulse it is that of the velocity and
+/// The finding's motion with the notch to be built. Under a pulse it is that of the velocity and
 /// the period that were checked.
 std::optional<design::BuiltNotch> built(const DesignTask& task,
                                         const design::DesignResult& result) {

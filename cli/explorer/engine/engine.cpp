@@ -10,14 +10,17 @@
 #include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/design/problem.hpp>
 #include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <string>
 #include <type_traits>
@@ -37,7 +40,7 @@ bool always() {
   return true;
 }
 
-/// A text is read as on the command line, anything else as in a scene.
+/// A string is read as on the command line, anything else as in a scene.
 Settings given(Command command, const json& options) {
   Settings texts;
   json scene = json::object();
@@ -77,12 +80,29 @@ ordered_json said_of(const Report& report, const json& wanted) {
           {"figures", drawn}};
 }
 
-/// Suites of records and sweeps are for the program alone.
+// A page waits for its answer: both take less than a second.
+constexpr double most_half_cycles = 1e6;  // in a notch with a width
+constexpr std::int64_t most_arrivals = 100;
+
+Settings within_limits(Settings settings) {
+  if (const auto arrivals = settings.integer("arrivals"); arrivals > most_arrivals) {
+    throw InputError("arrivals", fmt::format("{}", *arrivals),
+                     fmt::format("must be at most {} on this page; the program takes {}",
+                                 most_arrivals, design::most_arrivals));
+  }
+  if (!settings.has("half-cycle-limit")) {
+    settings.set(*find_option("half-cycle-limit"), most_half_cycles);
+  }
+  return settings;
+}
+
+/// Suites of records and sweeps need the installed program.
 ordered_json said_by(Command command, const Settings& settings, const json& wanted) {
   switch (command) {
     case Command::design:
       if (settings.has("record") || settings.has("records-list")) {
-        throw UsageError("a design under records is for the program: stillpoint design --record");
+        throw UsageError(
+            "a design under records needs the installed program: stillpoint design --record");
       }
       return said_of(answers::answer(design_input(settings)), wanted);
     case Command::region:
@@ -90,14 +110,14 @@ ordered_json said_by(Command command, const Settings& settings, const json& want
     case Command::simulate:
       return said_of(motion_report(settings, always), wanted);
     default:
-      throw UsageError(fmt::format("{} is for the program alone", name(command)));
+      throw UsageError(fmt::format("{} works only on the command line", name(command)));
   }
 }
 
 ordered_json run(const json& request) {
   const auto wanted = request.at("command").get<std::string>();
   const Command command = parse<Command>(wanted).value_or(Command::init);
-  const Settings settings = given(command, request.at("options"));
+  const Settings settings = within_limits(given(command, request.at("options")));
   ordered_json answer = said_by(command, settings, request.at("figures"));
   answer["doubts"] = doubts(settings, command);
   return answer;
@@ -116,7 +136,7 @@ void motion(const json& options, int points) {
   }
 }
 
-/// As free_batch answers, without its lanes, which are a tenth of all code here.
+/// The results of free_batch, without its lanes, which would be a tenth of all code here.
 void batch(const json& options, std::size_t size, const double* columns) {
   const Settings settings = given(Command::simulate, options);
   const MotionInput input = motion_input(settings, Command::simulate, true);
@@ -134,7 +154,7 @@ void batch(const json& options, std::size_t size, const double* columns) {
   }
 }
 
-/// The text that `work` returns; what is wrong with the input as {"error": ...}.
+/// The text that `work` returns; wrong input as {"error": ...}.
 template <class Work>
 const char* answered(const Work& work) {
   try {

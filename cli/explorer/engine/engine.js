@@ -1,5 +1,5 @@
 // The engine of the page, see page/engine.d.ts. `createModule` and `stillpointWasm`, the bytes of the
-// WebAssembly, come before it in what join.mjs joins.
+// WebAssembly, come before it in the file that join.mjs writes.
 
 /** @returns {Promise<Engine>} */
 async function createEngine() {

@@ -1,5 +1,5 @@
-// What NLopt calls of algorithms that no design can ask for (nlopt_algorithms() has those that it can): half of its
-// code, and a table of 130 kB.
+// Functions that NLopt calls for algorithms that no design can request (nlopt_algorithms() lists those that it
+// can): half of its code, and a table of 130 kB.
 mergeInto(
   LibraryManager.library,
   Object.fromEntries(

@@ -88,7 +88,7 @@ function digits(value, count = 5) {
 }
 
 /**
- * A value in its SI unit as one reads it: 0.1374 m are 137.4 mm.
+ * A value in SI units in a readable form: 0.1374 m is 137.4 mm.
  * @param {number} value
  * @param {string} unit
  * @param {number} count significant digits
@@ -103,7 +103,7 @@ function words(value, unit, count = 5) {
   return `${digits(value / factor, count)} ${name}`;
 }
 
-/** Writes a text where it is another: even the same one would be laid out anew. @param {HTMLElement} node @param {string} text */
+/** Writes a text only if it differs: even the same one would be laid out anew. @param {HTMLElement} node @param {string} text */
 function write(node, text) {
   if (node instanceof HTMLInputElement) {
     if (node.value !== text) node.value = text;

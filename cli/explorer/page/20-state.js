@@ -38,7 +38,7 @@ const known = [...dimensionless_only, ...physical_only, ...either, ...damper_opt
 /** Each stands for the stiffness of the spring. */
 const spring_options = ["period", "natural-frequency", "stiffness"];
 
-/** What a command does not take. */
+/** Options that a command does not take. */
 const foreign = /** @type {Record<string, string[]>} */ ({
   design: ["f", "delta", "delta-m", "hold"],
   region: ["notch-width", "notch-width-m", "hold", "objective", "algorithm"],
@@ -63,7 +63,7 @@ function without(options, names) {
 }
 
 /**
- * What a command is given of the state.
+ * The part of the state that a command is given.
  * @param {"design" | "region"} command
  * @param {Options} options
  */
@@ -112,7 +112,7 @@ function motion_options(options, report, damper) {
   one("period", physical.period_s);
   one("velocity", physical.velocity_m_per_s);
   if (damper.hit !== null) {
-    // The length unit goes with the velocity, so the damper that is built is given in metres.
+    // The length unit depends on the velocity, so a damper that is already built is given in metres.
     delete result.delta;
     result["delta-m"] = String(physical.delta_m);
     result.velocity = String(damper.hit);
@@ -143,7 +143,7 @@ function to_plain(options, { input }, damper) {
 }
 
 /**
- * The same task with units. Any length unit is the same motion; this one has the period of a
+ * The same task with units. Any length unit gives the same motion; this one has the period of a
  * building on isolators.
  * @param {Options} options
  * @param {any} report of the task
@@ -196,7 +196,7 @@ function from_fragment(fragment) {
       name = decodeURIComponent(name);
       value = decodeURIComponent(value);
     } catch {
-      // Not encoded, or badly: taken as it stands.
+      // Not encoded, or badly: taken as it is.
     }
     name = name.replaceAll("_", "-");
     if (known.includes(name) && value !== "") options[name] = value;
@@ -206,7 +206,7 @@ function from_fragment(fragment) {
 }
 
 /**
- * A scene of data/scenes as options; nothing where it is about something that this page does not show.
+ * A scene of data/scenes as options; nothing if it is about something that this page does not show.
  * @param {Record<string, string | number | Array<string | number>>} scene
  */
 function from_scene(scene) {

@@ -4,7 +4,7 @@
 
 /** @typedef {{ least: number, most: number, label: string }} Axis */
 
-/** @param {Axis} axis @param {number} count about so many */
+/** @param {Axis} axis @param {number} count about this many */
 function ticks(axis, count) {
   const rough = (axis.most - axis.least) / count;
   const power = 10 ** Math.floor(Math.log10(rough));

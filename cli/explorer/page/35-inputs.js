@@ -88,7 +88,7 @@ const dimensionless_fields = [
   },
   {
     name: "v0",
-    label: "hit velocity V₀",
+    label: "velocity of the hit V₀",
     least: 0,
     most: 5,
     two: true,
@@ -158,7 +158,7 @@ function slider_place({ least, most, log }, value) {
   return Math.min(1, Math.max(0, at));
 }
 
-/** The number that a slider writes: short, and in the unit that one would use. @param {Field} field @param {number} value */
+/** The number that a slider writes: short, and in the usual unit. @param {Field} field @param {number} value */
 function slider_text(field, value) {
   if (field.name === "arrivals") return String(Math.round(value));
   const short = (/** @type {number} */ x) => String(Number(x.toPrecision(3)));
@@ -167,7 +167,7 @@ function slider_text(field, value) {
   return short(value) + field.unit;
 }
 
-/** What takes the place of an option when it is written. @param {string} name */
+/** The options that an option replaces when it is written. @param {string} name */
 function rivals(name) {
   if (spring_options.includes(name)) return spring_options;
   if (name === "residual-m") return ["residual"];

@@ -15,7 +15,7 @@ class Fields {
   }
 
   /**
-   * Shows these options; the report, where there is one, says what they amount to.
+   * Shows these options; the report, if there is one, gives their values.
    * @param {Options} options
    * @param {any} report
    */
@@ -91,7 +91,7 @@ class Fields {
         max: name === "arrivals" ? String(field.most - field.least) : String(slider_steps),
         "aria-label": two ? `${label}, ${end === "low" ? "weakest" : "strongest"}` : label,
       });
-      if (two && end === "low") slider.setAttribute("title", "pull it away for a range of hits");
+      if (two && end === "low") slider.setAttribute("title", "drag it away for a range of hits");
       slider.addEventListener("input", () => this.slid(field, end, false));
       slider.addEventListener("change", () => this.slid(field, end, true));
       slide.append(slider);
@@ -130,7 +130,7 @@ class Fields {
         const rest = without(options, [field.name, ...rivals(field.name)]);
         if (field.absent_at_least && place("low") === 0) return rest;
         if (!field.two) return { ...rest, [field.name]: one("low") };
-        // Two handles that lie together move together, unless the lower one is pulled down.
+        // Two handles at the same place move together, unless the lower one is dragged down.
         const was_range = (options[field.name] ?? "").includes(":");
         if (!was_range && end === "high") return { ...rest, [field.name]: one("high") };
         const low = Math.min(place("low"), place("high"));
@@ -184,7 +184,7 @@ class Fields {
     );
   }
 
-  /** Of a field that no report gives back: in metres, or as it stands. @param {string | undefined} text */
+  /** For a field that no report returns: in metres, or as given. @param {string | undefined} text */
   number_of(text = "") {
     const value = parseFloat(text);
     if (Number.isNaN(value)) return null;

@@ -3,7 +3,7 @@
 "use strict";
 
 /**
- * What is said where a condition is violated: what goes wrong, and the bound.
+ * The sentence for a violated condition: what goes wrong, and the bound.
  * @param {any} constraint
  * @param {any} report
  * @returns {Part[]}
@@ -37,11 +37,11 @@ function broken_words(constraint, report) {
     case "stop":
       return ["The notch is too weak: the mass passes x = 0 and goes on.", ...need];
     case "residual":
-      return ["The mass may rest farther out than the residual allows.", ...need];
+      return ["The mass may rest farther off centre than the residual allows.", ...need];
     case "f_max":
-      return ["More friction than can be made.", ...need];
+      return ["More friction than can be manufactured.", ...need];
     case "delta_max":
-      return ["A stronger notch than can be made.", ...need];
+      return ["A stronger notch than can be manufactured.", ...need];
     default:
       return [`The condition on the ${String(name).replaceAll("_", " ")} is violated.`, ...need];
   }

@@ -100,7 +100,7 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
     {
       ...portrait,
       title: "Where the energy goes",
-      name: "Energy over time: what is left, and what friction and notch took.",
+      name: "Energy over time: what is left, and what friction and the notch have taken.",
     },
   );
   const line = (/** @type {Float64Array} */ list) => plot.line(times, scaled(list));
@@ -117,7 +117,7 @@ function draw_energy({ t, most }, motion, { p, f }, units) {
     plot.add(`curve ${look}`, line(upper));
   }
   const now = plot.add("now-line", `M0 0V${plot.height}`);
-  // The way is a sum over the instants, so its last digits are wrong: what is below a part in 10^12 is none.
+  // The way is a sum over the instants, so its last digits are wrong: anything below one part in 10^12 counts as 0.
   const by_notch = all - with_friction[count];
   const notch = by_notch > 1e-12 * all ? by_notch : 0;
   const took = all - left[count] - notch;

@@ -236,7 +236,7 @@ class MotionView {
     el("play").textContent = "Play";
   }
 
-  /** In seconds as they pass; where there are none, the whole in a few. @param {number} now */
+  /** In real seconds; without units, the whole motion in a few seconds. @param {number} now */
   step(now) {
     if (!this.playing || !this.drawn) return;
     const passed = this.from ? (now - this.from) / 1000 : 0;

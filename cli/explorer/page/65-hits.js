@@ -6,7 +6,7 @@ const ends_words = /** @type {Record<string, string>} */ ({
   held: "held",
   centred: "centred",
   off_centre: "off centre",
-  alternating: "centred and off centre by turns",
+  alternating: "alternately centred and off centre",
   too_far: "too far",
   never_stops: "never stops",
 });
@@ -26,7 +26,7 @@ class HitsView {
         id: "hit",
         min: "0",
         max: "2000",
-        "aria-label": "velocity of the hit that is tried",
+        "aria-label": "velocity of the hit to try",
       }),
       make("div", { class: "ends", id: "hit-ends" }),
       make("p", { id: "hit-key" }),
@@ -75,7 +75,7 @@ class HitsView {
     fill(el("hit-key"), ...this.keys());
   }
 
-  /** The parts in words, also those that are too narrow for their names; of many, what there is. */
+  /** The parts in words, including those too narrow for their names; if there are many, a summary. */
   keys() {
     const key = (/** @type {string} */ ends, /** @type {Part[]} */ ...limit) =>
       make(

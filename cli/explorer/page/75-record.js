@@ -114,7 +114,7 @@ class RecordView {
           locked !== null && locked !== undefined
             ? "locked from"
             : response.peak_amplitude === 0
-              ? "held all the time"
+              ? "held throughout"
               : "not locked at the end",
           number(locked, time),
           "record-locked",

@@ -6,9 +6,9 @@ const assumptions = [
   "One rigid mass moves in one direction on a linear spring, without viscous damping.",
   "The constant friction is the same at rest and in motion, whatever the speed, the pressure and the temperature. Give their spread as the tolerance.",
   "The notch takes the same energy at every passage through x = 0.",
-  "The hit is a velocity at x = 0, where the mass has left the notch. It holds for pulses that are short against the natural period.",
+  "The hit is a velocity at x = 0, where the mass has left the notch. That is valid for pulses much shorter than the natural period.",
   "Nothing stops the mass at the stroke limit: farther out the motion goes on.",
-  "One hit: each further one starts from the rest of the one before.",
+  "One hit: each later one starts where the mass came to rest after the one before.",
 ];
 
 /**
@@ -158,7 +158,7 @@ function performance_rows({ report, motion }) {
   ]);
 }
 
-/** How hits of each strength end; where that changes many times, between which strengths it does. @param {Sheet} sheet */
+/** How hits of each strength end; if that changes many times, the strengths between which it does. @param {Sheet} sheet */
 function hit_rows({ report }) {
   const { physical, hits } = report;
   const suffix = physical ? "_m_per_s" : "";
@@ -222,7 +222,7 @@ function plate_copy(id) {
   return plate;
 }
 
-/** A text that breaks between its words alone: browsers break after each hyphen too. @param {string} text @returns {Part[]} */
+/** A text that breaks only between words: browsers also break after each hyphen. @param {string} text @returns {Part[]} */
 function whole_words(text) {
   return text
     .split(/(\s+)/)
@@ -243,19 +243,19 @@ function draw_sheet(sheet) {
     ? `Damper chosen by hand; ${admissible ? "it meets every condition" : "it is NOT admissible"}.`
     : options.objective && options.objective !== "robust"
       ? `The best damper for the objective ${options.objective}.`
-      : "Of all dampers, this one tolerates the largest errors of manufacture.";
+      : "Of all dampers, this one tolerates the largest manufacturing errors.";
   fill(
     el("sheet"),
     make(
       "div",
       { class: "leaf" },
       make("h1", {}, title),
-      make("p", {}, `Specification of a damper. ${head}`),
+      make("p", {}, `Damper specification. ${head}`),
       make("h2", {}, "To build"),
       build_rows(sheet),
       make("h2", {}, "What it does"),
       performance_rows(sheet),
-      make("h2", {}, "How hits end"),
+      make("h2", {}, "How the motion ends after other hits"),
       hit_rows(sheet),
       make("div", { class: "plates" }, plate_copy("region"), plate_copy("phase")),
     ),

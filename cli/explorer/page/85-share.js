@@ -22,7 +22,7 @@ async function copy(area) {
     await navigator.clipboard.writeText(area.value);
     el("share-copy").textContent = "Copied";
   } catch {
-    // A page from a file may not be allowed to; what is selected, the reader can copy.
+    // A page from a file may not be allowed to copy; the reader can copy what is selected.
     el("share-copy").textContent = document.execCommand("copy") ? "Copied" : "Press Ctrl+C";
   }
 }

@@ -94,10 +94,10 @@ class AnswerView {
   /** @param {any} design @returns {Part[]} */
   conflict_words({ region, physical, input }) {
     if (String(region.conflict) !== "amplitude,return")
-      return [`No damper will do: ${region.reason}.`];
+      return [`No damper works: ${region.reason}.`];
     const limit = number(input.beta * (physical?.length_unit_m ?? 1), physical ? "m" : "");
     return [
-      "No damper will do. To stay within ",
+      "No damper works. To stay within ",
       limit,
       ", f must be at least ",
       number(region.f2),
@@ -123,7 +123,7 @@ class AnswerView {
         options[name].includes(":")
       )
         return;
-      // On the edge itself one damper is left, without any tolerance: a fiftieth beyond it, there are some.
+      // On the edge itself only one damper is left, without any tolerance: a fiftieth beyond it, there are more.
       const least = name === "max-displacement" || name === "beta" || name === "p";
       const better = Number((value * (least ? 1.02 : 0.98)).toPrecision(3));
       const button = make("button", { type: "button" }, `${title} `, number(better, unit));
@@ -152,7 +152,7 @@ class AnswerView {
   show_judgement({ judged, damper, admissible }) {
     const node = el("judgement");
     node.classList.toggle("broken", !admissible);
-    if (!damper) return fill(node, "The forbidden sides meet; nothing is left between them.");
+    if (!damper) return fill(node, "The forbidden sides meet and leave nothing between them.");
     if (admissible) {
       const served = judged.physical?.works_for_velocity_m_per_s ?? judged.works_for?.v0;
       const range = range_parts(served, judged.physical ? "m/s" : "");

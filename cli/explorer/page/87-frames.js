@@ -3,7 +3,7 @@
 "use strict";
 
 const drawing_time = 5; // ms of the 16 that a frame has; style, layout and paint come after it
-const longest_wait = 200; // ms of what is put off while each frame has a change
+const longest_wait = 200; // ms for postponed work while each frame has a change
 
 class Frames {
   /** @param {(level: number) => void} draw */
@@ -21,7 +21,7 @@ class Frames {
     this.request();
   }
 
-  /** Draws a part when a frame has time; asked for again, it is drawn once. @param {string} part @param {() => void} work */
+  /** Draws a part when a frame has time; if requested again, it is drawn only once. @param {string} part @param {() => void} work */
   put_off(part, work) {
     this.later.set(part, { work, since: this.later.get(part)?.since ?? performance.now() });
     this.request();
@@ -48,14 +48,14 @@ class Frames {
       work();
       drawn = true;
     }
-    // For the tests, and for who looks: the last frames, in the browser's own record of times.
+    // For the tests and for developers: the last frames, in the browser's own record of times.
     if (performance.getEntriesByName("redraw").length > 500) performance.clearMeasures("redraw");
     performance.measure("redraw", { start, end: performance.now(), detail: level });
     if (this.later.size > 0) this.request();
     if (!this.requested) document.body.classList.remove("drawing");
   }
 
-  /** Draws at once what was asked for and what was put off. */
+  /** Draws at once what was requested and what was postponed. */
   finish() {
     const level = this.level;
     this.level = 0;

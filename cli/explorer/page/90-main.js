@@ -159,14 +159,14 @@ class Bench {
 
   /** @param {number} level */
   update(level) {
-    if (this.refusal !== null) level = Level.task; // until it is mended, whatever changes
+    if (this.refusal !== null) level = Level.task; // until it is corrected, whatever changes
     const message = (this.refusal = this.ask(level));
     if (this.finished) this.remember();
     this.finished = false;
     document.body.classList.remove("loading");
     document.body.classList.toggle("stale", message !== null);
     const unknown = this.unknown?.length
-      ? `The link holds what this page does not know: ${this.unknown.join(", ").slice(0, 200)}.`
+      ? `The link has keys that this page does not know: ${this.unknown.join(", ").slice(0, 200)}.`
       : "";
     const doubts = message === null ? this.doubts.map((text) => text.replace("--", "")) : [];
     const notice = [message ?? "", ...doubts, unknown]
@@ -182,14 +182,14 @@ class Bench {
       this.frames.put_off("preset", () => this.show_preset());
     }
     if (message !== null && !this.design) {
-      el("verdict").textContent = "Nothing is computed until that is mended.";
+      el("verdict").textContent = "Nothing is computed until that is corrected.";
       document.body.classList.add("nothing");
     }
     this.fields.blame(message);
     if (message === null) this.show(level);
   }
 
-  /** Asks the engine; what is wrong with the input, or nothing. @param {number} level */
+  /** Asks the engine; returns what is wrong with the input, or nothing. @param {number} level */
   ask(level) {
     const { engine, options } = this;
     if (level === Level.task) {
@@ -223,7 +223,7 @@ class Bench {
     return null;
   }
 
-  /** A damper that is built keeps its length when the unit of length changes with the task. @param {any} next */
+  /** A damper that is already built keeps its length when the unit of length changes with the task. @param {any} next */
   keep_damper(next) {
     const old = this.design?.physical?.length_unit_m;
     const now = next.physical?.length_unit_m;
@@ -296,7 +296,7 @@ class Bench {
     return notch_width === null ? options : { ...options, "notch-width": String(notch_width) };
   }
 
-  /** The stroke below which no damper will do: what a far smaller one would need. */
+  /** The stroke below which no damper works, for a task with a far smaller one. */
   least_stroke() {
     const [name, small] = is_physical(this.options)
       ? ["max-displacement", 0.2 * this.design.physical.max_displacement_min_m]
@@ -346,7 +346,7 @@ class Bench {
     );
   }
 
-  /** A record takes longer than a frame, so it waits until the damper stands still. */
+  /** A record takes longer than a frame, so it waits until the damper stops moving. */
   draw_later() {
     clearTimeout(this.record_timer);
     if (this.record.record) this.record_timer = setTimeout(() => this.draw_record(), 120);
@@ -362,7 +362,7 @@ class Bench {
     return `${judged}\n${run ? command_line("simulate", run) : ""}\n`;
   }
 
-  /** Of the design's hit, whichever is tried. */
+  /** For the design's hit, whichever is tried. */
   draw_sheet() {
     const tried = this.hit;
     this.try_hit(null);

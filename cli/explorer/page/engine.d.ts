@@ -1,4 +1,4 @@
-// What the page knows of the engine, the program compiled to WebAssembly.
+// What the page uses of the engine, the program compiled to WebAssembly.
 
 /** What a command is given: option names without "--", values as text with units. */
 type Options = Record<string, string>;
@@ -11,7 +11,7 @@ interface Figure {
 }
 
 interface Answer {
-  /** The program's exit code: 0, or 3 where no damper is admissible. */
+  /** The program's exit code: 0, or 3 if no damper is admissible. */
   exit: number;
   /** The JSON report. */
   report: any;
@@ -53,7 +53,7 @@ interface Engine {
   batch(options: Options, f: Float64Array, delta: Float64Array, v0: Float64Array): Batch | Refusal;
 }
 
-/** Of Emscripten's module, what engine.js needs. */
+/** The part of Emscripten's module that engine.js needs. */
 interface Module {
   HEAPF64: Float64Array;
   FS: { writeFile(name: string, content: Uint8Array): void; unlink(name: string): void };

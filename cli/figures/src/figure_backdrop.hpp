@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What lies behind the curves of a figure, as SVG.
+// What is behind the curves of a figure, as SVG.
 
 #include "figure_layout.hpp"
 
@@ -13,8 +13,8 @@ namespace stillpoint::figures {
 [[nodiscard]] std::string axes(const Figure& figure, const Layout& layout);
 /// The patterns that hatched areas refer to.
 [[nodiscard]] std::string hatches(const Figure& figure);
-/// The picture of its map. A filter finds what has more red than blue, and is hatched: the
-/// difference must survive print in grey.
+/// The picture of its map. A filter finds colours with more red than blue, which are hatched: the
+/// difference must survive printing in grey.
 [[nodiscard]] std::string map(const Figure& figure, const Layout& layout);
 
 }  // namespace stillpoint::figures

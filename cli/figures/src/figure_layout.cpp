@@ -61,7 +61,7 @@ Layout::Layout(const Figure& figure, double at_least)
       left(std::max(at_least, plot_left(figure))),
       bottom(upper + figure.height),
       axis_words(figure.x.label.empty() ? 6 : 44) {
-  // One value alone says nothing of the scale.
+  // A single value does not show the scale.
   for (int wanted = 4; y.values.size() < 2 && wanted <= 6; ++wanted) {
     y = labelled(figure.y, wanted);
   }

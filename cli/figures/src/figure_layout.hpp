@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where things stand in a figure, in pixels of a figure 450 wide: words of 13 pixels are then
-// larger than 11 on a screen of 400.
+// Where things are in a figure, in pixels of a figure 450 wide: words of 13 pixels are then larger
+// than 11 on a screen 400 wide.
 
 #include <stillpoint/figures/figure.hpp>
 

@@ -9,13 +9,13 @@
 
 namespace stillpoint::figures {
 
-/// The names in figures, each with a sample, in lines of a given width. The same name has one
+/// The names in figures, each with a sample, in lines of a given width. Equal names share one
 /// entry.
 class FigureLegend {
  public:
   explicit FigureLegend(double width) : width_(width) {}
 
-  /// All names but those that stand in the plot.
+  /// All names except those placed in the plot.
   void add(const Figure& figure, const std::set<std::string>& named);
 
   [[nodiscard]] double height() const;

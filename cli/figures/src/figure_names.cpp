@@ -13,13 +13,13 @@ namespace stillpoint::figures {
 namespace {
 
 constexpr double step = 4;  // pixels between places that are tried
-constexpr double edge = 2;  // pixels of the plot where no word stands
+constexpr double edge = 2;  // pixels of the plot kept free of words
 
 Box box_around(const FigurePoint& centre, double width, double height) {
   return {centre.x - width / 2, centre.y - height / 2, centre.x + width / 2, centre.y + height / 2};
 }
 
-/// What covers the least of what is drawn, of places tried one after the other.
+/// The place that covers the least of what is drawn, among places tried one after the other.
 struct Best {
   double cost{std::numeric_limits<double>::infinity()};
   FigurePoint at{};
@@ -82,7 +82,7 @@ class Places {
     return made;
   }
 
-  /// What words rather do not cover, and marks, which they must not.
+  /// What words should not cover, and marks, which they must not.
   void draw() {
     for (const FigureCurve& curve : figure_.curves) {
       for (const auto& stroke : curve.strokes) {
@@ -106,7 +106,7 @@ class Places {
     }
   }
 
-  /// Where the least is drawn; the part that it enlarges stays in sight.
+  /// Where the least is drawn; the part that it enlarges stays visible.
   void inset() {
     if (!figure_.inset) {
       return;
@@ -239,7 +239,7 @@ class Places {
             static_cast<std::int64_t>(at.y / plane_.height * static_cast<double>(map.rows));
         return map.cells[static_cast<std::size_t>(row * map.columns + column)] == entry;
       });
-      found_.named.erase(map.labels[entry]);  // the same number may stand in two colours
+      found_.named.erase(map.labels[entry]);  // the same number may appear in two colours
       within(map.labels[entry], inside);
     }
   }

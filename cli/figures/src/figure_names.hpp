@@ -28,7 +28,7 @@ struct NamesInPlace {
 /// Notes, and the names of areas, bands, map areas and labelled curves that find room.
 [[nodiscard]] NamesInPlace names_in_place(const Figure& figure, const Plane& plane);
 
-/// Where the arrow to a mark beyond the axes stands.
+/// Where the arrow to a mark beyond the axes is.
 [[nodiscard]] FigurePoint at_frame(const Plane& plane, const FigurePoint& at);
 
 }  // namespace stillpoint::figures

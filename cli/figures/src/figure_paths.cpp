@@ -17,7 +17,7 @@ double distance(const FigurePoint& a, const FigurePoint& b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// Without points that cannot be told from the one before.
+/// Without points that cannot be distinguished from the one before.
 std::vector<FigurePoint> pixels(const Plane& plane, const std::vector<FigurePoint>& points) {
   constexpr double same = 0.02;
   std::vector<FigurePoint> made;

@@ -56,7 +56,7 @@ class Drawing {
     return {figure_.x, figure_.y, layout_.width, figure_.height};
   }
 
-  /// Everything that has no size of its own.
+  /// Everything without a size of its own.
   void contents(const Plane& plot) {
     for (const FigureBand& band : figure_.bands) {
       add("<path class=\"band {}\" d=\"M{:.2f} 0V{}H{:.2f}V0Z\"/>\n", word(band.ink),
@@ -311,7 +311,7 @@ bool breaks_in_number(std::string_view word) {
 }
 
 std::string with_whole_numbers(std::string_view text) {
-  constexpr std::size_t longest = 40;  // of what a narrow screen has room for
+  constexpr std::size_t longest = 40;  // of what fits a narrow screen
   std::string result;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());

@@ -10,12 +10,12 @@
 
 namespace stillpoint::figures {
 
-/// A figure that is laid out. It refers to the figure.
+/// The layout of a figure. It refers to the figure.
 class FigureDrawing {
  public:
   explicit FigureDrawing(const Figure& figure, double left = 0);
 
-  /// Enters the names that have no place in the plot.
+  /// Adds the names that have no place in the plot.
   void enter(FigureLegend& legend) const;
   /// Without a legend.
   [[nodiscard]] double height() const;

@@ -31,7 +31,7 @@ for (const figure of document.querySelectorAll('svg.figure')) {
     const m = pin.getAttribute('transform').match(/\(([^ ]+) ([^)]+)\)/);
     points.push([+m[1], +m[2], pin.dataset.name, pin.dataset.at.split(' ').map(Number)]);
   }
-  // What the colour of a map says at a place; nothing where there is no map.
+  // What the colour of a map says at a place; nothing if there is no map.
   let named = () => '';
   const image = plot.querySelector('image');
   if (image) {
@@ -63,7 +63,7 @@ for (const figure of document.querySelectorAll('svg.figure')) {
     for (let i = Math.ceil(a / step); i * step <= b && all.length < 20; ++i) all.push(i * step);
     return all;
   };
-  // As few digits as tell numbers apart.
+  // As few digits as distinguish the numbers.
   const words = values => {
     const step = Math.abs(values[1] - values[0]) || 1;
     for (let digits = 6; ; ++digits) {
@@ -71,7 +71,7 @@ for (const figure of document.querySelectorAll('svg.figure')) {
       if (digits === 17 || all.every((v, i) => Math.abs(v - values[i]) <= 1e-3 * step)) return all;
     }
   };
-  // Where the ticks of an axis stand between its values a and b, from 0 to 1, and their words.
+  // The positions of the ticks of an axis between its values a and b, from 0 to 1, and their labels.
   const ticks = (scale, a, b, wanted) => {
     const from = scale.to(a), to = scale.to(b);
     const values = scale.decades && to - from >= 2
@@ -133,7 +133,7 @@ for (const figure of document.querySelectorAll('svg.figure')) {
     const r = Math.min(1, next) / s;
     move(px - (px - view[0]) * r, py - (py - view[1]) * r, s * r);
   }, {passive: false});
-  // Not of the plot: where nothing is drawn, nothing of it lies under the pointer.
+  // On the figure, not the plot: where nothing is drawn, nothing of the plot is under the pointer.
   figure.addEventListener('pointerdown', event => { dragged = event.button === 0 && inside(at(event)) ? at(event) : null; });
   addEventListener('pointerup', () => { dragged = null; });
   figure.addEventListener('dblclick', () => move(0, 0, 1));
@@ -142,7 +142,7 @@ for (const figure of document.querySelectorAll('svg.figure')) {
   figure.addEventListener('pointermove', event => {
     const [px, py] = at(event);
     figure.style.cursor = inside([px, py]) ? 'crosshair' : '';
-    if (!event.buttons) dragged = null;  // let go outside of the window
+    if (!event.buttons) dragged = null;  // released outside the window
     if (dragged && view[2] < w) {
       move(view[0] + dragged[0] - px, view[1] + dragged[1] - py, view[2] / w);
       return;

@@ -16,7 +16,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// Of a limit of Delta, as problem.hpp has it.
+/// For a limit of Delta, as in problem.hpp.
 constexpr double smallest_limit = 1e-300;
 
 struct Task {
@@ -68,14 +68,14 @@ Task read_task(const Settings& settings, Command command) {
   return task;
 }
 
-/// In `units`, which lack how metres are read.
+/// In `units`, to which this adds how metres are read.
 std::vector<design::Part> read_parts(const Settings& settings, sweep::CatalogueUnits units) {
   const Option& in_metres = *find_option("delta-m");
   units.parse_metres = [&in_metres](std::string_view text) { return parse_value(in_metres, text); };
   return sweep::read_catalogue(*settings.text("catalogue"), units);
 }
 
-/// The parts of --catalogue, in the units of the task; empty without.
+/// The parts of --catalogue, in the units of the task; empty without it.
 std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Task& task) {
   if (!settings.has("catalogue")) {
     return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<answers::PartsOfFile> catalogue(const Settings& settings, const Ta
   return answers::PartsOfFile{*settings.text("catalogue"), read_parts(settings, units)};
 }
 
-/// What is not the paper's notch.
+/// A notch that is not the paper's.
 std::optional<design::NotchShape> notch_shape(const Settings& settings, const Task& task) {
   const design::NotchShape shape{notch_width(settings, task.physical), settings.number("hold")};
   const Oscillator oscillator{task.problem.p, 0, 0, shape.hold};
@@ -139,7 +139,8 @@ answers::DesignTask design_input(const Settings& settings) {
   task.catalogue = catalogue(settings, given);
   task.trade_offs = settings.integer("trade-off");
   if (task.trade_offs && pulse) {
-    throw UsageError("trade-off and pulse exclude each other: the front is that of a velocity");
+    throw UsageError(
+        "trade-off and pulse cannot be combined: the front is for a hit given as a velocity");
   }
   return task;
 }

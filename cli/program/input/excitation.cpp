@@ -22,7 +22,8 @@ std::optional<double> time_unit(const Physical& physical) {
   return physical ? std::optional(physical->scales.time_s) : std::nullopt;
 }
 
-/// UsageError where an option of an excitation is set that `kind` does not take; null takes none.
+/// Throws UsageError if an option of an excitation is set that `kind` does not take; null takes
+/// none.
 void refuse_others(const Settings& settings, const ExcitationKind* kind) {
   for (const Option& option : options()) {
     if (option.traits.load == Load::none || !settings.has(option.name)) {
@@ -30,16 +31,16 @@ void refuse_others(const Settings& settings, const ExcitationKind* kind) {
     }
     if (kind == nullptr) {
       throw UsageError(
-          fmt::format("{} is for an excitation: give --excitation as well", option.name));
+          fmt::format("{} needs an excitation: give --excitation as well", option.name));
     }
     if (!option.shapes(kind->load)) {
       throw UsageError(
-          fmt::format("{} and excitation {} exclude each other", option.name, kind->name));
+          fmt::format("{} and excitation {} cannot be combined", option.name, kind->name));
     }
   }
 }
 
-/// The angular frequency, from what it was given as. tau is the time over `time_s`.
+/// The angular frequency, however it was given. tau is the time over `time_s`.
 double lambda(const Settings& settings, const ExcitationKind& kind,
               const std::optional<double>& time_s) {
   if (const auto hertz = settings.number("excitation-frequency")) {
@@ -113,7 +114,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, const 
   if (kind->wave != nullptr) {
     input.excitation = kind->wave(wave(settings, "excitation", *kind, time_unit(physical)));
   } else {
-    // One that is scaled to its spectrum at the period of a motion needs that there is one motion.
+    // Scaling a record to its spectrum at the period of the motion requires a single motion.
     input = record(settings,
                    physical ? records::RecordClock{"s", physical->scales.time_s, p.value_or(1)}
                             : records::RecordClock{"tau", 1, p.value_or(1)},
@@ -142,10 +143,10 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
 }
 
 void require_no_pulse_options(const Settings& settings) {
-  // A scene's excitation is for simulate, and these are its options.
+  // A scene's excitation serves simulate, and these are its options.
   for (const Option& option : options()) {
     if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
-      throw UsageError(fmt::format("{} is for a pulse: give --pulse as well", option.name));
+      throw UsageError(fmt::format("{} needs a pulse: give --pulse as well", option.name));
     }
   }
 }

@@ -20,19 +20,19 @@ struct ExcitationInput {
   std::optional<report::RecordOrigin> record;
 };
 
-/// What --excitation names; with --record alone "record". Empty: free motion. Throws
+/// The kind that --excitation names; with only --record, "record". Empty: free motion. Throws
 /// InputError for another name.
 [[nodiscard]] std::optional<std::string> excitation_type(const Settings& settings);
 
 /// Empty for a free motion. With physical input frequencies are in hertz and the times of a record
-/// in seconds; `p` is that of the motion, empty where there are several.
-/// Throws UsageError for options that exclude each other, FileError for a wrong file and InputError
+/// in seconds; `p` is that of the motion, empty if there are several.
+/// Throws UsageError for options that cannot be combined, FileError for a wrong file and InputError
 /// for a wrong value.
 [[nodiscard]] std::optional<ExcitationInput> excitation_input(const Settings& settings,
                                                               const Physical& physical,
                                                               std::optional<double> p);
 
-/// --end-time or --t-end, in tau; empty where neither is given. Throws InputError.
+/// --end-time or --t-end, in tau; empty if neither is given. Throws InputError.
 [[nodiscard]] std::optional<double> end_of_run(const Settings& settings, const Physical& physical);
 
 /// The same of a run under the excitation; empty: up to the end of the motion. Throws InputError.
@@ -40,11 +40,11 @@ struct ExcitationInput {
                                                const Excitation& excitation,
                                                const Physical& physical);
 
-/// UsageError for an option of pulses where there is none.
+/// Throws UsageError for an option of pulses if there is no pulse.
 void require_no_pulse_options(const Settings& settings);
 
-/// The pulse that gives the initial velocity of a design, of ranges the strongest and longest;
-/// empty where none is asked for. Throws UsageError for its options without it, and InputError for
+/// The pulse that gives the initial velocity of a design, with ranges the strongest and longest;
+/// empty if none is asked for. Throws UsageError for its options without it, and InputError for
 /// a wrong value.
 [[nodiscard]] std::optional<design::Pulse> pulse_input(const Settings& settings,
                                                        const Physical& physical);

@@ -15,8 +15,8 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// UsageError where more than one option of a set of rivals is given. Of the hits a command looks
-/// only at those that it has: a scene's pulse is for designs.
+/// Throws UsageError if more than one option of a set of rivals is given. Among the hits only those
+/// that the command takes count: a scene's pulse is for designs.
 void require_no_rivals(const Settings& settings, Command command) {
   std::map<Rivals, std::string_view> given;
   for (const Option& option : options()) {
@@ -27,16 +27,16 @@ void require_no_rivals(const Settings& settings, Command command) {
     }
     const auto [first, alone] = given.emplace(rivals, option.name);
     if (!alone) {
-      throw UsageError(fmt::format("{} and {} exclude each other: give one of them", first->second,
+      throw UsageError(fmt::format("{} and {} cannot be combined: give one of them", first->second,
                                    option.name));
     }
   }
 }
 
-/// The first option that is set of those in these units; null where there is none.
+/// The first option in these units that is set; null if there is none.
 const Option* first_in(Units units, const Settings& settings) {
   const auto found = std::ranges::find_if(options(), [&](const Option& option) {
-    // The gravity that turns a record's m/s2 into g says nothing of the motion.
+    // The gravity that turns a record's m/s2 into g does not describe the motion.
     const bool of_a_record = option.name == "gravity" && settings.has("record");
     return option.traits.units == units && settings.has(option.name) && !of_a_record;
   });
@@ -86,7 +86,7 @@ bool is_physical(const Settings& settings, Command command) {
   const Option* const physical = first_in(Units::physical, settings);
   if (plain != nullptr && physical != nullptr) {
     throw UsageError(
-        fmt::format("{} and {} exclude each other: give everything in metres and seconds, or "
+        fmt::format("{} and {} cannot be combined: give everything in metres and seconds, or "
                     "everything dimensionless",
                     plain->name, physical->name));
   }

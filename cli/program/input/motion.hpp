@@ -16,7 +16,7 @@ namespace stillpoint::cli {
 using design::largest_physical;
 using design::smallest_physical;
 
-/// Empty for a task that is given without units.
+/// Empty for a task given without units.
 using Physical = std::optional<design::PhysicalInput>;
 
 /// v0, p and x0 of a motion, however they were given.
@@ -29,20 +29,20 @@ struct MotionInput {
   Physical physical{};
 };
 
-/// Whether the task is given in metres and seconds. Throws UsageError for options that exclude each
-/// other.
+/// Whether the task is given in metres and seconds. Throws UsageError for options that cannot be
+/// combined.
 [[nodiscard]] bool is_physical(const Settings& settings, Command command);
 
-/// `from_rest`: the velocity may be missing, because something else sets the mass off. Throws
-/// UsageError for options that exclude each other and InputError for a missing or wrong value.
+/// `from_rest`: the velocity may be missing, because something else moves the mass. Throws
+/// UsageError for options that cannot be combined and InputError for a missing or wrong value.
 [[nodiscard]] MotionInput motion_input(const Settings& settings, Command command, bool from_rest);
 
-/// A value that is given plain or, as the option `physical`, in its SI unit, then from `least` to
-/// largest_physical and `unit` times as large. Empty where not given.
+/// A value given dimensionless or, as the option `physical`, in its SI unit; then it must be from
+/// `least` to largest_physical, and is `unit` times as large. Empty if not given.
 [[nodiscard]] std::optional<double> in_either(const Settings& settings, std::string_view plain,
                                               const char* physical, double unit, double least);
 
-/// A point friction, which may be given in metres, then at least `least`. Empty where not given.
+/// A point friction, which may be given in metres, then at least `least`. Empty if not given.
 [[nodiscard]] std::optional<double> point_friction(const Settings& settings, std::string_view plain,
                                                    std::string_view metres,
                                                    const Physical& physical, double least = 0);
@@ -50,7 +50,7 @@ struct MotionInput {
 /// "x:f,x:f,...", as a scene's list of { "to": x, "f": f } reads in one text.
 [[nodiscard]] std::string zones_text(const nlohmann::json& list);
 
-/// The width of the notch, which may be given in metres. Empty where not given.
+/// The width of the notch, which may be given in metres. Empty if not given.
 [[nodiscard]] std::optional<double> notch_width(const Settings& settings, const Physical& physical);
 
 /// Edges are in metres with physical input. Throws InputError for a text that is not a list of

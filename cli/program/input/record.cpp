@@ -63,7 +63,7 @@ std::vector<records::SuiteRecord> read_suite(const Settings& settings,
 std::vector<std::string> left_out_files(const Settings& settings) {
   std::vector<std::string> sentences;
   for (const std::string& file : records::left_out_files(suite_files(settings))) {
-    sentences.push_back(fmt::format("record {}: is left out, for it begins with text",
+    sentences.push_back(fmt::format("record {}: is left out because it begins with text",
                                     records::shortened(file, records::longest_path)));
   }
   return sentences;

@@ -11,22 +11,22 @@
 
 namespace stillpoint::cli {
 
-/// How the files of records are read, for a motion with this clock; the factor is 1.
+/// How record files are read, for a motion with this clock; the factor is 1.
 [[nodiscard]] records::RecordOptions record_options(const Settings& settings,
                                                     const records::RecordClock& clock);
 
-/// `p` of the spectrum where --record-spectrum-period does not give it. Throws InputError.
+/// The `p` of the spectrum if --record-spectrum-period does not give it. Throws InputError.
 [[nodiscard]] records::RecordScale record_scale(const Settings& settings,
                                                 const records::RecordClock& clock,
                                                 std::optional<double> p);
 
-/// The records of --record and --records-list. `p` is that of a spectrum to scale to; empty where
-/// the motions have several. Throws InputError and FileError.
+/// The records of --record and --records-list. `p` is that of a spectrum to scale to; empty if the
+/// motions have several. Throws InputError and FileError.
 [[nodiscard]] std::vector<records::SuiteRecord> read_suite(const Settings& settings,
                                                            const records::RecordClock& clock,
                                                            std::optional<double> p);
 
-/// What a folder of records has beside them, a sentence each. Throws FileError.
+/// A sentence for each file in a folder of records that is skipped. Throws FileError.
 [[nodiscard]] std::vector<std::string> left_out_files(const Settings& settings);
 
 }  // namespace stillpoint::cli

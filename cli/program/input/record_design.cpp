@@ -22,10 +22,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A scan keeps some 100 bytes of each.
-constexpr std::int64_t most_scan_points = 10'000'000;
-
-/// "LOW:HIGH", each with its unit where it has one.
+/// "LOW:HIGH", each with a unit if it has one.
 std::optional<design::SearchRange> search_range(const Settings& settings, const char* name) {
   const auto text = settings.text(name);
   if (!text) {
@@ -39,7 +36,7 @@ std::optional<design::SearchRange> search_range(const Settings& settings, const 
   return design::SearchRange{low, high};
 }
 
-/// With the longest period where only the range of the search is given.
+/// With the longest period if only the range of the search is given.
 MotionInput suite_motion(const Settings& settings,
                          const std::optional<design::SearchRange>& periods) {
   Settings whole = settings;
@@ -68,7 +65,7 @@ bool designs_under_records(const Settings& settings) {
   const bool records = settings.has("record") || settings.has("records-list");
   for (const std::string_view hit : {"v0", "velocity", "pulse"}) {
     if (records && settings.has(hit)) {
-      throw UsageError(fmt::format("{} and records exclude each other: give one of them", hit));
+      throw UsageError(fmt::format("{} and records cannot be combined: give one of them", hit));
     }
   }
   return records;
@@ -78,10 +75,10 @@ void require_options_for(const Settings& settings, DesignFor design) {
   for (const Option& option : options()) {
     const DesignFor only = option.design_for();
     if (only != DesignFor::both && only != design && settings.has(option.name)) {
-      throw UsageError(design == DesignFor::records
-                           ? fmt::format("{} is not for a design under records", option.name)
-                           : fmt::format("{} is for a design under records: give --record as well",
-                                         option.name));
+      throw UsageError(
+          design == DesignFor::records
+              ? fmt::format("{} cannot be used in a design under records", option.name)
+              : fmt::format("{} needs a design under records: give --record as well", option.name));
     }
   }
 }
@@ -89,7 +86,7 @@ void require_options_for(const Settings& settings, DesignFor design) {
 report::RecordDesignInput record_design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::records);
   if (settings.flag("resume") && !settings.has("part")) {
-    throw UsageError("resume is for a part of a design: give --part as well");
+    throw UsageError("resume needs a part of a design: give --part as well");
   }
   const auto periods = search_range(settings, "search-period");
   const MotionInput start = suite_motion(settings, periods);
@@ -123,8 +120,8 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, start.physical);
   request.tolerance = settings.number("tolerance").value_or(request.tolerance);
-  request.scan_points = settings.count("scan-points", request.scan_points, 1, most_scan_points);
-  request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
+  request.scan_points = settings.integer("scan-points").value_or(request.scan_points);
+  request.threads = static_cast<int>(settings.integer("threads").value_or(0));
   return input;
 }
 
@@ -162,7 +159,7 @@ report::RecordDesignInput record_design_input(const Settings& settings,
   now.task = record_design_identity(settings, input.request);
   if (const std::string differs = difference(scan.label, now); !differs.empty()) {
     throw records::FileError({.kind = "part", .path = scan.label.path},
-                             "was made of other records, or by another version: " + differs);
+                             "was made from other records, or by another version: " + differs);
   }
   return input;
 }

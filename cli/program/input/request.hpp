@@ -21,52 +21,52 @@
 
 namespace stillpoint::cli {
 
-/// Empty where not given. Throws InputError outside of 1 to 1e15.
+/// Empty if not given. Throws InputError outside 1 to 1e15.
 [[nodiscard]] std::optional<double> half_cycle_limit(const Settings& settings);
 
 /// Each throws UsageError for something missing or contradictory and InputError for a wrong value.
 [[nodiscard]] answers::DesignTask design_input(const Settings& settings);
 [[nodiscard]] answers::RegionTask region_input(const Settings& settings);
-/// The parts of --catalogue for a sweep, where the unit of length is a metre; none without. Throws
+/// The parts of --catalogue for a sweep, whose unit of length is a metre; none without it. Throws
 /// records::FileError for a wrong file.
 [[nodiscard]] std::vector<design::Part> catalogue_input(
     const Settings& settings, const std::optional<sweep::SweepUnits>& physical);
-/// What was asked; the answer in these two is empty.
+/// The question; the answer in these two is empty.
 [[nodiscard]] report::MotionReport simulate_input(const Settings& settings);
 [[nodiscard]] report::SpectrumReport spectrum_input(const Settings& settings);
 
-/// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError where it
-/// is asked for both.
+/// Whether `design` is asked for a damper under records, not for a hit. Throws UsageError if both
+/// are given.
 [[nodiscard]] bool designs_under_records(const Settings& settings);
 
-/// The request, and what a report needs beside it. Throws UsageError, InputError and FileError.
+/// The request, and what a report needs besides. Throws UsageError, InputError and FileError.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings);
 
-/// Everything that the design depends on, as a JSON object, and the settings that it was made of.
-/// A design is merged only of parts in which it is the same.
+/// Everything that the design depends on, as a JSON object, and the settings that it came from.
+/// Parts are merged only if it is the same in all.
 [[nodiscard]] std::string record_design_identity(const Settings& settings,
                                                  const design::RecordDesignRequest& request);
 [[nodiscard]] Settings record_design_settings(const std::string& identity);
 
-/// What --part asks for, which must be resolved.
+/// The part that --part asks for, which must be resolved.
 [[nodiscard]] sweep::PartLabel record_part_label(const Settings& settings,
                                                  const design::RecordDesignRequest& request);
 
-/// Of the design of which `scan` has the parts. Throws FileError as well where the records, or the
-/// version of the program, are no longer those of the parts.
+/// The request of the design whose parts `scan` has. Throws FileError as well if the records, or
+/// the version of the program, are no longer those of the parts.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& settings,
                                                             const report::RecordScan& scan);
 
-/// UsageError for an option that only the other kind of design takes.
+/// Throws UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);
 
 /// Puts the numbers of a part of a sweep in place of `auto`, and its name into that of the output.
-/// What has been resolved stays as it is. Throws InputError.
+/// What is already resolved stays as it is. Throws InputError.
 void resolve_part(Settings& settings);
-/// Opens the list and reads its header; of a part, all of it. The part must be resolved.
+/// Opens the list and reads its header, or for a part all of it. The part must be resolved.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
-/// Of a sweep without rows the report of the part that is to be computed, if its file is there
-/// already and --resume is given. Throws UsageError for --resume without a part and LeftoverError
+/// For a sweep without rows, the report of the part to compute, if its file already exists and
+/// --resume is given. Throws UsageError for --resume without a part and LeftoverError
 /// for another part of the same sweep.
 [[nodiscard]] std::optional<report::ReductionReport> find_reduced_part(
     const sweep::SweepSpec& spec);

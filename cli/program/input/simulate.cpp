@@ -25,26 +25,26 @@ Oscillator oscillator(const Settings& settings, const MotionInput& motion) {
 }
 
 void add_output(const Settings& settings, SimulationRequest& request) {
-  request.max_half_cycles = settings.count("max-half-cycles", request.max_half_cycles, 0, 100'000);
+  request.max_half_cycles = settings.integer("max-half-cycles").value_or(request.max_half_cycles);
   const auto trajectory = settings.text("trajectory");
   if (trajectory == "-" && settings.flag("json")) {
     throw UsageError(
         "json and the trajectory would both go to standard output: give --trajectory FILE");
   }
-  const std::int64_t samples = settings.count("samples", 1000, 2, 1'000'000);
+  const std::int64_t samples = settings.integer("samples").value_or(1000);
   if (trajectory) {
     request.samples = samples;
   } else if (settings.has("samples")) {
-    throw UsageError("samples is for a trajectory: give --trajectory FILE as well");
+    throw UsageError("samples needs a trajectory: give --trajectory FILE as well");
   }
 }
 
-/// The end of a free motion is that of its trajectory.
+/// For a free motion the end is that of its trajectory.
 std::optional<double> free_end(const Settings& settings, const Physical& physical) {
   const auto t_end = end_of_run(settings, physical);
   if (t_end && !settings.has("trajectory")) {
     throw UsageError(fmt::format(
-        "{} is for a trajectory or an excitation: give --trajectory FILE or --excitation as well",
+        "{} needs a trajectory or an excitation: give --trajectory FILE or --excitation as well",
         settings.has("end-time") ? "end-time" : "t-end"));
   }
   if (t_end) {
@@ -65,7 +65,7 @@ std::optional<double> half_cycle_limit(const Settings& settings) {
 }
 
 report::MotionReport simulate_input(const Settings& settings) {
-  // A motion needs a start, unless something shakes it out of rest.
+  // A motion needs a start, unless an excitation moves it from rest.
   const bool from_rest = excitation_type(settings) || settings.has("k");
   const MotionInput motion = motion_input(settings, Command::simulate, from_rest);
   report::MotionReport input;

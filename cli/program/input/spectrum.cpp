@@ -14,7 +14,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A page still shows as many.
+/// A page can still show this many.
 constexpr std::int64_t most_periods = 10'000;
 
 std::vector<double> periods(const Settings& settings) {
@@ -58,7 +58,7 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
   request.combine = settings.named<design::Combine>("combine");
   request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, report.physical);
-  request.threads = static_cast<int>(settings.count("threads", 0, 0, 1024));
+  request.threads = static_cast<int>(settings.integer("threads").value_or(0));
   if (!settings.has("record") && !settings.has("records-list")) {
     throw InputError::missing("record", "give --record FILE or --records-list FILE");
   }

@@ -6,7 +6,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
-#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/identity.hpp>
@@ -39,12 +38,12 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings,
     return std::make_shared<sweep::List>(*path, format, units);
   }
   if (format) {
-    throw UsageError("list-format is for a list: give --list FILE as well");
+    throw UsageError("list-format needs a list: give --list FILE as well");
   }
   return {};
 }
 
-/// A part of a list depends on the length of all of it.
+/// A part of a list depends on the length of the whole list.
 std::optional<sweep::ListExtent> extent_of_list(const Settings& settings, const SweepSpec& spec) {
   if (!spec.part || !spec.list) {
     return std::nullopt;
@@ -52,7 +51,7 @@ std::optional<sweep::ListExtent> extent_of_list(const Settings& settings, const 
   const std::string path = *settings.text("list");
   if (path == "-" || sweep::is_special_file(path)) {
     throw UsageError(
-        "part and a list on standard input exclude each other: the list is read twice");
+        "part and a list on standard input cannot be combined: the list is read twice");
   }
   sweep::List whole(path, spec.list->format(), spec.units);
   return read_to_end(whole);
@@ -62,7 +61,7 @@ bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
   return settings.has(option_name(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
 }
 
-/// What is dimensionless by a length that a physical sweep does not have, and has a rival in
+/// Options made dimensionless by a length that a physical sweep does not have, with rivals in
 /// metres, seconds or hertz.
 void refuse_dimensionless(const Settings& settings) {
   for (const Option& plain : options()) {
@@ -99,7 +98,7 @@ std::optional<SweepUnits> units(const Settings& settings) {
   return units;
 }
 
-/// What an excitation is made dimensionless with.
+/// The scales that make an excitation dimensionless.
 std::optional<design::PhysicalInput> physical_scales(const std::optional<SweepUnits>& units) {
   if (!units) {
     return std::nullopt;
@@ -118,26 +117,26 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   for (const Quantity other :
        {Quantity::f, Quantity::delta, Quantity::x0, Quantity::hold, Quantity::notch_width}) {
     if (given(settings, spec, other)) {
-      throw UsageError(fmt::format("{0} and {1} exclude each other: {0} asks for a design", beta,
+      throw UsageError(fmt::format("{0} and {1} cannot be combined: {0} asks for a design", beta,
                                    option_name(other, spec.units)));
     }
   }
   return SweepKind::design;
 }
 
-/// Options that only one kind uses are refused with another, not ignored.
+/// Options that only one kind uses are refused with the others, not ignored.
 void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   const std::string beta = option_name(Quantity::beta, spec.units);
   if (spec.kind == SweepKind::design) {
     for (const char* const other :
          {"excitation", "record", "friction-zones", "t-end", "end-time", "half-cycle-limit"}) {
       if (settings.has(other)) {
-        throw UsageError(fmt::format("{} and {} exclude each other", beta, other));
+        throw UsageError(fmt::format("{} and {} cannot be combined", beta, other));
       }
     }
     for (const char* const other : {"pulse", "catalogue", "objective"}) {
       if (settings.has("trade-off") && settings.has(other)) {
-        throw UsageError(fmt::format("trade-off and {} exclude each other in a sweep", other));
+        throw UsageError(fmt::format("trade-off and {} cannot be combined in a sweep", other));
       }
     }
     return;
@@ -146,12 +145,12 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
     const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate) &&
                             option.traits.role == Role::input;
     if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
-      throw UsageError(fmt::format("{} is for designs: give --{} as well", option.name, beta));
+      throw UsageError(fmt::format("{} needs a design: give --{} as well", option.name, beta));
     }
   }
   for (const char* const end : {"t-end", "end-time"}) {
     if (spec.kind == SweepKind::free && settings.has(end)) {
-      throw UsageError(fmt::format("{} is for an excitation: give --excitation as well", end));
+      throw UsageError(fmt::format("{} needs an excitation: give --excitation as well", end));
     }
   }
 }
@@ -179,13 +178,11 @@ void add_front(const Settings& settings, SweepSpec& spec) {
   if (!count) {
     return;
   }
-  design::require_trade_offs(*count);
   spec.axes.push_back(
       {Quantity::trade_off, Axis(1, static_cast<double>(*count), *count, Axis::Spacing::linear)});
 }
 
-/// Where nothing else is given a motion starts from x = 0, and from rest if something else moves
-/// it.
+/// By default a motion starts from x = 0, and from rest if something else moves it.
 void add_axes(const Settings& settings, SweepSpec& spec) {
   const bool may_rest = spec.kind == SweepKind::forced ||
                         (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
@@ -233,25 +230,25 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
   const auto asked = settings.text("columns");
   const bool times = settings.flag("times");
   if (asked && times) {
-    throw UsageError("columns and times exclude each other: name stop_time among the columns");
+    throw UsageError("columns and times cannot be combined: name stop_time among the columns");
   }
   return asked ? sweep::parse_columns(*asked, spec.kind, spec.units)
                : sweep::default_columns(spec, times);
 }
 
-/// What is kept of the rows that are not written.
+/// What is kept from the rows that are not written.
 std::optional<sweep::AskedReduction> reduction(const Settings& settings, const SweepSpec& spec) {
   if (!settings.flag("reduce")) {
     for (const char* const option : {"histogram", "best"}) {
       if (settings.has(option)) {
         throw UsageError(
-            fmt::format("{} is for a sweep without rows: give --reduce as well", option));
+            fmt::format("{} needs a sweep without rows: give --reduce as well", option));
       }
     }
     return std::nullopt;
   }
   if (settings.has("format")) {
-    throw UsageError("format and reduce exclude each other: the report is JSON");
+    throw UsageError("format and reduce cannot be combined: the report is JSON");
   }
   sweep::AskedReduction asked;
   for (const std::string& bins : settings.texts("histogram")) {
@@ -291,8 +288,9 @@ SweepSpec sweep_request(const Settings& settings) {
   SweepSpec spec;
   spec.output = settings.text("output");
   spec.format = row_format(settings);
-  const std::int64_t all_threads = std::max(1U, std::thread::hardware_concurrency());
-  spec.threads = static_cast<int>(settings.count("threads", all_threads, 1, 1024));
+  const auto threads = settings.integer("threads").value_or(0);
+  const std::int64_t all = std::max(1U, std::thread::hardware_concurrency());
+  spec.threads = static_cast<int>(threads == 0 ? all : threads);
   spec.resume = settings.flag("resume");
   spec.units = units(settings);
   spec.list = open_list(settings, spec.units);

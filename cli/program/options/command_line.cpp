@@ -22,10 +22,10 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// What stands below the options of a command, "stillpoint" that of the program.
+/// The text below the options of a command; "stillpoint" is that of the program.
 std::string_view footer(std::string_view name) {
   const std::string_view text = texts::embedded(fmt::format("help/{}.txt", name));
-  return text.substr(0, text.size() - 1);  // a file ends in a line's end
+  return text.substr(0, text.size() - 1);  // a file ends with a newline
 }
 
 CommandHelp command_row(Command command, std::string_view summary,
@@ -37,7 +37,7 @@ const std::array command_helps{
     command_row(Command::design, "design a damper that stops at x = 0 on the first return"),
     command_row(Command::region, "the admissible region of f and delta, without a search"),
     command_row(Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory"),
-    command_row(Command::spectrum, "one damper under records over the period, beside f alone"),
+    command_row(Command::spectrum, "one damper under records against the period, beside f alone"),
     command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
     command_row(Command::accuracy,
                 "time and error of each method on one motion, against 50 digits"),
@@ -48,10 +48,10 @@ const std::array command_helps{
 
 constexpr std::string_view about =
     "Designs friction dampers. A linear oscillator with constant friction f and point friction "
-    "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move further than "
+    "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move farther than "
     "beta.";
 
-/// What CLI11 collects for one subcommand; texts, which are converted once the command is known.
+/// What CLI11 collects for one subcommand: strings, which are converted once the command is known.
 struct Collected {
   std::string scene;
   std::map<std::string_view, std::vector<std::string>> texts;
@@ -154,7 +154,7 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
   return settings;
 }
 
-/// The task stands in the parts. Only how a design is shown is still to be said.
+/// The parts contain the task. Only how to show the design remains to be given.
 void refuse_beside_merge(const Invocation& invocation) {
   constexpr std::array<std::string_view, 7> shown{"html",    "json",  "quiet",  "svg",
                                                   "threads", "title", "verbose"};
@@ -187,8 +187,7 @@ void require_command(const std::optional<std::string>& given) {
   }
 }
 
-/// "help" is for people alone: with a command it is that command's --help, with itself the
-/// program's.
+/// "help" with a command is that command's --help; with itself, the program's.
 std::vector<std::string> without_help_command(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words.front() == "help") {
@@ -253,7 +252,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
     const CommandHelp& help = command_helps[i];
     CLI::App& command =
         *app.add_subcommand(std::string(name(help.command)), std::string(help.summary));
-    // To set up the options of all commands would take longer than most answers do.
+    // Setting up the options of all commands would take longer than most answers do.
     if (std::ranges::find(words, command.get_name()) != words.end()) {
       add_options(command, help, collected[i]);
       if (help.command == Command::sweep || help.command == Command::design) {

@@ -12,18 +12,18 @@
 
 namespace stillpoint::cli {
 
-/// What --help says of a command beside its options.
+/// What --help says about a command besides its options.
 struct CommandHelp {
   Command command;
   std::string_view summary;
-  std::string_view examples;              ///< and what else stands below the options
-  std::vector<std::string_view> words{};  ///< all that can stand behind it; empty: a scene
+  std::string_view examples;              ///< and what else is printed below the options
+  std::vector<std::string_view> words{};  ///< its possible arguments; empty: a scene
 };
 
 /// Every command, in the order of --help.
 [[nodiscard]] std::span<const CommandHelp> all_commands();
 
-/// What --help says of the program.
+/// What --help says about the program.
 [[nodiscard]] std::string_view program_about();
 
 /// The files of `sweep merge OUT PART...`.
@@ -36,12 +36,12 @@ struct MergeFiles {
 struct Invocation {
   Command command{Command::design};
   Settings flags;
-  std::optional<std::string> scene;  ///< path or "-"; of init the kind
-  std::optional<MergeFiles> merge;   ///< of sweep: join parts, and nothing else is asked
-  std::optional<std::string> reply;  ///< --help or --version: print this, and nothing else is asked
+  std::optional<std::string> scene;  ///< path or "-"; for init, the kind
+  std::optional<MergeFiles> merge;   ///< for sweep: join parts, and do nothing else
+  std::optional<std::string> reply;  ///< --help or --version: print this, and do nothing else
 };
 
-/// What `stillpoint` alone prints.
+/// What `stillpoint` without arguments prints.
 [[nodiscard]] std::string short_help();
 
 /// Throws UsageError or InputError for anything that is not understood.

@@ -16,16 +16,16 @@ namespace stillpoint::cli {
 struct ExcitationKind {
   std::string_view name;  ///< in --excitation
   Load load;              ///< the options that shape it
-  double angle{0};        ///< lambda times its duration; 0: it has no end of its own
-  /// By a harmonic that has what any wave takes; null: a record.
+  double angle{0};        ///< lambda times its duration; 0: it does not end by itself
+  /// Made from a harmonic with the options of any wave; null: a record.
   Excitation (*wave)(const Harmonic& given);
-  /// What --pulse makes of it; null: it is not a hit.
+  /// What --pulse makes of it; null: --pulse does not take it.
   design::Pulse (*pulse)(const Harmonic& given);
 };
 
 [[nodiscard]] std::span<const ExcitationKind> excitation_kinds();
 
-/// Null where there is none of that name.
+/// Null if there is none of that name.
 [[nodiscard]] const ExcitationKind* find_excitation_kind(std::string_view name);
 
 /// The names of all kinds, and of those that --pulse takes.

@@ -7,6 +7,7 @@
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/record_design.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/design/trade_off.hpp>
 #include <stillpoint/records/record_file.hpp>
 #include <stillpoint/sweep/list.hpp>
 #include <stillpoint/sweep/spec.hpp>
@@ -34,24 +35,27 @@ constexpr std::string_view output = "Output";
 constexpr CommandSet every = design | region | simulate | sweep | accuracy;
 /// One motion.
 constexpr CommandSet motions = simulate | accuracy;
-/// What takes metres and seconds.
+/// Commands that take metres and seconds.
 constexpr CommandSet in_metres = every;
-/// A suite of records, and nothing else.
+/// Commands that take a suite of records and no other load.
 constexpr CommandSet of_suites = design | spectrum;
-/// What makes a report.
+/// Commands that make a report.
 constexpr CommandSet reporting = every | spectrum;
 constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
-/// What takes a load with a wave, or a pulse.
+/// Commands that take a load with a wave, or a pulse.
 constexpr CommandSet of_waves = design | region | of_excitations;
-/// What takes acceleration records.
+/// Commands that take acceleration records.
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
 
 constexpr auto dimensionless = Units::dimensionless;
 constexpr auto si = Units::physical;
 
-/// Of a design for a hit, then what only one under records has.
+/// A scan keeps about 100 bytes for each.
+constexpr std::int64_t most_scan_points = 10'000'000;
+
+/// Those of a design for a hit, then those that only a design under records has.
 std::vector<std::string_view> all_objectives() {
   std::vector<std::string_view> both = names<design::Objective>();
   for (const std::string_view name : names<design::SuiteObjective>()) {
@@ -68,7 +72,7 @@ Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
   return {name, kind, placeholder, group, std::move(help), commands, std::move(traits)};
 }
 
-/// What a sweep varies, without a unit and with one, and what has a unit and is one number.
+/// An input that a sweep varies, without a unit and with one, and a single number with a unit.
 OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
   return {.sweeps = true, .rivals = rivals, .units = dimensionless, .range = range};
 }
@@ -81,7 +85,7 @@ OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = Ran
   traits.sweeps = true;
   return traits;
 }
-/// Of the two kinds of design only that for a hit, or only that under records.
+/// For only one of the two kinds of design: for a hit, or under records.
 OptionTraits for_hits(OptionTraits traits = {}) {
   traits.design = DesignFor::hit;
   return traits;
@@ -115,7 +119,7 @@ std::vector<Option> rows() {
       row("max-displacement", number, "M", physical, "largest admissible displacement in m",
           of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
       row("period", number, "S", physical,
-          "natural period without friction in s; of spectrum LOW:HIGH:N", in_metres | spectrum,
+          "natural period without friction in s; for spectrum, LOW:HIGH:N", in_metres | spectrum,
           {.sweeps = true,
            .axis_of_spectrum = true,
            .rivals = Rivals::stiffness,
@@ -141,7 +145,7 @@ std::vector<Option> rows() {
           region | motions | sweep | spectrum,
           axis_in_si(Rivals::point_friction, Dimension::length)),
       row("hold", number, "H", damper,
-          "what the notch holds at x = 0 besides f, in g; default: any load",
+          "load that the notch holds at x = 0 besides f, in g; default: any load",
           of_suites | of_excitations,
           {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
       row("notch-width", number, "W", damper,
@@ -156,8 +160,8 @@ std::vector<Option> rows() {
       row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
           for_hits({.values = names<design::Criterion>(), .first_is_default = true})),
       row("arrivals", integer, "N", damper,
-          "stop at x = 0 at the latest at the N-th arrival, from 1 to 1000; default 1", of_designs,
-          for_hits({.sweeps = true})),
+          "stop at x = 0 by the N-th arrival, from 1 to 1000; default 1", of_designs,
+          for_hits({.sweeps = true, .bounds = {1, design::most_arrivals}})),
       row("residual", number, "R", damper, "a rest with |x| up to R is admissible too", of_designs,
           plain_axis(Rivals::residual)),
       row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
@@ -165,10 +169,10 @@ std::vector<Option> rows() {
       row("tolerance", number, "R", damper,
           "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
       row("tolerance-f", number, "R", damper,
-          "the tolerance of f alone, R or LOW:HIGH: 0.8:1.2 is f from 0.8 to 1.2 times the "
+          "the tolerance of f alone, R or LOW:HIGH: 0.8:1.2 allows f from 0.8 to 1.2 times the "
           "design's",
           of_designs, for_hits({.range = RangeEnd::high})),
-      row("tolerance-delta", number, "R", damper, "the same of delta", of_designs,
+      row("tolerance-delta", number, "R", damper, "the same for delta", of_designs,
           for_hits({.range = RangeEnd::high})),
       row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
       row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
@@ -185,28 +189,29 @@ std::vector<Option> rows() {
           of_designs, for_hits({.file = FileUse::read})),
       row("trade-off", integer, "N", searching,
           "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000; "
-          "of "
-          "sweep a row each, in place of the design",
-          design | sweep, for_hits()),
+          "in a sweep, one row each instead of the design",
+          design | sweep,
+          for_hits({.bounds = {design::least_trade_offs, design::most_trade_offs}})),
       row("objective", text, "NAME", searching,
           "{}; under records acceleration (default), amplitude or residual", design | sweep,
           {.values = all_objectives(), .first_is_default = true}),
       row("combine", text, "NAME", searching,
-          "of the figures of all records: {}; default: max below seven records", of_suites,
-          under_records({.values = names<design::Combine>()})),
+          "how to combine the figures of all records: {}; default: max for fewer than seven "
+          "records",
+          of_suites, under_records({.values = names<design::Combine>()})),
       row("search-f", text, "LOW:HIGH", searching,
-          "under records: where f is searched; default: from 0 to the largest load", design,
+          "under records: the range of f to search; default: from 0 to the largest load", design,
           under_records()),
       row("search-delta-m", text, "LOW:HIGH", searching,
-          "under records: where delta is searched, in m; default: from 0 to what stops every "
+          "under records: the range of delta to search, in m; default: from 0 to what stops every "
           "return",
           design, under_records(in_si(Dimension::length))),
       row("search-period", text, "LOW:HIGH", searching,
-          "under records: the period is searched as well, here, in s", design,
+          "under records: search the period too, in this range in s", design,
           under_records(in_si(Dimension::time))),
       row("scan-points", integer, "N", searching,
           "under records: scan about this many dampers before the searches; default 10000", design,
-          under_records()),
+          under_records({.bounds = {1, most_scan_points}})),
       row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
           for_hits({.values = design::algorithm_names()})),
 
@@ -216,7 +221,7 @@ std::vector<Option> rows() {
           of(Load::wave,
              {.sweeps = true, .dimension = Dimension::gravities, .range = RangeEnd::high})),
       row("excitation-frequency", number, "HZ", shaking,
-          "with physical input: in Hz; of a pulse, that of its sine", of_waves,
+          "with physical input: in Hz; for a pulse, that of its sine", of_waves,
           of(Load::wave, axis_in_si(Rivals::frequency, Dimension::frequency, RangeEnd::low))),
       row("pulse-duration", number, "S", shaking,
           "with physical input: how long half-sine, full-sine or rectangle last, in s", of_waves,
@@ -226,16 +231,16 @@ std::vector<Option> rows() {
           "last pi/L, full-sine 2 pi/L",
           of_waves,
           of(Load::wave, {.sweeps = true, .rivals = Rivals::frequency, .range = RangeEnd::low})),
-      row("phase", number, "PHI", shaking, "of a harmonic, W = K sin(L tau + PHI); default 0",
+      row("phase", number, "PHI", shaking, "for a harmonic, W = K sin(L tau + PHI); default 0",
           of_excitations, of(Load::harmonic)),
       row("excitation-duration", number, "S", shaking,
-          "with physical input: of a harmonic, in s, 0 or more; default for ever", of_excitations,
+          "with physical input: for a harmonic, in s, 0 or more; default: no end", of_excitations,
           of(Load::harmonic, in_si(Dimension::time, Rivals::duration))),
-      row("duration", number, "TAU", shaking, "of a harmonic, in tau, 0 or more; default for ever",
+      row("duration", number, "TAU", shaking, "for a harmonic, in tau, 0 or more; default: no end",
           of_excitations, of(Load::harmonic, {.rivals = Rivals::duration})),
       row("record", text, "FILE", shaking,
           "accelerations: PEER, ESM, K-NET, CSMIP, COSMOS, SMC or columns; times in s with "
-          "physical input, else in tau; FILE#2 is channel 2; of design and spectrum, one or more, "
+          "physical input, else in tau; FILE#2 is channel 2; design and spectrum take one or more, "
           "or folders",
           in_records, of(Load::record, {.file = FileUse::read, .repeats = true})),
       row("records-list", text, "FILE", shaking,
@@ -244,7 +249,7 @@ std::vector<Option> rows() {
       row("record-units", text, "UNITS", shaking, "{}", in_records,
           of(Load::record, {.values = names<records::RecordUnits>(), .first_is_default = true})),
       row("record-step", number, "DT", shaking,
-          "between values that have no time column, in the unit of the times", in_records,
+          "step between values without a time column, in the unit of the times", in_records,
           of(Load::record, {.dimension = Dimension::time})),
       row("record-scale", number, "X", shaking, "factor on every value", in_records,
           of(Load::record, {.rivals = Rivals::record_scale})),
@@ -256,15 +261,15 @@ std::vector<Option> rows() {
           in_records,
           of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
       row("record-spectrum-period", number, "T", shaking,
-          "where not at the period of the motion, in the unit of the times", in_records,
+          "if not the period of the motion, in the unit of the times", in_records,
           of(Load::record, {.dimension = Dimension::time})),
       row("end-time", number, "S", shaking,
-          "with physical input: end of the run in s (default: end of the motion); a harmonic "
-          "without a duration needs it",
+          "with physical input: end of the run in s (default: end of the motion); required for a "
+          "harmonic without a duration",
           of_excitations, in_si(Dimension::time, Rivals::end)),
       row("t-end", number, "TAU", shaking,
-          "end of the run in tau (default: end of the motion); a harmonic without a duration needs "
-          "it",
+          "end of the run in tau (default: end of the motion); required for a harmonic without a "
+          "duration",
           of_excitations, {.rivals = Rivals::end}),
 
       row("list", text, "FILE", sweeping,
@@ -279,16 +284,18 @@ std::vector<Option> rows() {
       row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
           {.role = Role::output}),
       row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = Role::content}),
-      row("threads", integer, "N", sweeping, "default: all. No result depends on it",
-          of_suites | sweep, under_records({.role = Role::execution})),
+      row("threads", integer, "N", sweeping, "default 0: all; no result depends on it",
+          of_suites | sweep, under_records({.role = Role::execution, .bounds = {0, 1024}})),
       row("reduce", flag, "", sweeping,
-          "write no rows: counts, extremes and where they are, quantiles, histograms, the best",
+          "instead of rows write counts, extremes and where they are, quantiles, histograms, the "
+          "best",
           sweep),
       row("histogram", text, "BINS", sweeping,
           "with --reduce: peak_amplitude:0:1:50 or :50:log, or edges, peak_amplitude:0,0.1,0.5",
           sweep, {.repeats = true}),
       row("best", text, "ROWS", sweeping,
-          "with --reduce: the rows of the ten smallest, peak_amplitude:10, or tolerance:10:largest",
+          "with --reduce: the ten rows with the smallest value, peak_amplitude:10, or the largest, "
+          "tolerance:10:largest",
           sweep, {.repeats = true}),
       row("part", text, "I/N", sweeping,
           "one of N parts, for sweep merge or, under records, design merge; auto or auto/N: from "
@@ -299,7 +306,7 @@ std::vector<Option> rows() {
           under_records({.role = Role::execution})),
 
       row("max-half-cycles", integer, "N", output, "half-cycles listed (default 1000)", simulate,
-          {.role = Role::content}),
+          {.role = Role::content, .bounds = {0, 100'000}}),
       row("half-cycle-limit", number, "N", output,
           "refuse a motion that may take more half-cycles (default 1e8; no limit under an "
           "excitation)",
@@ -309,7 +316,7 @@ std::vector<Option> rows() {
           {.role = Role::output, .file = FileUse::written}),
       row("samples", integer, "N", output,
           "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
-          {.role = Role::output}),
+          {.role = Role::output, .bounds = {2, 1'000'000}}),
       row("table", text, "FILE", output,
           "write each record and period to a file: NumPy's format if its name ends in .npy, else "
           "CSV; - prints CSV instead of the report",
@@ -325,7 +332,7 @@ std::vector<Option> rows() {
       row("json", flag, "", output, "print the JSON report, and nothing else", reporting,
           {.role = Role::output}),
       row("output", text, "FILE", output,
-          "write the JSON report (of a sweep: the rows) to FILE, whole or not at all", reporting,
+          "write the JSON report (for a sweep, the rows) to FILE, whole or not at all", reporting,
           {.role = Role::output, .file = FileUse::written}),
       row("quiet", flag, "", output, "print nothing but errors on standard error", reporting,
           {.role = Role::output}),

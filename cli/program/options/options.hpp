@@ -8,6 +8,7 @@
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,17 +47,17 @@ constexpr CommandSet operator|(Command a, Command b) {
 /// An axis is one number or many, see Axis.
 enum class OptionKind { number, integer, text, flag, axis };
 
-/// What an option is for. Reports echo the first three as a scene; rows of a sweep that is resumed
-/// depend on `input` alone, and on the entries themselves.
+/// What an option is for. Reports echo the first three as a scene; rows of a resumed sweep depend
+/// only on `input` and on the entries themselves.
 enum class Role {
   input,      ///< decides the numbers
   entries,    ///< where a sweep's entries come from
   content,    ///< which of the numbers are reported
-  execution,  ///< how they are computed, on which they do not depend
+  execution,  ///< how they are computed; they do not depend on it
   output,     ///< where they go
 };
 
-/// Sets of options of which at most one can be given.
+/// Sets of options of which at most one may be given.
 enum class Rivals {
   none,
   hit,
@@ -77,31 +78,39 @@ using records::Dimension;
 using records::listed;
 using records::suggestion;
 
-/// A task is given either dimensionless or in metres and seconds, not in both.
+/// A task is given either dimensionless or in metres and seconds, not both.
 enum class Units { any, dimensionless, physical };
 
 using sweep::RangeEnd;
 
 enum class FileUse { none, read, written, directory };
 
-/// A design is for a hit or under records; what only one of them takes.
+/// A design is for a hit or under records; this marks what only one of them takes.
 enum class DesignFor { both, hit, records };
 
-/// What most options leave as it is.
+/// Of a whole number.
+struct Bounds {
+  std::int64_t least{0};
+  std::int64_t most{0};
+};
+
+/// Traits that most options leave at their defaults.
 struct OptionTraits {
   bool sweeps{false};            ///< a number, but in a sweep an axis
-  bool axis_of_spectrum{false};  ///< the same of a spectrum
+  bool axis_of_spectrum{false};  ///< the same for a spectrum
   Rivals rivals{Rivals::none};
   Units units{Units::any};
   Dimension dimension{Dimension::none};
   Role role{Role::input};
   FileUse file{FileUse::none};
-  std::vector<std::string_view> values{};  ///< all that a text can be; empty: it is free
+  std::vector<std::string_view> values{};  ///< all values that a text may have; empty: any text
   bool first_is_default{false};            ///< of the values
-  bool repeats{false};             ///< may be given several times; a file to what takes a suite
-  RangeEnd range{RangeEnd::none};  ///< LOW:HIGH is a value as well, of designs
+  bool repeats{
+      false};  ///< may be given several times; for a file, only by commands that take a suite
+  RangeEnd range{RangeEnd::none};  ///< for designs LOW:HIGH is a value as well
   DesignFor design{DesignFor::both};
   Load load{Load::none};
+  Bounds bounds{};  ///< of an integer
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -150,10 +159,10 @@ struct Option {
 /// Every option of every command, in the order of --help.
 [[nodiscard]] std::span<const Option> options();
 
-/// The option of that name, whatever its command; null where there is none.
+/// The option of that name, of any command; null if there is none.
 [[nodiscard]] const Option* find_option(std::string_view name);
 
-/// The options that can stand in place of it and have a unit.
+/// The options that can replace it and have a unit.
 [[nodiscard]] std::vector<const Option*> physical_rivals(const Option& option);
 
 /// "; did you mean NAME?" for an option that is one or two slips away, else "". Options of

@@ -18,7 +18,7 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// A scene has some hundred bytes.
+/// A scene has a few hundred bytes.
 constexpr std::size_t largest_scene = std::size_t{1} << 20U;
 
 constexpr std::string_view standard_input = "from standard input";
@@ -27,13 +27,13 @@ std::string shown(std::string_view key) {
   return records::printable(key, records::longest_word);
 }
 
-/// As options are named.
+/// As options are spelled.
 std::string hyphened(std::string key) {
   std::ranges::replace(key, '_', '-');
   return key;
 }
 
-/// "LOW:HIGH" of [LOW, HIGH], as the command line has it.
+/// "LOW:HIGH" for [LOW, HIGH], as on the command line.
 std::string range_text(const Option& option, const nlohmann::json& value) {
   if (value.is_string()) {
     return value.get<std::string>();
@@ -53,7 +53,7 @@ bool is_text_of(const nlohmann::json& value, char character) {
   return value.is_string() && value.get<std::string>().find(character) != std::string::npos;
 }
 
-/// A number, a text "first:last:count" or an array of numbers, which may be ranges where the option
+/// A number, a string "first:last:count" or an array of numbers, which may be ranges if the option
 /// takes one.
 Axis axis(const Option& option, const nlohmann::json& value, Command command) {
   const std::string field(option.name);
@@ -93,22 +93,22 @@ Axis axis(const Option& option, const nlohmann::json& value, Command command) {
   return Axis(std::move(values));
 }
 
-/// A line for each, as repeated flags give them.
+/// One line for each, as repeated flags give them.
 std::string joined_texts(const Option& option, const nlohmann::json& list) {
   std::string text;
   for (const nlohmann::json& entry : list) {
     if (!entry.is_string()) {
-      throw InputError(std::string(option.name), entry.dump(), "must be a text in quotes");
+      throw InputError(std::string(option.name), entry.dump(), "must be a string in quotes");
     }
     text += (text.empty() ? "" : "\n") + entry.get<std::string>();
   }
   if (text.empty()) {
-    throw InputError(std::string(option.name), list.dump(), "must have at least one text");
+    throw InputError(std::string(option.name), list.dump(), "must have at least one string");
   }
   return text;
 }
 
-/// Of what is not a number with its unit in a text.
+/// For any value but a string with a number and its unit.
 Settings::Value typed(const Option& option, const nlohmann::json& value, Command command) {
   const auto wrong_type = [&](std::string_view wanted) {
     return InputError(std::string(option.name), value.dump(), fmt::format("must be {}", wanted));
@@ -121,15 +121,15 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
         throw wrong_type(fmt::format(
             "a number{}{}",
             option.traits.dimension == Dimension::none ? ""
-                                                       : ", or a text of a number with its unit",
+                                                       : ", or a string with a number and its unit",
             option.takes_range_in(command) ? ", or a range [LOW, HIGH]" : ""));
       }
       return value.get<double>();
     case OptionKind::integer:
       if (!value.is_number()) {
-        throw wrong_type("a whole number");
+        throw wrong_type(whole_number(option));
       }
-      return parse_integer(option.name, value.dump());
+      return integer_value(option, value.dump());
     case OptionKind::text:
       if (option.name == "friction-zones" && value.is_array()) {
         return zones_text(value);
@@ -138,7 +138,7 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
         return joined_texts(option, value);
       }
       if (!value.is_string()) {
-        throw wrong_type("a text in quotes");
+        throw wrong_type("a string in quotes");
       }
       return value.get<std::string>();
     case OptionKind::flag:
@@ -158,7 +158,7 @@ void set_key(Settings& settings, const std::string& key, const nlohmann::json& v
   }
   if (settings.has(option->name)) {
     throw UsageError(
-        fmt::format("{} is set twice in the scene: a key can stand only once", shown(key)));
+        fmt::format("{} is set twice in the scene: a key may appear only once", shown(key)));
   }
   const bool is_range =
       option->takes_range_in(command) && (value.is_array() || is_text_of(value, ':'));
@@ -187,7 +187,7 @@ void add_key(Settings& settings, const std::string& key, const nlohmann::json& v
   settings.set_place(*option, place->second);
 }
 
-/// "excitation" may be an object of its own; its "type" is the option excitation.
+/// "excitation" may itself be an object; its "type" is the option excitation.
 void add_keys(Settings& settings, const nlohmann::json& object, std::string_view within,
               Command command, const sweep::KeyPlaces& places) {
   for (const auto& [key, value] : object.items()) {

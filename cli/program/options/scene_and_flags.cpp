@@ -55,8 +55,8 @@ bool asks_for_records(const Settings& given) {
   return given.has("record") || given.has("records-list");
 }
 
-/// A design is for a hit or under records. A flag for one sets the other of the scene aside; of a
-/// scene that has both, for several commands, a design takes the hit.
+/// A design is for a hit or under records. A flag for one sets aside the other in the scene; if a
+/// scene has both, for several commands, a design takes the hit.
 void keep_one_design(const Settings& flags, Settings& settings) {
   const bool for_a_hit =
       asks_for_hit(flags) || (asks_for_hit(settings) && !asks_for_records(flags));
@@ -79,7 +79,7 @@ void follow_pulse(Settings& scene) {
   }
   for (const std::string_view start : {"v0", "velocity"}) {
     if (scene.has(start)) {
-      throw UsageError(fmt::format("{} and pulse exclude each other: give one of them", start));
+      throw UsageError(fmt::format("{} and pulse cannot be combined: give one of them", start));
     }
   }
   scene.set(*find_option("excitation"), *scene.known("pulse"));

@@ -38,6 +38,25 @@ double parse_value(const Option& option, std::string_view text) {
                               dimension == Dimension::none ? with_a_unit(option) : "");
 }
 
+std::int64_t integer_value(const Option& option, std::string_view text) {
+  const Bounds& bounds = option.traits.bounds;
+  const auto value = records::scan_integer(text);
+  if (value && bounds.least <= *value && *value <= bounds.most) {
+    return *value;
+  }
+  const bool is_number = records::scan_number(text).fault == records::NumberFault::none;
+  throw InputError(std::string(option.name),
+                   value       ? fmt::format("{}", *value)
+                   : is_number ? std::string(text)
+                               : fmt::format("\"{}\"", text),
+                   fmt::format("must be {}", whole_number(option)));
+}
+
+std::string whole_number(const Option& option) {
+  const auto [least, most] = option.traits.bounds;
+  return fmt::format("a whole number from {} to {}", least, most);
+}
+
 Range range_value(const Option& option, std::string_view text) {
   return sweep::parse_range(option.name, text, reader(option));
 }
@@ -99,7 +118,7 @@ void Settings::set_text(const Option& option, const std::string& text, Command c
     case OptionKind::number:
       return set_number(option, text, command);
     case OptionKind::integer:
-      return set(option, parse_integer(option.name, text));
+      return set(option, integer_value(option, text));
     case OptionKind::text:
     case OptionKind::flag:
       break;
@@ -129,16 +148,6 @@ std::optional<records::FilePlace> Settings::place_of(std::string_view field) con
     }
   }
   return std::nullopt;
-}
-
-std::int64_t Settings::count(std::string_view name, std::int64_t fallback, std::int64_t least,
-                             std::int64_t most) const {
-  const auto wanted = integer(name);
-  if (wanted && (*wanted < least || *wanted > most)) {
-    throw InputError(std::string(name), fmt::format("{}", *wanted),
-                     fmt::format("must be a whole number from {} to {}", least, most));
-  }
-  return wanted.value_or(fallback);
 }
 
 double Settings::required(std::string_view name, std::string_view hint) const {

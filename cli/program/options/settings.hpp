@@ -22,15 +22,14 @@
 
 namespace stillpoint::cli {
 
-/// Wrong use of the program that is no single field's value: something missing, two things that
-/// exclude each other, a file that cannot be read or written.
+/// Wrong use of the program that is not the value of a single field: something missing, two things
+/// that cannot be combined, a file that cannot be read or written.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 using records::has_unit;
-using records::parse_integer;
 using records::parse_number;
 using sweep::Axis;
 using sweep::Range;
@@ -38,7 +37,11 @@ using sweep::Range;
 /// The value of an option, in its SI unit, and each number of an axis, "100mm:200mm:5"; see
 /// records/units.hpp. Throws InputError.
 [[nodiscard]] double parse_value(const Option& option, std::string_view text);
+[[nodiscard]] std::int64_t integer_value(const Option& option, std::string_view text);
 [[nodiscard]] Axis axis_value(const Option& option, std::string_view text, Command command);
+
+/// "a whole number from 1 to 1000", of an integer option.
+[[nodiscard]] std::string whole_number(const Option& option);
 
 /// LOW:HIGH. Throws InputError.
 [[nodiscard]] Range range_value(const Option& option, std::string_view text);
@@ -55,18 +58,18 @@ class Settings {
   };
 
   void set(const Option& option, Value value) { entries_[option.name].value = std::move(value); }
-  /// A number, or a range where the option takes one, from its text, which may carry units. Throws
+  /// A number, or a range if the option takes one, from its text, which may have units. Throws
   /// InputError.
   void set_number(const Option& option, std::string_view text, Command command);
-  /// Of any kind but a flag, as the command line has it. Throws InputError.
+  /// An option of any kind but a flag, as on the command line. Throws InputError.
   void set_text(const Option& option, const std::string& text, Command command);
   [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }
 
-  /// A range; empty where not set or a number.
+  /// A range; empty if not set or if it is a number.
   [[nodiscard]] std::optional<Range> range(std::string_view name) const { return get<Range>(name); }
 
-  /// The value of a number (of a range the end that stands for it), integer, text, flag or axis
-  /// option; empty (false) where not set.
+  /// The value of a number (for a range, the end that stands for it), integer, text, flag or axis
+  /// option; empty (false) if not set.
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
   [[nodiscard]] std::optional<std::int64_t> integer(std::string_view name) const {
     return get<std::int64_t>(name);
@@ -74,16 +77,12 @@ class Settings {
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const {
     return get<std::string>(name);
   }
-  /// What was given of an option that repeats, a text with one in each line.
+  /// The values of an option that repeats, one per line.
   [[nodiscard]] std::vector<std::string> texts(std::string_view name) const;
   [[nodiscard]] bool flag(std::string_view name) const { return get<bool>(name).value_or(false); }
   [[nodiscard]] std::optional<Axis> axis(std::string_view name) const { return get<Axis>(name); }
 
-  /// A whole number within bounds. Throws InputError.
-  [[nodiscard]] std::int64_t count(std::string_view name, std::int64_t fallback, std::int64_t least,
-                                   std::int64_t most) const;
-
-  /// A number; InputError where not set, saying what else would do.
+  /// A number; throws InputError if not set, with `hint` on what to give.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
 
   /// A text that must be one of the option's values. Throws InputError.
@@ -99,7 +98,8 @@ class Settings {
   void set_place(const Option& option, records::FilePlace place) {
     entries_.at(option.name).place = std::move(place);
   }
-  /// The place of the value that an InputError about `field` means; empty where no scene has it.
+  /// The place of the value that an InputError about `field` means; empty if it is not from a
+  /// scene.
   [[nodiscard]] std::optional<records::FilePlace> place_of(std::string_view field) const;
 
   void drop(std::string_view name) { entries_.erase(name); }
@@ -113,7 +113,7 @@ class Settings {
   [[nodiscard]] const std::map<std::string_view, Entry>& entries() const { return entries_; }
 
  private:
-  /// Null where it is not set, or has another type.
+  /// Null if it is not set, or has another type.
   template <class T>
   [[nodiscard]] const T* find(std::string_view name) const {
     const auto found = entries_.find(name);
@@ -128,7 +128,7 @@ class Settings {
   std::map<std::string_view, Entry> entries_;
 };
 
-/// What `body` throws about the value of a scene says where that stands.
+/// Adds the place in the scene to what `body` throws about a value of it.
 template <class Body>
 auto with_places(const Settings& settings, const Body& body) {
   try {
@@ -141,10 +141,11 @@ auto with_places(const Settings& settings, const Body& body) {
   }
 }
 
-/// What is absurd about its values together, a sentence each; it is computed all the same.
+/// Warnings about values that make no sense together, a sentence each; they are computed all the
+/// same.
 [[nodiscard]] std::vector<std::string> doubts(const Settings& settings, Command command);
 
-/// As a scene has it; an axis as its text.
+/// As in a scene; an axis as its text.
 [[nodiscard]] nlohmann::ordered_json as_json(const Settings::Value& value);
 
 /// The options that decide the numbers of a command, as a scene.

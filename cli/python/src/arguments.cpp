@@ -24,7 +24,7 @@ using cli::Settings;
 
 namespace {
 
-/// An option in Python; lambda is a word of the language.
+/// An option in Python; lambda is a keyword of the language.
 std::string keyword_of(const Option& option) {
   std::string keyword(option.name);
   std::ranges::replace(keyword, '-', '_');
@@ -116,7 +116,7 @@ std::string documentation(Command command, std::string_view about) {
   return fmt::format(
       "{})\n--\n\n{}\n\nscene is a path or a dict, as for the program; an option overrides its "
       "key. "
-      "A value may be a text with its unit, \"150mm\".\nRaises InputError with the text of the "
+      "A value may be a string with its unit, \"150mm\".\nRaises InputError with the text of the "
       "program.\n\nOptions:{}",
       signature, about, list);
 }
@@ -159,7 +159,7 @@ Settings settings(Command command, const py::object& scene, const py::dict& opti
   Settings of_scene = scene.is_none() ? Settings() : from_scene(command, scene);
   if (command == Command::design && !flags.has("part") && !of_scene.has("part")) {
     if (flags.has("output")) {
-      throw cli::UsageError("output is for a part of a design: give part as well");
+      throw cli::UsageError("output needs a part of a design: give part as well");
     }
     of_scene.drop("output");
   }

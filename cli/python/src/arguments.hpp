@@ -7,22 +7,24 @@
 
 namespace stillpoint::python {
 
-/// Whether the command has the option in Python: files that show a report are the program's alone.
+/// Whether the command has the option in Python: files that show a report exist only in the
+/// program.
 [[nodiscard]] bool takes(cli::Command command, const cli::Option& option);
 
 /// What help() says: the signature as Python reads it, `about`, and the options in the order of
 /// --help.
 [[nodiscard]] std::string documentation(cli::Command command, std::string_view about);
 
-/// Of each option of a command its keyword, its type in a stub and its help.
+/// For each option of a command: its keyword, its type in a stub and its help.
 [[nodiscard]] pybind11::list options(const std::string& command);
 
-/// A UserWarning for each value that is absurd beside the others, and for each file of a folder
-/// that is no record.
+/// A UserWarning for each value that makes no sense with the others, and for each file in a folder
+/// that is not a record.
 void warn_of_doubts(const cli::Settings& settings, cli::Command command);
 
-/// What the program would make of a scene (a path, a dict or None) and flags of these names. None
-/// stands for an option that is not given. Throws InputError, UsageError and FileError.
+/// The settings that the program would make from a scene (a path, a dict or None) and flags of
+/// these names. None stands for an option that is not given. Throws InputError, UsageError and
+/// FileError.
 [[nodiscard]] cli::Settings settings(cli::Command command, const pybind11::object& scene,
                                      const pybind11::dict& options);
 

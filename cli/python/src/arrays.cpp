@@ -41,7 +41,7 @@ constexpr const char* peak_doc = R"(peak(f, delta, v0, p, *, threads=0)
 The largest |x| of the free motion from x = 0, dimensionless, in constant time.
 
 f, delta, v0, p  numbers or float64 arrays that broadcast together; arrays in C order are not copied
-threads          of an array; 0: as many as the machine runs at once
+threads          of an array; 0: one per hardware thread
 
 Returns a float, or an array of the common shape. Raises InputError, which names a wrong entry.)";
 
@@ -54,8 +54,8 @@ The free motions from x = 0 of many dampers, dimensionless.
 f, delta, v0, p   numbers or float64 arrays that broadcast together; arrays in C order are not copied
 times             stop_time as well
 acceleration      peak_absolute_acceleration as well
-half_cycle_limit  a motion that may have more half-cycles is refused
-threads           0: as many as the machine runs at once; no result depends on it
+half_cycle_limit  refuse a motion that may have more half-cycles
+threads           0: one per hardware thread; no result depends on it
 
 Returns Fields of arrays of the common shape: peak_amplitude, half_cycles, outcome (the index in
 stillpoint.outcomes, uint8), stop_position. Where a motion never stops, half_cycles and stop_time
@@ -96,7 +96,7 @@ class Values {
 };
 
 Doubles as_doubles(py::handle value, const char* name) {
-  constexpr std::string_view kinds = "biufO";  // truths, whole numbers, floats, Python's own
+  constexpr std::string_view kinds = "biufO";  // bools, integers, floats, Python's own
   const py::array given = py::array::ensure(value);
   const bool numbers = given && kinds.find(given.dtype().kind()) != std::string_view::npos;
   auto array = py::reinterpret_steal<Doubles>(py::handle());
@@ -168,7 +168,7 @@ Doubles peaks(const Dampers& given, int threads) {
       throw error.in_entry(i);
     }
   };
-  constexpr py::ssize_t block = 4096;  // some 0.1 ms, which no thread is worth
+  constexpr py::ssize_t block = 4096;  // about 0.1 ms, not worth a thread
   if (given.size <= block) {
     const py::gil_scoped_release released;
     run(0, given.size);
@@ -195,8 +195,8 @@ py::object peak(const py::object& f, const py::object& delta, const py::object& 
 
 using Block = Eigen::Map<const Eigen::ArrayXd>;
 
-/// free_batch of the entries from `begin` to `end`. What takes a single number for v0 and p does
-/// so.
+/// free_batch of the entries from `begin` to `end`. Uses the overload for a single v0 and p if it
+/// can.
 void run_block(const Dampers& given, py::ssize_t begin, py::ssize_t end,
                const BatchOptions& options, BatchResult& result) {
   const auto part = [&](Place place) {

@@ -26,8 +26,8 @@ using cli::Command;
 
 namespace {
 
-/// The region of v0, p and beta alone, which is there at once: the rest of the report when someone
-/// looks.
+/// The region for only v0, p and beta, which is available at once; the rest of the report is made
+/// when it is read.
 class Bounds final : public Result {
  public:
   explicit Bounds(const design::Problem& problem)
@@ -82,20 +82,21 @@ struct Row {
 constexpr std::array rows{
     Row{Command::design,
         "Designs a damper: the admissible region, the search in it, its motion and its check; with "
-        "record, for a suite of acceleration records, which with part and output may be in parts; "
-        "merge joins them."},
+        "record, for a suite of acceleration records. With part and output it computes one part; "
+        "merge joins the parts."},
     Row{Command::region,
-        "The admissible region of f and delta, without a search; with f and delta, how this damper "
-        "stands in it. With v0, p and beta alone, as floats, it takes less than a microsecond."},
+        "The admissible region of f and delta, without a search; with f and delta, where this "
+        "damper stands in it. With v0, p and beta alone, as floats, it takes less than a "
+        "microsecond."},
     Row{Command::simulate,
         "One motion, free or forced: metrics and half-cycles. With samples, or t_end of a free "
         "motion, the result has a trajectory: an array of (tau, x, v)."},
     Row{Command::spectrum,
         "Peak, residual and transmitted acceleration of one damper under records over the period, "
-        "an axis as of sweep, beside the same without its notch."},
+        "an axis as of sweep, beside the same damper without its notch."},
 };
 
-/// Those of v0, p and beta where nothing else is given, and these as floats.
+/// v0, p and beta, if nothing else is given and these are floats.
 std::unique_ptr<Bounds> bounds(PyObject* const* values, Py_ssize_t count, PyObject* names) {
   static const std::array<PyObject*, 3> keys{PyUnicode_InternFromString("v0"),
                                              PyUnicode_InternFromString("p"),
@@ -164,7 +165,7 @@ void add_commands(py::module_& module) {
       module, "Motion",
       "What simulate found: the fields of its report as attributes, and trajectory.")
       .def_property_readonly("trajectory", &Motion::trajectory,
-                             "a structured array of tau, x and v, read-only; None where neither "
+                             "a structured array of tau, x and v, read-only; None if neither "
                              "samples nor the end of a free motion was given");
   py::class_<Bounds, Result>(module, "Bounds", "What region found of v0, p and beta alone.")
       .def_property_readonly("region", &Bounds::region);

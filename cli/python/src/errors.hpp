@@ -5,11 +5,10 @@
 
 namespace stillpoint::python {
 
-/// stillpoint.InputError, a ValueError, with the text that the program prints: of whatever is wrong
-/// with the input.
+/// stillpoint.InputError, a ValueError, with the text that the program prints, for any wrong input.
 void add_errors(pybind11::module_& module);
 
-/// An argument that Python alone can get wrong.
+/// An error that only a Python argument can have.
 class ArgumentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

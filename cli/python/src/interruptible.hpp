@@ -9,8 +9,9 @@
 
 namespace stillpoint::python {
 
-/// work(stop) without the interpreter's lock. It runs on a thread of its own, for only the caller's
-/// thread can see an interrupt: that asks `stop` for an end and is thrown once the work has ended.
+/// work(stop) without the interpreter's lock. It runs on a thread of its own, because only the
+/// caller's thread can see an interrupt: that requests a stop, and is thrown once the work has
+/// ended.
 template <class Work>
 auto interruptible(const Work& work) {
   namespace py = pybind11;

@@ -15,5 +15,5 @@ PYBIND11_MODULE(_stillpoint, module) {
   stillpoint::python::add_sweep(module);
   stillpoint::python::add_arrays(module);
   stillpoint::python::add_records(module);
-  stillpoint::python::add_record_parts(module);
+  stillpoint::python::add_merge(module);
 }

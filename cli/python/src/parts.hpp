@@ -10,6 +10,6 @@ void add_commands(pybind11::module_& module);
 void add_sweep(pybind11::module_& module);
 void add_arrays(pybind11::module_& module);
 void add_records(pybind11::module_& module);
-void add_record_parts(pybind11::module_& module);
+void add_merge(pybind11::module_& module);
 
 }  // namespace stillpoint::python

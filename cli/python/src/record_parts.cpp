@@ -6,51 +6,14 @@
 #include "input/request.hpp"
 #include "interruptible.hpp"
 #include "output.hpp"
-#include "parts.hpp"
-#include "values.hpp"
 #include "written_files.hpp"
-
-#include <stillpoint/core/input_error.hpp>
 
 #include <string>
 #include <vector>
 
 namespace stillpoint::python {
 
-namespace py = pybind11;
 using cli::Command;
-
-namespace {
-
-/// One may stand without a list.
-std::vector<std::string> paths(const py::object& given) {
-  if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) {
-    return {to_path("parts", given)};
-  }
-  std::vector<std::string> paths;
-  for (const py::handle path : given) {
-    paths.push_back(to_path("parts", path));
-  }
-  if (paths.empty()) {
-    throw InputError("parts", "[]", "must have a path");
-  }
-  return paths;
-}
-
-std::unique_ptr<Result> merge(const py::object& parts) {
-  const std::vector<std::string> files = paths(parts);
-  return std::make_unique<Result>(interruptible([&](const std::stop_token& stop) {
-    const report::RecordScan scan = report::merged_record_scan(files);
-    const report::RecordDesignInput input =
-        record_design_input(cli::record_design_settings(scan.label.task), scan);
-    return answers::answer_of(report::RecordDesignReport{
-        design::design(input.request, scan.figures,
-                       [&](const auto& /*progress*/) { return !stop.stop_requested(); }),
-        input.physical});
-  }));
-}
-
-}  // namespace
 
 std::unique_ptr<Result> design_part(cli::Settings settings) {
   cli::resolve_part(settings);
@@ -67,18 +30,16 @@ std::unique_ptr<Result> design_part(cli::Settings settings) {
   return std::make_unique<Result>(answers::answer_of(found->scan));
 }
 
-void add_record_parts(py::module_& module) {
-  module.def("merge", &merge, py::arg("parts"),
-             R"(merge(parts)
---
-
-The design under records that design(part=..., output=...) has computed in parts, and the searches
-that need all of them: what design finds in one run.
-
-parts  paths of all its files, in any order
-
-Raises InputError for a part that is missing, doubled, cut short or of another design, and where
-the records have changed.)");
+std::unique_ptr<Result> merged_design(const std::vector<std::string>& parts) {
+  return std::make_unique<Result>(interruptible([&](const std::stop_token& stop) {
+    const report::RecordScan scan = report::merged_record_scan(parts);
+    const report::RecordDesignInput input =
+        record_design_input(cli::record_design_settings(scan.label.task), scan);
+    return answers::answer_of(report::RecordDesignReport{
+        design::design(input.request, scan.figures,
+                       [&](const auto& /*progress*/) { return !stop.stop_requested(); }),
+        input.physical});
+  }));
 }
 
 }  // namespace stillpoint::python

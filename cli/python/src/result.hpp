@@ -11,7 +11,7 @@
 
 namespace stillpoint::python {
 
-/// What a command found. Its report is made when someone looks.
+/// What a command found. Its report is made when it is read.
 class Result {
  public:
   explicit Result(std::unique_ptr<answers::Answer> answer) : answer_(std::move(answer)) {}
@@ -28,7 +28,6 @@ class Result {
   [[nodiscard]] std::string one_line() const;
   [[nodiscard]] std::string html() const;
 
- protected:
   [[nodiscard]] virtual const answers::Answer& answer() const { return *answer_; }
 
  private:

@@ -2,18 +2,19 @@
 // The command sweep, with its rows in memory: what a file of the format npy holds, as an array. Or
 // without rows.
 
+#include "sweep_rows.hpp"
 #include "arguments.hpp"
 #include "input/request.hpp"
 #include "interruptible.hpp"
 #include "output.hpp"
 #include "parts.hpp"
-#include "result.hpp"
 #include "values.hpp"
 #include "written_files.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
+#include <stillpoint/sweep/merge.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
 #include <stillpoint/sweep/run.hpp>
 
@@ -21,6 +22,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <optional>
 
 namespace stillpoint::python {
@@ -48,40 +50,81 @@ py::dtype dtype_of(const SweepSpec& spec) {
 /// The bytes of a file without its header.
 class RowsInMemory final : public sweep::RowSink {
  public:
-  /// `size` is that of all rows where it is known.
-  explicit RowsInMemory(std::size_t size) { bytes_.reserve(size); }
+  /// `size` is that of all rows, if known.
+  explicit RowsInMemory(std::size_t size = 0) {
+    try {
+      bytes_.reserve(size);
+    } catch (const std::bad_alloc&) {
+      throw cli::UsageError(
+          fmt::format("the table takes {:.3g} GB of memory: give output, a file, or reduce",
+                      1e-9 * static_cast<double>(size)));
+    }
+  }
 
   [[nodiscard]] const sweep::SweepState& found() const override { return nothing_; }
   void write(std::string_view bytes) override {
-    if (begun_) {
+    if (header_.empty()) {
+      header_ = bytes;
+    } else {
       bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
-    begun_ = true;
   }
   void reached(const sweep::SweepState& /*state*/) override {}
   void finish(const sweep::SweepState& /*state*/, std::string_view /*header*/) override {}
   sweep::LeftRows leave() override { return {}; }
 
-  [[nodiscard]] std::vector<char> take() { return std::move(bytes_); }
+  [[nodiscard]] const std::string& header() const { return header_; }
+
+  /// The rows as an array that owns them.
+  [[nodiscard]] py::array take(const py::dtype& type) {
+    auto bytes = std::make_unique<std::vector<char>>(std::move(bytes_));
+    const auto count = static_cast<py::ssize_t>(bytes->size()) / type.itemsize();
+    const void* const data = bytes->data();
+    return {type, count, data, kept(std::move(bytes))};
+  }
 
  private:
   sweep::SweepState nothing_;
-  bool begun_{false};  ///< the header comes first
+  std::string header_;  ///< comes first
   std::vector<char> bytes_;
 };
 
-class Sweep final : public Result {
- public:
-  Sweep(std::unique_ptr<answers::Answer> answer, py::object table)
-      : Result(std::move(answer)), table_(std::move(table)) {}
-
-  [[nodiscard]] const py::object& table() const { return table_; }
-
- private:
-  py::object table_;
+/// What parts hold, which is less than a report of the sweep has.
+struct MergedRows {
+  sweep::Merged merged;
+  std::size_t parts;
+  std::optional<std::string> output;
 };
 
-/// Only a plane of f and delta has a map.
+nlohmann::ordered_json json(const MergedRows& rows) {
+  return {
+      {"rows", rows.merged.rows},
+      {"parts", rows.parts},
+      {"output", rows.output ? nlohmann::ordered_json(*rows.output) : nlohmann::ordered_json()}};
+}
+
+report::Document document(const MergedRows& rows) {
+  report::Document said;
+  said.title = "Sweep";
+  said.verdict = fmt::format("{} rows of {} parts.", rows.merged.rows, rows.parts);
+  return said;
+}
+
+/// From the header of a file.
+py::dtype dtype_of(const std::string& header) {
+  constexpr std::size_t magic = 8;  // with the version
+  if (!header.starts_with('\x93')) {
+    throw InputError::missing("output", "rows as CSV are joined in a file");
+  }
+  const py::object file =
+      py::module_::import("io").attr("BytesIO")(py::bytes(header.substr(magic)));
+  return py::module_::import("numpy.lib.format")
+      .attr("read_array_header_1_0")(file)
+      .cast<py::tuple>()[2]
+      .cast<py::dtype>();
+}
+
+/// Only a sweep over f and delta has a map.
 std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
   try {
     return sweep::SweepMap(spec);
@@ -122,10 +165,7 @@ std::unique_ptr<Sweep> with_rows(SweepSpec asked, bool in_memory) {
   });
   py::object table = py::none();
   if (in_memory) {
-    auto bytes = std::make_unique<std::vector<char>>(memory.take());
-    const void* const data = bytes->data();
-    table = py::array(type, static_cast<py::ssize_t>(found.summary.state.rows), data,
-                      kept(std::move(bytes)));
+    table = memory.take(type);
   }
   return std::make_unique<Sweep>(answers::answer_of(std::move(found)), std::move(table));
 }
@@ -148,17 +188,36 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
 
 }  // namespace
 
+std::unique_ptr<Sweep> merged_reduction(const std::vector<std::string>& parts) {
+  return std::make_unique<Sweep>(
+      answers::answer_of(
+          interruptible([&](const std::stop_token& /*stop*/) { return report::merged(parts); })),
+      py::none());
+}
+
+std::unique_ptr<Sweep> merged_rows(const std::vector<std::string>& parts,
+                                   const std::optional<std::string>& output) {
+  RowsInMemory memory;
+  const sweep::Merged merged = interruptible([&](const std::stop_token& stop) {
+    return output ? sweep::merge(*output, parts, {stop, {}})
+                  : sweep::merge(memory, parts, {stop, {}});
+  });
+  return std::make_unique<Sweep>(
+      answers::answer_of(MergedRows{merged, parts.size(), output}),
+      output ? py::object(py::none()) : memory.take(dtype_of(memory.header())));
+}
+
 void add_sweep(py::module_& module) {
   py::class_<Sweep, Result>(module, "Sweep",
                             "What sweep found: the fields of its report as attributes, and table.")
       .def_property_readonly("table", &Sweep::table,
-                             "a structured array with a field for each column; None where the rows "
+                             "a structured array with a field for each column; None if the rows "
                              "went to a file, and with reduce");
   module.def(
       "sweep", &run_sweep, py::arg("scene") = py::none(), py::pos_only(),
       documentation(Command::sweep,
                     "Many motions, or with beta many designs, over a grid or a list. An axis "
-                    "is a number, an array, or a text: \"first:last:count\", with \":log\", or "
+                    "is a number, an array, or a string: \"first:last:count\", with \":log\", or "
                     "\"a,b,c\". The result has a table, a structured array with a field for each "
                     "column; outcome is an index in stillpoint.outcomes. With output the rows "
                     "go to that file instead. With reduce there are no rows, but counts, extremes, "

@@ -24,7 +24,7 @@ json integer(const std::string& field, py::handle value) {
   return whole;
 }
 
-/// In the words of the command line, which takes no other.
+/// As on the command line, which takes nothing else.
 json number(const std::string& field, py::handle value) {
   const double number = PyFloat_AS_DOUBLE(value.ptr());
   return std::isfinite(number) ? number
@@ -117,7 +117,7 @@ json to_json(const std::string& field, py::handle value) {
     return list(field, value);
   }
   throw InputError(field, py::repr(value).cast<std::string>(),
-                   "must be a number, a text or a list of them");
+                   "must be a number, a string or a list of them");
 }
 
 std::string to_path(const std::string& field, py::handle value) {

@@ -11,8 +11,8 @@
 
 namespace stillpoint::python {
 
-/// A value of an option: None, a truth, a number, a text, a path, a sequence, a mapping, or what
-/// NumPy has of these. Throws InputError that names `field` for anything else.
+/// A value of an option: None, a bool, a number, a string, a path, a sequence, a mapping, or
+/// NumPy's versions of these. Throws InputError that names `field` for anything else.
 [[nodiscard]] nlohmann::json to_json(const std::string& field, pybind11::handle value);
 
 /// A str, or a path of the library. Throws InputError that names `field` for anything else.

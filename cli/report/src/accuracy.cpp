@@ -25,12 +25,12 @@ std::string exponent(double error) {
   return error == 0 ? "0" : format("{:.1e}", error);
 }
 
-/// As --json has it.
+/// As in --json.
 std::string_view not_run(peers::Run run) {
   return run == peers::Run::nothing_moves ? "nothing_moves" : "too_long";
 }
 
-/// "tolerance 1e-09"; "" where it has none.
+/// "tolerance 1e-09"; "" if it has none.
 std::string setting(const peers::MethodRow& now) {
   return now.knob.empty() ? "" : format("{} {:.3g}", now.knob, now.setting);
 }
@@ -59,20 +59,18 @@ ordered_json method_json(const peers::MethodRow& now, bool used) {
 std::string_view reason(const SimulationRequest& request) {
   const auto& [p, f, delta, hold] = request.oscillator;
   if (!is_forced(request) && !request.surface.plain()) {
-    return "from edge to edge and turn to turn the motion is a closed form, and so are the "
-           "instants "
-           "between";
+    return "between edges and turns the motion is a closed form, and so are its times";
   }
   if (!is_forced(request)) {
     return f > 0 && delta > 0
                ? "the half-cycle map is exact from peak to peak, one square root each, and has no "
                  "step or tolerance to choose"
-               : "one friction alone ends in a closed form, an exact remainder, however many "
-                 "half-cycles it takes";
+               : "with only one friction the end is a closed form, an exact remainder, for any "
+                 "number of half-cycles";
   }
   return std::holds_alternative<Record>(request.excitation)
              ? "between samples the motion is a closed form with constant coefficients, and each "
-               "interval is proved to hold no event or searched for it"
+               "interval is proved to contain no event or searched for one"
              : "between events the motion is a closed form, and the first event is found by a "
                "bound that cannot step over it";
 }
@@ -122,7 +120,7 @@ ordered_json json(const AccuracyReport& report) {
 
 namespace {
 
-/// All digits, and with physical input what people think in.
+/// All digits, and with physical input the usual units as well.
 std::string exact_text(const Physical& physical, double value, const std::string& words) {
   return format("{:.17g}{}", value, physical ? " = " + words : "");
 }
@@ -153,7 +151,7 @@ TableRow method_row(const peers::MethodRow& now) {
       now.counts_right ? Tone::good : Tone::bad};
 }
 
-/// What simulate's own method does.
+/// The accuracy of simulate's own method.
 std::string verdict(const peers::MethodRow& kernel, bool stops) {
   if (kernel.run != peers::Run::done) {
     return "";

@@ -63,7 +63,7 @@ std::vector<std::string> browser() {
     }
   }
   throw BrowserError(
-      "open: no browser is found: set BROWSER to a program, or write the page with --html FILE");
+      "open: no browser was found: set BROWSER to a program, or write the page with --html FILE");
 }
 
 TemporaryPage::TemporaryPage() {

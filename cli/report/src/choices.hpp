@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What there is to choose from: the parts of a catalogue and the front of a trade-off.
+// The choices: the parts of a catalogue and the front of a trade-off.
 
 #include "units.hpp"
 
@@ -18,7 +18,7 @@
 
 namespace stillpoint::report {
 
-/// What a part is judged by.
+/// The requirements that a part is judged by.
 struct PartTask {
   const design::Problem& problem;
   const design::Limits& limits;
@@ -31,7 +31,7 @@ struct PartTask {
 /// "7 of 40 parts fit".
 [[nodiscard]] std::string how_many_fit(const std::vector<design::RatedPart>& parts);
 
-/// The best parts, and what the others fail by.
+/// The best parts, and how far the others fail.
 void add_parts(Document& document, const Catalogue& catalogue, const PartTask& task);
 /// Their marks, without those beyond the axes.
 void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);

@@ -13,12 +13,51 @@ namespace stillpoint::report {
 
 namespace {
 
-void add_damper(Document& document, const design::DesignResult& result, const Physical& physical) {
+/// The best is at the very end of the feasible f, no constant friction: a limit, which the search
+/// comes near and nobody builds.
+bool wants_no_friction(const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  return !report.catalogue && begins_at_nothing(result.finding->point.f, *result.region.f_upper);
+}
+
+/// Beside next to no friction: what is left of it with friction that can be built.
+std::string tolerance_without_friction(const design::DesignResult& result) {
+  const auto& [f, delta, tolerance] = result.finding->point;
+  std::string text = format("delta may be off by +-{:.4g} % with next to no f", 100 * tolerance);
+  if (!result.request.pulse) {
+    constexpr double kept = 0.9;
+    const auto& [problem, limits, search, pulse, ranges] = result.request;
+    const double less = kept * tolerance;
+    if (const auto largest = design::any_f_up_to(problem, limits, delta, less)) {
+      text += format(", by +-{:.4g} % with any up to {:.3g}", 100 * less, *largest);
+    }
+  }
+  return text;
+}
+
+std::string tolerance_words(const DesignReport& report) {
+  const design::Limits& limits = report.result.request.limits;
+  const double tolerance = report.result.finding->point.tolerance;
+  constexpr double none = 1e-6;  // the distance that a design keeps from an edge, and rounding
+  if (tolerance < none) {
+    return "none is left: the damper is on the edge of what is admissible";
+  }
+  if (limits.shape != design::BoxShape{}) {
+    return box_text(limits, tolerance);
+  }
+  return wants_no_friction(report)
+             ? tolerance_without_friction(report.result)
+             : format("f and delta may both be off by +-{:.4g} %", 100 * tolerance);
+}
+
+void add_damper(Document& document, const DesignReport& report, const Physical& physical) {
+  const design::DesignResult& result = report.result;
   const design::Finding& finding = *result.finding;
   const DeltaNeeds needs = delta_needs(result);
   const design::DesignPoint& point = finding.point;
   Section& section = document.detail("Design");
-  section.row("f", digits(point.f), Tone::heading);
+  section.row("f", (wants_no_friction(report) ? "next to none, " : "") + digits(point.f),
+              Tone::heading);
   section.row("delta", length_text(physical, point.delta), Tone::heading);
   section.row("tolerance", box_text(result.request.limits, point.tolerance));
   if (stops_by_delta1(finding.constraints)) {
@@ -50,7 +89,7 @@ std::string reduction_text(const design::PulseCheck& check) {
   if (!check.start) {
     return "not used: this pulse leaves no velocity";
   }
-  std::string text = format("not used; to a velocity, the peak would be {} this",
+  std::string text = format("not used; with a velocity in its place, the peak would be {} this",
                             off_by(check.peak_error.value_or(0)));
   for (const design::PulseWarning warning : check.warnings) {
     text += "; " + warning_text(warning, check);
@@ -92,7 +131,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
     }
   }
   if (response.half_cycles == 0) {
-    section.line("This notch holds the mass all through the pulse.", Tone::bad);
+    section.line("This notch holds the mass throughout the pulse.", Tone::bad);
     return;
   }
   section.row("outcome", outcome_phrase(response.outcome));
@@ -107,7 +146,7 @@ void add_built_notch(Document& document, const design::BuiltNotch& built,
                                  *response.stop_time < *paper.stop_time ? "earlier" : "later"));
   }
   section.row("acceleration",
-              format("up to {:.4g} g is transmitted, {} ({:.4g} g with the paper's, outside of it)",
+              format("up to {:.4g} g is transmitted, {} ({:.4g} g outside the paper's notch)",
                      response.peak_absolute_acceleration,
                      shape.width ? "the notch included" : "outside the notch",
                      paper.peak_absolute_acceleration));
@@ -117,7 +156,7 @@ std::string judgement(const design::CheckMethod& method) {
   if (!method.passed) {
     return "disagrees";
   }
-  return method.decided ? "agrees" : "agrees in the peak; too near a tie to tell more";
+  return method.decided ? "agrees" : "agrees in the peak; too close to a tie to compare more";
 }
 
 /// In eight characters.
@@ -155,11 +194,15 @@ std::string verdict(const DesignReport& report, const Physical& physical) {
   const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
   const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
   const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
+  const bool weighed = force && energy && std::isfinite(*energy);
+  const std::string notch =
+      weighed ? format("a notch that takes {} at a passage", with_unit(*energy, "J"))
+              : format("delta = {}", length_shown(physical, delta));
   std::string text =
-      force && energy && std::isfinite(*energy)
-          ? format("Build a friction force of {} and a notch that takes {} at a passage.",
-                   with_unit(*force, "N"), with_unit(*energy, "J"))
-          : format("Build f = {} and delta = {}.", digits(f), length_shown(physical, delta));
+      wants_no_friction(report)
+          ? format("Build {} and as little constant friction as you can.", notch)
+      : weighed ? format("Build a friction force of {} and {}.", with_unit(*force, "N"), notch)
+                : format("Build f = {} and {}.", digits(f), notch);
   if (report.catalogue) {
     text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
                   digits(f), length_shown(physical, delta));
@@ -179,7 +222,8 @@ std::string checks_agree(const design::CrossCheck& check) {
   return text;
 }
 
-/// Of a notch: 20 mm, or 1, 2 or 5 times a power of ten where that is above a fifth of the peak.
+/// The width of a notch: 20 mm, or 1, 2 or 5 times a power of ten if that is above a fifth of the
+/// peak.
 double example_width_m(double peak_m) {
   constexpr double usual = 0.02;
   const double most = peak_m / 5;
@@ -197,6 +241,10 @@ std::string felt(const design::Finding& finding, const Response& response,
                   acceleration_shown(limits.acceleration_max.value()),
                   length_shown(physical, *finding.practice->notch_width_min));
   }
+  if (limits.acceleration_max) {
+    return format("{} outside the notch; inside it, more than {} at any width", outside,
+                  acceleration_shown(*limits.acceleration_max));
+  }
   if (!physical) {
     return format("{} outside the notch, f + delta/w inside one of width w", outside);
   }
@@ -207,28 +255,29 @@ std::string felt(const design::Finding& finding, const Response& response,
                 with_unit(example_m, "m"));
 }
 
-/// Of the ranges of a pulse; a range of k alone needs no samples.
+/// For the ranges of a pulse; a range of only k needs no samples.
 void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
                const Physical& physical) {
-  answer.row(
-      "ranges",
-      format(
-          "up to {}, {} and {} with any pulse and spring; the motion shown has the largest peak, "
-          "of lambda = {} and p = {:.6g}{}",
-          length_shown(physical, check.worst->peak), acceleration_shown(check.worst->acceleration),
-          time_shown(physical, check.worst->stop_time),
-          frequency_text(physical, design::angular_frequency(check.pulse)), check.p,
-          sampled ? "; lambda/p is sampled" : ""));
+  answer.row("ranges", format("up to {}, {} and {} with any pulse and spring in the ranges; the "
+                              "motion shown has the largest peak, at lambda = {} and p = {:.6g}{}",
+                              length_shown(physical, check.worst->peak),
+                              acceleration_shown(check.worst->acceleration),
+                              time_shown(physical, check.worst->stop_time),
+                              frequency_text(physical, design::angular_frequency(check.pulse)),
+                              check.p, sampled ? "; lambda/p is sampled" : ""));
 }
 
 /// What it does, and how far it can be trusted.
-void add_answer(Section& answer, const design::DesignResult& result, const Physical& physical) {
+void add_answer(Section& answer, const DesignReport& report, const Physical& physical) {
+  const design::DesignResult& result = report.result;
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   const design::Finding& finding = *result.finding;
   const auto& [f, delta, tolerance] = finding.point;
   const bool pulsed = pulse.has_value();
   const Response& response = pulsed ? finding.pulse->response : finding.response;
-  answer.row("damper", format("f = {}, delta = {}", digits(f), length_text(physical, delta)),
+  const std::string friction =
+      wants_no_friction(report) ? "f as small as you can make it" : format("f = {}", digits(f));
+  answer.row("damper", format("{}, delta = {}", friction, length_text(physical, delta)),
              Tone::heading);
   answer.row(
       "peak",
@@ -250,9 +299,7 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
     const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
     answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
   }
-  answer.row("tolerance", limits.shape == design::BoxShape{}
-                              ? format("f and delta may both be off by +-{:.4g} %", 100 * tolerance)
-                              : box_text(limits, tolerance));
+  answer.row("tolerance", tolerance_words(report));
   add_works_for(answer, finding.works_for, physical);
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 1.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
@@ -268,8 +315,8 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
     constexpr double beyond_use = 0.9;
     if (tolerance > beyond_use && !limits.delta_max) {
       answer.row("note",
-                 "nothing bounds delta, so that almost any tolerance is possible: --delta-max "
-                 "keeps the notch small");
+                 "nothing bounds delta, so almost any tolerance is possible: --delta-max keeps the "
+                 "notch small");
     }
   }
 }
@@ -277,16 +324,14 @@ void add_answer(Section& answer, const design::DesignResult& result, const Physi
 /// A pulse is shown in place of the velocity to which it reduces.
 void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
-  design::Problem shown = problem;
-  shown.v0 = pulse ? 0 : problem.v0;
-  Section& task = add_problem(document, shown, limits, physical);
+  Section& task = add_problem(document, problem, limits, physical, pulse.has_value());
   if (pulse) {
     add_pulse(task, *pulse, ranges, physical);
   }
   task.row("objective", std::string(name(search.objective)));
 }
 
-/// The choice among parts and the front, where they are asked for.
+/// The choice among parts and the front, if requested.
 void add_choices(Document& document, const DesignReport& report, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = report.result.request;
   if (report.catalogue) {
@@ -368,9 +413,9 @@ Document document(const DesignReport& report) {
   const design::Finding& finding = *result.finding;
   document.verdict = verdict(report, physical);
   document.tone = finding.cross_check.passed ? Tone::good : Tone::bad;
-  add_answer(document.answer, result, physical);
+  add_answer(document.answer, report, physical);
   add_choices(document, report, physical);
-  add_damper(document, result, physical);
+  add_damper(document, report, physical);
   add_constraints(document, finding.constraints, physical);
   add_motion(document, finding, problem.beta, physical);
   if (report.built_notch) {

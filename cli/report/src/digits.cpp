@@ -25,12 +25,13 @@ std::string with_unit(double value, std::string_view unit) {
   static constexpr std::array prefixes{Prefix{1e9, "G"}, Prefix{1e6, "M"},  Prefix{1e3, "k"},
                                        Prefix{1, ""},    Prefix{1e-3, "m"}, Prefix{1e-6, "u"},
                                        Prefix{1e-9, "n"}};
-  // As it will be read: 0.99999999 mm is 1 mm, not 1000 um.
+  // As it will be displayed: 0.99999999 mm is 1 mm, not 1000 um.
   const double magnitude = std::stod(fmt::format("{:.5g}", std::abs(value)));
   const bool in_range = magnitude >= 1e-9 && magnitude < 1e12;
   if (in_range) {
     for (const Prefix& prefix : prefixes) {
-      // Of lengths neither kilometres nor micrometres: those of one report compare at a glance.
+      // For lengths neither kilometres nor micrometres, so that those of one report compare at a
+      // glance.
       const bool length = unit == "m";
       const bool least = length && prefix.factor == 1e-3;
       if ((magnitude >= prefix.factor || least) && !(length && prefix.factor > 1)) {
@@ -41,7 +42,15 @@ std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.5g} {}", value, unit);
 }
 
+bool begins_at_nothing(double low, double high) {
+  constexpr double nothing = 1e-6;
+  return low <= nothing * high;
+}
+
 std::string range_digits(double low, double high) {
+  if (begins_at_nothing(low, high)) {
+    return fmt::format("up to {}", digits(high));
+  }
   const std::string from = digits(low);
   const std::string to = digits(high);
   return from == to && low < high ? interval_digits(low, high) : fmt::format("{} to {}", from, to);

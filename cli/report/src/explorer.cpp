@@ -21,7 +21,7 @@ std::optional<std::string> beside_the_program(const char* path) {
   return !error && fs::is_regular_file(page, error) ? std::optional(page.string()) : std::nullopt;
 }
 
-/// What a URL has of a text: all but letters, digits and `plain` as %XX.
+/// A text for a URL: everything but letters, digits and `plain` as %XX.
 std::string encoded(std::string_view text, std::string_view plain) {
   std::string result;
   for (const char c : text) {

@@ -72,7 +72,7 @@ std::string verdict(const MotionReport& report) {
   }
   if (report.answer.forced && response.outcome == Outcome::stopped_at_zero &&
       response.peak_amplitude == 0) {
-    return "It never moves: friction holds it under the whole load.";
+    return "It never moves: friction holds it throughout the load.";
   }
   std::string text = format("It {}", outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {
@@ -109,7 +109,7 @@ void add_answer(Section& answer, const MotionReport& report) {
     answer.row("impulse",
                format("{}: the notch passes the hit on in full", impulse_shown(physical, *caught)));
   }
-  constexpr double worth_saying = 0.01;  // no damper is built nearer to its drawing
+  constexpr double worth_saying = 0.01;  // no damper is built more accurately than this
   if (response.decision_margin && *response.decision_margin < worth_saying) {
     answer.row(
         "note",
@@ -148,7 +148,7 @@ std::string lock_sentence(const MotionReport& report) {
 std::optional<double> caught_impulse(const MotionReport& report) {
   const Oscillator& oscillator = report.request.oscillator;
   const Start& start = report.request.start;
-  // A load can free the mass from a notch that holds only so much.
+  // A load can free the mass from a notch of limited capacity.
   const bool freed = report.answer.forced && oscillator.hold && start.x0 == 0 &&
                      !report.request.surface.notch_width &&
                      start.v0 * start.v0 < 2 * oscillator.delta;

@@ -56,8 +56,9 @@ std::string lock_words(const design::RecordDesign& result) {
   const std::size_t all = result.finding->responses.size();
   return count == 0
              ? ""
-             : format("under {} of {} record{} the notch holds it to the end, against up to {}",
-                      count, all, all == 1 ? "" : "s", acceleration_shown(most));
+             : format(
+                   "under {} of {} record{} the notch holds it to the end, and transmits up to {}",
+                   count, all, all == 1 ? "" : "s", acceleration_shown(most));
 }
 
 std::string verdict(const RecordDesignReport& report) {
@@ -88,7 +89,7 @@ void add_answer(Section& answer, const design::RecordDesign& result) {
   const design::SuiteCheck& check = result.finding->check;
   answer.row("check",
              check.passed ? format("passed: Runge-Kutta agrees within {:.1e}", check.relative_error)
-                          : format("FAILED: Runge-Kutta is off by {:.1e}, {:.0e} is allowed",
+                          : format("FAILED: Runge-Kutta is off by {:.1e}; {:.0e} is allowed",
                                    check.relative_error, check.tolerance),
              check.passed ? Tone::good : Tone::bad);
 }
@@ -102,7 +103,7 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   section.row("spring", period_words(physical, damper.p));
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
-  section.row("sensitivity", format("f and delta off by up to {:.3g} %: the four corners and {} "
+  section.row("sensitivity", format("f and delta off by up to {:.3g} %, at the four corners and {} "
                                     "random points: a sample, not a proof",
                                     100 * near.tolerance, near.samples - 4));
   section.row("", near.worst.settled ? format("the worst has {}, stroke {}, residual {}",
@@ -147,14 +148,14 @@ void add_shortfalls(Document& document, const RecordDesignReport& report) {
   for (const auto& [which, limit, nearest, relaxed] : report.result.shortfalls) {
     section.row(
         std::string(words(which)),
-        format("{}, {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
+        format("{}; {} is allowed", shown(physical, which, nearest), shown(physical, which, limit)),
         nearest > limit ? Tone::bad : Tone::plain);
-    section.row("", relaxed ? format("with {} allowed, and the others as they are, there is a "
-                                     "damper",
-                                     shown(physical, which, *relaxed))
-                    : report.result.search.interrupted
-                        ? "interrupted before it was known whether this limit alone would do"
-                        : "no value of this limit alone would do");
+    section.row(
+        "", relaxed ? format("with {} allowed and the other limits unchanged, there is a damper",
+                             shown(physical, which, *relaxed))
+            : report.result.search.interrupted
+                ? "interrupted before it was known whether changing this limit alone would do"
+                : "changing this limit alone would not do");
   }
 }
 

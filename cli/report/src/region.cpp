@@ -105,7 +105,7 @@ Document document(const RegionReport& report) {
   const design::RegionAnswer& answer = report.answer;
   Document document;
   document.title = "Admissible region";
-  Section& task = add_problem(document, problem, limits, report.physical);
+  Section& task = add_problem(document, problem, limits, report.physical, pulse.has_value());
   if (pulse) {
     add_pulse(task, *pulse, ranges, report.physical);
   }

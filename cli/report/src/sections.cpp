@@ -110,20 +110,20 @@ std::string box_text(const design::Limits& limits, double tolerance) {
 }
 
 Section& add_problem(Document& document, const design::Problem& problem,
-                     const design::Limits& limits, const Physical& physical) {
+                     const design::Limits& limits, const Physical& physical, bool pulsed) {
   Section& section = document.detail("Task");
   if (physical) {
     add_physical_input(section, *physical);
   }
-  section.row("dimensionless", format("{}p = {:.6g}, beta = {:.6g}",
-                                      problem.v0 != 0 ? format("v0 = {:.6g}, ", problem.v0) : "",
-                                      problem.p, problem.beta));
+  section.row("dimensionless",
+              format("{}p = {:.6g}, beta = {:.6g}",
+                     pulsed ? "" : format("v0 = {:.6g}, ", problem.v0), problem.p, problem.beta));
   const double velocity = physical ? physical->scales.velocity_m_per_s : 1;
   if (problem.v0_low) {
     const std::string low =
         *problem.v0_low > 0 ? format(" from {:.6g}", *problem.v0_low * velocity) : "";
-    section.row("hits", format("every one{} up to {:.6g}{}; the motion shown is the strongest's",
-                               low, problem.v0 * velocity, physical ? " m/s" : ""));
+    section.row("hits", format("all{} up to {:.6g}{}; the motion shown is for the strongest", low,
+                               problem.v0 * velocity, physical ? " m/s" : ""));
   }
   if (problem.p_high) {
     const double period = physical ? 2 * std::numbers::pi * physical->scales.time_s : 0;
@@ -131,7 +131,7 @@ Section& add_problem(Document& document, const design::Problem& problem,
                 format("{} {:.6g} to {:.6g}{}{}", physical ? "periods of" : "p",
                        physical ? period / *problem.p_high : problem.p,
                        physical ? period / problem.p : *problem.p_high, physical ? " s" : "",
-                       problem.v0 != 0 ? "; the motion shown is the softest's" : ""));
+                       pulsed ? "" : "; the motion shown is for the softest"));
   }
   if (problem.residual) {
     section.row("residual",
@@ -139,7 +139,7 @@ Section& add_problem(Document& document, const design::Problem& problem,
   }
   section.row("criterion", format("{} Delta1", name(problem.criterion)));
   if (problem.arrivals > 1) {
-    section.row("arrivals", format("stop at x = 0 at arrival {} at the latest", problem.arrivals));
+    section.row("arrivals", format("stop at x = 0 by arrival {}", problem.arrivals));
   }
   std::string limit;
   const auto add = [&](const std::string& text) { limit += (limit.empty() ? "" : ", ") + text; };
@@ -257,8 +257,8 @@ void add_metrics(Section& section, const Response& response, const Physical& phy
   }
 }
 
-/// The two motions' margins are not one quantity: docs/theory.md section 6, docs/forced.md section
-/// 7.
+/// The margins of the two motions are different quantities: docs/theory.md section 6,
+/// docs/forced.md section 7.
 void add_margin(Section& section, const Response& response, std::string_view meaning) {
   if (response.decision_margin) {
     section.row("decision margin",
@@ -280,7 +280,7 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
   section.row("transmitted",
               format("{}, the largest acceleration that the structure feels",
                      acceleration_text(physical, response.peak_absolute_acceleration)));
-  section.row("relative", format("{}, the largest acceleration against the base",
+  section.row("relative", format("{}, the largest acceleration relative to the base",
                                  acceleration_text(physical, response.peak_acceleration)));
   add_metrics(section, response, physical);
   add_margin(section, response, "the closest decision was this far from the other outcome");
@@ -294,7 +294,8 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
                        length_text(physical, *response.final_position), *response.final_velocity));
   }
   if (response.left_notch_from_rest) {
-    section.row("note", "it started from rest at x = 0: the notch acts from the first return on");
+    section.row("note",
+                "it started from rest at x = 0, so the notch acts from the first return on");
   }
 }
 

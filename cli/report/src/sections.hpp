@@ -19,21 +19,21 @@
 namespace stillpoint::report {
 
 void add_physical_input(Section& section, const design::PhysicalInput& physical);
-/// Force and energy of a damper, where there is a mass; energy where there is a notch.
+/// Force and energy of a damper, if the mass is known; the energy if there is a notch.
 void add_damper_physics(Section& section, const Physical& physical, double f, double delta);
 /// "0.340 to 0.429", "up to 0.463" or "at least 0.5".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
-/// For which hits and periods it works, where that is known.
+/// The hits and periods for which it works, if known.
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
                    const Physical& physical);
 /// How much of the notch the stop takes, and how wide it must be.
 void add_notch(Section& section, const std::optional<design::Practice>& lines,
                const Physical& physical);
-/// "480 kN s", of a speed; "0.4 m/s per mass" where the mass is not known.
+/// "480 kN s" for a speed; "0.4 m/s per mass" if the mass is not known.
 [[nodiscard]] std::string impulse_shown(const Physical& physical, double impulse);
 void add_practice(Section& section, const std::optional<design::Practice>& lines,
                   const Physical& physical);
-/// What differs from the paper's notch and friction.
+/// The differences from the paper's notch and friction.
 void add_surface(Section& section, const SimulationRequest& request, const Physical& physical);
 void add_excitation(Section& section, const Excitation& excitation,
                     const std::optional<RecordOrigin>& record, const Physical& physical);
@@ -41,9 +41,9 @@ void add_excitation(Section& section, const Excitation& excitation,
 /// "+-5 % of f and delta at once", or each side of a box of another shape.
 [[nodiscard]] std::string box_text(const design::Limits& limits, double tolerance);
 
-/// The section of the task.
+/// The section of the task; `pulsed` if a pulse takes the place of v0.
 Section& add_problem(Document& document, const design::Problem& problem,
-                     const design::Limits& limits, const Physical& physical);
+                     const design::Limits& limits, const Physical& physical, bool pulsed);
 Section& add_region(Document& document, const design::Region& region, const Physical& physical);
 /// The rows of a pulse in the section of the task.
 void add_pulse(Section& task, const design::Pulse& pulse, const design::PulseRanges& ranges,
@@ -58,8 +58,8 @@ struct DeltaNeeds {
 };
 [[nodiscard]] DeltaNeeds delta_needs(const design::DesignResult& result);
 
-/// The objective's value of the design (of a pulse of NLopt's best point), and of the best along f
-/// alone, without NLopt; empty where that is not known.
+/// The objective's value of the design (for a pulse, of NLopt's best point), and of the best along
+/// f alone, without NLopt; empty if not known.
 struct Optimum {
   std::optional<double> found;
   std::optional<double> along_f;
@@ -77,17 +77,17 @@ struct EmptyTask {
 void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task);
 /// "No damper: max_displacement must be at least 168.8 mm", the title of the region's figure.
 [[nodiscard]] std::string mend_title(const design::RegionVerdict& empty, const EmptyTask& task);
-/// What the verdict of a page goes on with: " To get one, max_displacement must be ...".
+/// How the verdict of a page continues: " To get one, max_displacement must be ...".
 [[nodiscard]] std::string what_would_help(const design::RegionVerdict& empty,
                                           const EmptyTask& task);
-/// Delta1 of the first arrival is what Delta is compared with: not for a damper that stops at a
-/// later one, nor where a rest off centre will do.
+/// Whether Delta is compared with Delta1 of the first arrival: not for a damper that stops at a
+/// later one, nor if a rest off centre is allowed.
 [[nodiscard]] bool stops_by_delta1(std::span<const design::Constraint> constraints);
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical);
 
 void add_response(Section& section, const Response& response, const Physical& physical);
-/// With what a forced motion has beyond a free one.
+/// With what a forced motion has in addition to a free one.
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical);
 
 /// "stops at x = 0" and so on.

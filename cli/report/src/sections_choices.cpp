@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_rows = 20;
 
-/// What goes wrong where a constraint is violated.
+/// What goes wrong if a constraint is violated.
 std::string consequence(const design::Constraint& violated, const PartTask& task) {
   const std::string_view name = violated.name;
   if (name == "amplitude") {

@@ -12,7 +12,7 @@ namespace stillpoint::report {
 
 namespace {
 
-/// An input as it can be given, with the value that lets a damper in.
+/// An input as it can be given, with the value that admits a damper.
 struct ShownMend {
   std::string name;
   double value;
@@ -52,13 +52,13 @@ std::string words_of(const design::Mend& mend, const EmptyTask& task) {
   return format("{} must be {}", shown.name, shown.bound(in_a_title));
 }
 
-/// Of several mends that of beta, which is the stroke.
+/// Of several mends, that of beta, which is the stroke.
 const design::Mend& named_mend(const std::vector<design::Mend>& mends) {
   const auto of_beta = std::ranges::find(mends, "beta", &design::Mend::field);
   return of_beta == mends.end() ? mends.front() : *of_beta;
 }
 
-/// "0.9 to 1.1 times f and 0.95 to 1.05 times delta": that of each side, as it can be asked for.
+/// "0.9 to 1.1 times f and 0.95 to 1.05 times delta": that of each side, as it can be given.
 std::string least_box(const design::BoxShape& shape, double tolerance) {
   const auto factors = [&](double low, double high) {
     return format("{} to {}", limit_digits(1 - tolerance * low, true),

@@ -9,13 +9,17 @@ namespace stillpoint::report {
 
 std::string interval_text(const design::ServedInterval& interval) {
   if (!interval.high) {
-    constexpr int shown = 3;  // as of an interval
+    constexpr int shown = 3;  // as in an interval
     return format("at least {}", limit_digits(interval.low, true, shown));
   }
-  constexpr double nothing = 1e-6;  // of the high end
+  constexpr double apart = 1e-6;
+  if (*interval.high - interval.low <= apart * *interval.high) {
+    return format("only {:.6g}", *interval.high);
+  }
   const std::string ends = interval_digits(interval.low, *interval.high);
-  return interval.low > nothing * *interval.high ? ends
-                                                 : "up to " + ends.substr(ends.rfind(' ') + 1);
+  return begins_at_nothing(interval.low, *interval.high)
+             ? "up to " + ends.substr(ends.rfind(' ') + 1)
+             : ends;
 }
 
 void add_works_for(Section& section, const std::optional<design::WorksFor>& served,
@@ -46,8 +50,9 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
                                            100 * *lines->notch_used));
   }
   if (lines->notch_width_min) {
-    section.row("notch width", format("at least {} keeps f + delta/width within the acceleration",
-                                      length_text(physical, *lines->notch_width_min)));
+    section.row("notch width",
+                format("at least {} keeps the limit of the acceleration inside it too",
+                       length_text(physical, *lines->notch_width_min)));
   }
 }
 
@@ -74,7 +79,7 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
   if (lines->equivalent_damping) {
     const double damping = 100 * *lines->equivalent_damping;
     section.row("equiv. damping",
-                format("{} % of critical, of a full cycle at this peak",
+                format("{} % of critical, for a full cycle at this peak",
                        damping < 1000 ? format("{:.3g}", damping) : format("{:.0f}", damping)));
   }
   if (lines->energy_ratio && lines->residual_ratio) {

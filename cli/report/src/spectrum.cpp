@@ -18,7 +18,7 @@ namespace {
 using design::SpectrumFigures;
 using design::SpectrumPoint;
 
-/// More do not fit a screen; a file has all.
+/// More do not fit a screen; a file has them all.
 constexpr std::size_t most_shown_periods = 20;
 
 /// Where the notch holds the mass while the load goes on; empty if nowhere.
@@ -35,7 +35,7 @@ std::string lock_words(const SpectrumReport& report) {
   return count == 0 ? ""
                     : format(
                           "at {} of {} periods the notch holds it to the end of a record, "
-                          "against up to {}",
+                          "and transmits up to {}",
                           count, points.size(), acceleration_shown(most));
 }
 
@@ -75,7 +75,7 @@ Table spectrum_table(const SpectrumReport& report, const std::vector<SpectrumPoi
   return table;
 }
 
-/// What the table of all records together shows.
+/// The title of the table of all records together.
 std::string heading(const SpectrumReport& report) {
   const std::size_t count = report.result.records.size();
   const bool compared = report.result.request.delta > 0;
@@ -121,10 +121,8 @@ Document document(const SpectrumReport& report) {
   const design::Spectrum& result = report.result;
   Document document;
   document.title = "Response spectrum";
-  document.verdict = summary(result);
-  if (const std::string locked = lock_words(report); !locked.empty()) {
-    document.answer.row("locked", locked);
-  }
+  const std::string locked = lock_words(report);
+  document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) + summary(result);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <variant>
 
 namespace stillpoint::report {
 
@@ -33,7 +34,7 @@ double rate(const SweepSummary& summary) {
 }
 
 constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
-    "stop at x = 0", "stop in dead zone", "never stop",   "caught at start",
+    "stop at x = 0", "stop in dead zone", "never stop",   "never start",
     "running",       "over the limit",    "stop in notch"};
 
 }  // namespace
@@ -112,6 +113,16 @@ Document document(const SweepReport& report) {
   rows.row("time", fmt::format("{:.4g} s, {:.3g} rows/s on {} thread{}", summary.wall_time_s,
                                rate(summary), spec.threads, spec.threads == 1 ? "" : "s"));
   add_outcomes(document, state, spec.kind == SweepKind::design);
+  const bool loaded =
+      spec.kind == SweepKind::forced && !std::holds_alternative<NoExcitation>(spec.excitation);
+  const bool rests = std::ranges::any_of(
+      std::array{Outcome::stopped_at_zero, Outcome::stopped_in_notch},
+      [&](Outcome outcome) { return state.outcomes[static_cast<std::size_t>(outcome)] > 0; });
+  if (loaded && rests) {
+    document.answer.row("locked",
+                        "a mass that rests in the notch before the load ends is locked: "
+                        "the column locked_from says from when");
+  }
   return document;
 }
 

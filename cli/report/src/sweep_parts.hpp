@@ -14,7 +14,7 @@ namespace stillpoint::report {
 /// Throws nlohmann's exceptions where one is missing.
 void outcomes_from_json(const nlohmann::ordered_json& outcomes, sweep::SweepState& state);
 
-/// How many entries ended in which way, as a sentence and each.
+/// How many entries ended in each way, as a sentence and individually.
 void add_outcomes(Document& document, const sweep::SweepState& state, bool design);
 
 }  // namespace stillpoint::report

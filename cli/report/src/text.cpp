@@ -17,7 +17,7 @@ constexpr std::size_t label_width = 18;
 constexpr std::size_t page_width = 80;
 constexpr std::size_t indent = 2;
 
-/// A line does not end within "f = 0.02" or "5.9 mm": what ends it is a word or a mark.
+/// A line does not break within "f = 0.02" or "5.9 mm", only after a word or a mark.
 bool may_end(std::string_view text, std::size_t space) {
   constexpr std::string_view relations = "=<>+-";
   constexpr std::string_view digits = "0123456789";
@@ -26,7 +26,7 @@ bool may_end(std::string_view text, std::size_t space) {
          relations.find(text[space + 1]) == std::string_view::npos;
 }
 
-/// `text` in lines of at most `width`, where its words allow it.
+/// `text` in lines of at most `width`, if its words allow it.
 std::vector<std::string_view> lines_of(std::string_view text, std::size_t width) {
   std::vector<std::string_view> lines;
   while (text.size() > width) {
@@ -97,8 +97,8 @@ class Text {
   }
 
   /// Columns as wide as their widest cell, the first and the last one to the left, the others to
-  /// the right. A table that is too wide gets its heads in two lines, of units alone where that
-  /// will do; the columns for which there is still no room come below, again with the first.
+  /// the right. A table that is too wide gets its heads in two lines, with only the units below if
+  /// that is enough; columns that still do not fit come below, again with the first.
   std::string operator()(const Table& table) const {
     std::vector<std::size_t> cells(table.head.size());
     for (const TableRow& row : table.rows) {
@@ -232,7 +232,7 @@ std::string text(const Document& document, const TextOptions& options) {
     text += "\n" + rendered.styled(Tone::heading, section.heading) + "\n" + rendered(section);
   }
   if (more) {
-    text += "\n" + rendered(Line{"--verbose says more.", Tone::faint});
+    text += "\n" + rendered(Line{"--verbose shows more.", Tone::faint});
   }
   return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Metres and seconds beside dimensionless numbers, where the input was given in those.
+// Metres and seconds beside dimensionless numbers, if the input was given in them.
 
 #include <stillpoint/design/physical.hpp>
 
@@ -12,7 +12,7 @@ namespace stillpoint::report {
 
 using Physical = std::optional<design::PhysicalInput>;
 
-/// A length, a tau and an acceleration in the units that people think in: "12.1 mm", "1.53 s",
+/// A length, a tau and an acceleration in the usual units: "12.1 mm", "1.53 s",
 /// "0.0947 g"; dimensionless without physical input.
 [[nodiscard]] std::string length_shown(const Physical& physical, double length);
 [[nodiscard]] std::string time_shown(const Physical& physical, double tau);
@@ -30,7 +30,7 @@ using Physical = std::optional<design::PhysicalInput>;
 /// "peak, mm"; the name alone without a unit.
 [[nodiscard]] std::string in(const std::string& name, const std::string& unit);
 
-/// What figures multiply dimensionless numbers with, and the labels of their axes.
+/// The factors that figures apply to dimensionless numbers, and the labels of their axes.
 struct FigureUnits {
   double length{1};
   double time{1};

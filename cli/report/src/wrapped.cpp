@@ -34,7 +34,7 @@ void add_line(std::string& text, std::string_view line, std::size_t width) {
   while (now.size() + rest.size() > width) {
     const std::size_t room = width - std::min(width, now.size() + fold.end.size());
     const std::size_t first = std::min(rest.find_first_not_of(' '), rest.size());
-    // What stands in front of the fold's column is no place to break a line at.
+    // A line must not break before the fold's column.
     const std::size_t least =
         now.empty() ? std::max(first, fold.end.empty() ? fold.indent : first) : first;
     std::size_t space = rest.rfind(' ', room);

@@ -27,7 +27,7 @@ void require_size(const char* field, const BatchValues& values, std::ptrdiff_t s
   }
 }
 
-/// `error` in entry i; a value that stands for all is none of that entry alone.
+/// `error` in entry i; a value that stands for all entries is not an error of that entry alone.
 InputError in_entry(const InputError& error, std::ptrdiff_t i, const BatchEntries& entries) {
   for (const auto& [field, values] :
        {std::pair("v0", &entries.v0), std::pair("p", &entries.p), std::pair("f", &entries.f),

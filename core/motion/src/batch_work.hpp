@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The one loop over threads: for_each_entry, and the batches, whose threads each keep something of
-// their own, draw their entries themselves, and name the array and the first entry at fault.
+// The one loop over threads: for_each_entry, and the batches, whose threads each keep their own
+// state, draw their entries themselves, and name the array and the first wrong entry.
 
 #include "batch_entries.hpp"
 
@@ -22,14 +22,14 @@ class EntryThreads {
   EntryThreads(std::ptrdiff_t size, std::ptrdiff_t block, const std::function<bool()>& go_on)
       : size_(size), block_(block), go_on_(go_on) {}
 
-  /// A block for one thread; empty where none is left, one has failed, or go_on said no.
+  /// A block for one thread; empty if none is left, one has failed, or go_on returned false.
   EntryRange next();
 
   /// Runs `entry`, and keeps the error of the first entry that throws. Blocks are handed out in
-  /// order and finished once begun, so which one that is does not depend on the threads.
+  /// order and finished once begun, so which entry that is does not depend on the threads.
   void guard(std::ptrdiff_t i, const std::function<void()>& entry);
 
-  /// Calls `worker` on that many threads (0: as many as the machine runs at once), but on no more
+  /// Calls `worker` on that many threads (0: one per hardware thread), but on no more
   /// than there are blocks; then throws EntryError if an entry failed. InputError for threads < 0.
   void run(int threads, const std::function<void()>& worker);
 

@@ -194,7 +194,7 @@ Pair less_quarters(double x, double quarters) {
   if (std::abs(angle.high) > 0x1p-20) {
     return {angle.high, angle.low - quarters * rest};
   }
-  // So near a multiple that the rest needs its own digits.
+  // So close to a multiple that the remainder needs its own digits.
   constexpr double third = 0x1.3198a2ep-69;
   constexpr double fourth = 0x1.b839a252049c1p-104;
   const Pair next = two_sum(angle.high, -(quarters * third));
@@ -204,7 +204,7 @@ Pair less_quarters(double x, double quarters) {
 /// n / d to twice the digits of a double.
 Pair quotient(Pair n, Pair d) {
   const double inverse =
-      1 / d.high;  // beside the division that follows, which does not wait for it
+      1 / d.high;  // in parallel with the next division, which does not wait for it
   const double high = n.high / d.high;
   const Pair product = two_product(high, d.high);
   const double rest = ((n.high - product.high) - product.low) + (n.low - high * d.low);

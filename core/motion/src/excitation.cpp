@@ -59,7 +59,7 @@ void check(const Record& record) {
   }
   if (record.times.size() != record.values.size()) {
     throw InputError("record", fmt::format("{} times", record.times.size()),
-                     fmt::format("must be as many as the {} values", record.values.size()));
+                     fmt::format("must be as many as the values, {}", record.values.size()));
   }
   double before = 0;
   for (std::size_t i = 0; i < record.times.size(); ++i) {
@@ -67,7 +67,7 @@ void check(const Record& record) {
     if (!(time <= largest_speed && (i == 0 ? time >= 0 : time > before))) {
       throw InputError(fmt::format("record time {}", i + 1), time,
                        i == 0 ? std::string("must be a number that is at least 0")
-                              : fmt::format("must be larger than the time before, {}", before));
+                              : fmt::format("must be greater than the previous time, {}", before));
     }
     before = time;
   }

@@ -50,7 +50,7 @@ class HalfCycleCollector final : public MotionWatcher {
   void piece(const ExactSum<double>& /*begin*/, int /*direction*/,
              const LinearPiece<double>& /*piece*/) override {}
 
-  /// The half-cycle that is going on where the motion ends or is left.
+  /// The half-cycle that is under way when the motion ends or the run stops.
   void finish(double tau, double u) {
     if (!over_) {
       reach(tau, u);

@@ -58,12 +58,14 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
     if (!(p * (record.times[j] - record.times[j - 1]) >= smallest_speed)) {
       throw InputError(
           fmt::format("record time {}", j + 1), record.times[j],
-          fmt::format("must be at least {} after the one before, times p = {}", smallest_speed, p));
+          fmt::format("p times the step from the previous time must be at least {} (p = {})",
+                      smallest_speed, p));
     }
   }
   if (record.times.empty() && !(p * record.step >= smallest_speed)) {
-    throw InputError("record step", record.step,
-                     fmt::format("p times it must be at least {} (p = {})", smallest_speed, p));
+    throw InputError(
+        "record step", record.step,
+        fmt::format("its product with p must be at least {} (p = {})", smallest_speed, p));
   }
 }
 
@@ -85,7 +87,7 @@ void require_valid(const Oscillator& oscillator, const Start& start, const Excit
   if (!(oscillator.p * end <= largest_phase)) {
     throw InputError(
         t_end ? "t_end" : "duration", end,
-        fmt::format("p times it must be at most {} (p = {})", largest_phase, oscillator.p));
+        fmt::format("its product with p must be at most {} (p = {})", largest_phase, oscillator.p));
   }
 }
 

@@ -17,7 +17,7 @@
 
 namespace stillpoint {
 
-/// What goes on between two events.
+/// The motion between two events.
 class ForcedTrajectory::Pieces {
  public:
   struct Rest {
@@ -35,10 +35,11 @@ class ForcedTrajectory::Pieces {
 
   void add(const Piece& piece, double t_end) {
     if (static_cast<std::int64_t>(pieces_.size()) >= most_) {
-      throw InputError("t_end", t_end,
-                       fmt::format("the motion up to there has more than {} pieces, too many for a "
-                                   "trajectory",
-                                   most_));
+      throw InputError(
+          "t_end", t_end,
+          fmt::format("the motion up to that time has more than {} pieces, too many for a "
+                      "trajectory",
+                      most_));
     }
     pieces_.push_back(piece);
   }
@@ -68,7 +69,7 @@ class ForcedTrajectory::Pieces {
   std::vector<Piece> pieces_;
 };
 
-/// Records what the run shows.
+/// Records what the run reports.
 class ForcedTrajectory::Watcher final : public MotionWatcher {
  public:
   Watcher(ForcedTrajectory& path, Pieces& pieces) : path_(path), pieces_(pieces) {}

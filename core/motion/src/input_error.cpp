@@ -55,12 +55,12 @@ TooManyHalfCycles::TooManyHalfCycles(const std::string& message) : std::runtime_
 
 TooManyHalfCycles TooManyHalfCycles::in_trajectory(double limit) {
   return TooManyHalfCycles(fmt::format(
-      "the trajectory has more than {:.6g} half-cycles: give it an earlier end (t_end)", limit));
+      "the trajectory has more than {:.6g} half-cycles: give an earlier end (t_end)", limit));
 }
 
 TooManyHalfCycles TooManyHalfCycles::under_excitation(double limit, double tau) {
   return TooManyHalfCycles(
-      fmt::format("the motion has more half-cycles than are allowed (half-cycle-limit): {:.15g} by "
+      fmt::format("the motion has more half-cycles than allowed (half-cycle-limit): {:.15g} by "
                   "tau = {:.6g}",
                   limit, tau));
 }

@@ -10,7 +10,7 @@
 namespace stillpoint {
 
 /// The largest |W| from one p tau to another, for Transmitted. It refers to the excitation. In a
-/// file of its own, so that the run, which hardly ever calls it, is compiled without it.
+/// separate file, so that the run, which hardly ever calls it, is compiled without it.
 std::function<double(const ExactSum<double>&, const ExactSum<double>&)> load_while_held(
     const Excitation& excitation, double p);
 

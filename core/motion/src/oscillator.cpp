@@ -20,7 +20,7 @@ void require_speed(const char* field, double value, double speed, const char* wh
                                smallest_speed, largest_speed));
 }
 
-/// A friction, or what a notch holds.
+/// A friction, or the load that a notch holds.
 void require_friction(const char* field, double f, double p) {
   require_within(field, f, 0, largest_square);
   const double phi = f / p;

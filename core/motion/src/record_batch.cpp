@@ -19,7 +19,7 @@ namespace stillpoint {
 
 namespace {
 
-/// After so many samples the lanes that have ended give up their places.
+/// After this many samples the lanes that have ended are removed.
 constexpr std::size_t samples_between_looks = 128;
 
 void resize(RecordBatchResult& result, Eigen::Index size) {
@@ -74,13 +74,13 @@ class RecordBlock final : public RecordEvents {
       auto* const live_end = live_.data() + count_;
       auto* const rest = std::remove_if(live_.data(), live_end, ended);
       count_ = static_cast<std::size_t>(rest - live_.data());
-      // Those that rest together, since they need less.
+      // Groups those at rest, since they need less work.
       std::partition(live_.data(), rest,
                      [&](std::size_t lane) { return columns_.sign[lane] != 0; });
     }
   }
 
-  /// Of a lane since it was added.
+  /// For a lane since it was added.
   std::optional<ForcedResponse> take(std::size_t lane) {
     std::optional<ForcedResponse> response = motion(lane).response();
     motions_.at(lane).reset();

@@ -9,8 +9,8 @@
 
 namespace stillpoint {
 
-/// So many motions share one pass over the record. More would not fit into the cache next to the
-/// processor with all their metrics; fewer leave more lanes idle once some have ended.
+/// This many motions share one pass over the record. More would not fit into the first-level cache
+/// with all their metrics; fewer would leave more lanes idle once some have ended.
 inline constexpr std::size_t record_lanes = 128;
 
 /// What the vectors know of each motion, in the units of forced_run.hpp; not mirrored: u = p x.
@@ -22,8 +22,8 @@ struct RecordColumns {
   Column a;
   Column sign;     ///< of v on a slide; 0 at rest
   Column phi;      ///< friction, on a slide with that sign
-  Column edge;     ///< on a slide, y from which on it is looked at: x = 0 or never
-  Column certain;  ///< at rest: up to this |w + u| is held for certain
+  Column edge;     ///< on a slide, the y from which it is examined: x = 0 or never
+  Column certain;  ///< at rest: up to this, |w + u| is certainly held
   Column crest;    ///< at rest: no smaller |w + u| matters to the margin
   Column slack;    ///< of the margin, TippingMargin; infinite where nothing was decided
   Column scale;
@@ -39,14 +39,12 @@ struct RecordColumns {
   Column least_v;
 };
 
-/// Where a lane goes with what the vectors do not decide.
+/// Handles what the vectors do not decide for a lane.
 class RecordEvents {
  public:
   RecordEvents() = default;
   RecordEvents(const RecordEvents&) = delete;
-  RecordEvents(RecordEvents&&) = delete;
   RecordEvents& operator=(const RecordEvents&) = delete;
-  RecordEvents& operator=(RecordEvents&&) = delete;
   virtual ~RecordEvents() = default;
 
   /// x = 0 is reached in an interval and nothing else happens: whether the lane goes on.
@@ -56,7 +54,7 @@ class RecordEvents {
   virtual void through_interval(std::size_t lane, std::size_t i) = 0;
 };
 
-/// Takes `count` lanes, those listed, from sample `begin` to sample `end` of the record.
+/// Takes the `count` lanes listed from sample `begin` to sample `end` of the record.
 void run_record_lanes(const double* record, std::size_t begin, std::size_t end,
                       const std::size_t* lanes, std::size_t count, RecordColumns& columns,
                       RecordEvents& events);

@@ -35,7 +35,7 @@ class RecordMotion {
     prepare(run_, oscillator, excitation, options);
   }
 
-  /// Up to the first sample; whether a lane has to take it on.
+  /// Up to the first sample; returns whether a lane must continue it.
   bool begin() {
     begun_ = !run_.over() && record_run_.begin(reach());
     if (begun_) {
@@ -63,7 +63,7 @@ class RecordMotion {
     }
   }
 
-  /// Empty where it has too many half-cycles.
+  /// Empty if it has too many half-cycles.
   [[nodiscard]] std::optional<ForcedResponse> response() {
     std::optional<ForcedResponse> found;
     leave();
@@ -121,7 +121,7 @@ class RecordMotion {
     columns_.sign[lane_] = sign;
     columns_.phi[lane_] = sign * run_.law().phi_ahead(y);
     columns_.edge[lane_] = run_.law().edge_ahead(y);
-    columns_.certain[lane_] = columns_.crest[lane_] = never;  // of a motion that is over
+    columns_.certain[lane_] = columns_.crest[lane_] = never;  // for a motion that has ended
     if (slides) {
       const double w = record_.values[i] * columns_.inverse_p[lane_];
       columns_.a[lane_] = -(s.u + columns_.phi[lane_] + w);

@@ -125,7 +125,7 @@ void end_free(ForcedResponse& response, const Run& run, const Oscillator& oscill
   end_at_rest(response, free.outcome, stop_time, free.rest / p);
 }
 
-/// Before the run begins: its limit, and what it asks for.
+/// Before the run begins: its limit, and what is requested.
 template <class Run>
 void prepare(Run& run, const Oscillator& oscillator, const Excitation& excitation,
              const ForcedOptions& options) {

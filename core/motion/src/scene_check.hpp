@@ -11,9 +11,9 @@
 
 namespace stillpoint {
 
-/// Checks scene after scene under one excitation. A record is long, and of the oscillator its check
-/// depends only on p, which it allows between two bounds: so what lies between two values of p that
-/// are allowed is allowed.
+/// Checks scene after scene under one excitation. A record is long, and its check depends on the
+/// oscillator only through p, which it allows between two bounds. So every p between two allowed
+/// ones is allowed.
 class SceneCheck {
  public:
   SceneCheck(const Excitation& excitation, const std::optional<double>& t_end)

@@ -17,9 +17,9 @@ void require_length(const std::string& field, double value, double p) {
   require_within(field.c_str(), value, smallest_speed, largest_speed);
   const double speed = p * value;
   if (!(speed >= smallest_speed && speed <= largest_speed)) {
-    throw InputError(
-        field, value,
-        fmt::format("p times it must be from {} to {} (p = {})", smallest_speed, largest_speed, p));
+    throw InputError(field, value,
+                     fmt::format("its product with p must be from {} to {} (p = {})",
+                                 smallest_speed, largest_speed, p));
   }
 }
 
@@ -40,8 +40,9 @@ void require_valid(const Oscillator& oscillator, const Surface& surface) {
     const double width = *surface.notch_width;
     require_length("notch-width", width, p);
     if (oscillator.hold) {
-      throw InputError("hold", *oscillator.hold,
-                       "a notch with a width holds by its friction: give hold or notch-width");
+      throw InputError(
+          "hold", *oscillator.hold,
+          "a notch with a width holds by its own friction: give either hold or notch-width");
     }
     const double wall = oscillator.delta / width;
     if (!(wall / p <= largest_speed)) {
@@ -57,7 +58,7 @@ void require_valid(const Oscillator& oscillator, const Surface& surface) {
     require_length(name + ": to", zone.to, p);
     if (!(zone.to > before && p * zone.to > p * before)) {
       throw InputError(name + ": to", zone.to,
-                       fmt::format("must be greater than that of the zone before, {}", before));
+                       fmt::format("must be greater than the previous edge, {}", before));
     }
     require_zone_friction(name + ": f", zone.f, p);
     before = zone.to;

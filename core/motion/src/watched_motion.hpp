@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A forced motion that someone watches event by event and piece by piece. It is compiled once, for
-// any watcher: a call through a table costs nothing beside a piece, but another copy of the kernel
-// would.
+// A forced motion watched event by event and piece by piece. It is compiled once, for any watcher:
+// a virtual call costs little compared with a piece, while each copy of the kernel costs code.
 
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
@@ -25,12 +24,10 @@ class MotionWatcher {
   MotionWatcher() = default;
   MotionWatcher(const MotionWatcher&) = delete;
   MotionWatcher& operator=(const MotionWatcher&) = delete;
-  MotionWatcher(MotionWatcher&&) = delete;
-  MotionWatcher& operator=(MotionWatcher&&) = delete;
   virtual ~MotionWatcher() = default;
 
   virtual void event(EventKind kind, const ExactSum<double>& now, double u, double v) = 0;
-  /// What goes on from `begin` to the next event.
+  /// The motion from `begin` to the next event.
   virtual void piece(const ExactSum<double>& begin, int direction,
                      const HarmonicPiece<double>& piece) = 0;
   virtual void piece(const ExactSum<double>& begin, int direction,

@@ -12,12 +12,12 @@ namespace stillpoint::records {
 /// CM/S2.
 [[nodiscard]] std::string normal_units(std::string_view line);
 
-/// Whether a word, as `normal_units` leaves it, can mean nothing but units: of an acceleration or
+/// Whether a word, as `normal_units` leaves it, can only mean units: of an acceleration or
 /// of a velocity.
 [[nodiscard]] bool must_be_units(std::string_view word);
 
-/// The units of an acceleration that `word`, of the line where `reader` is, stands for. Refuses any
-/// other.
+/// The units of acceleration that `word`, in the line where `reader` is, stands for. Refuses any
+/// others.
 [[nodiscard]] RecordUnits read_units(const RecordReader& reader, std::string_view word);
 
 inline constexpr std::string_view wanted_units = "an acceleration is needed, in G, CM/S2 or M/S2";

@@ -19,7 +19,7 @@ namespace stillpoint::records {
 
 namespace {
 
-/// NPTS must be in one of these lines; it does not count in a comment (#).
+/// NPTS must be in one of these lines, not in a comment (#).
 constexpr std::size_t longest_header = 32;
 
 struct Header {
@@ -79,7 +79,7 @@ Header read_header(RecordReader& reader) {
     }
   }
   reader.refuse(
-      "no NPTS and DT up to here: a PEER record has a line such as NPTS= 2000, DT= .02 SEC");
+      "NPTS and DT are missing: a PEER record has a line such as NPTS= 2000, DT= .02 SEC");
 }
 
 /// The words of a line; numbers may touch.
@@ -100,7 +100,7 @@ std::size_t count_values(const RecordReader& reader) {
     surplus += count_values(reader);
   }
   const std::size_t count = header.counts.count;
-  reader.refuse(first, fmt::format("too many values: {}, but NPTS = {} in line {}", count + surplus,
+  reader.refuse(first, fmt::format("too many values: {}, but NPTS = {} on line {}", count + surplus,
                                    count, header.line));
 }
 
@@ -109,7 +109,7 @@ void check_trailer(RecordReader& reader, const Header& header) {
   bool is_text = false;
   while (reader.next()) {
     if (has_npts(reader.line())) {
-      reader.refuse("a second record begins here: a file must hold one");
+      reader.refuse("a second record begins here: a file must hold only one");
     }
     const std::size_t surplus = count_values(reader);
     if (!is_text && surplus > 0) {
@@ -122,7 +122,7 @@ void check_trailer(RecordReader& reader, const Header& header) {
 std::vector<double> read_values(RecordReader& reader, const Header& header) {
   const std::size_t count = header.counts.count;
   std::vector<double> values;
-  // The header may promise more than the file holds: a value takes two bytes.
+  // The header may promise more than the file contains: a value takes two bytes.
   values.reserve(std::min(count, reader.bytes_left() / 2 + 1));
   while (values.size() < count && reader.next()) {
     const auto words = words_in(reader);
@@ -142,7 +142,7 @@ std::vector<double> read_values(RecordReader& reader, const Header& header) {
     }
   }
   if (values.size() < count) {
-    reader.refuse(fmt::format("too few values: the file ends after {}, but NPTS = {} in line {}",
+    reader.refuse(fmt::format("too few values: the file ends after {}, but NPTS = {} on line {}",
                               values.size(), count, header.line));
   }
   check_trailer(reader, header);

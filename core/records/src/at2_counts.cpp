@@ -62,7 +62,7 @@ class CountLine {
         npts_(index("NPTS")),
         dt_(index("DT")) {
     if (dt_ == words_.size()) {
-      reader_.refuse("NPTS without DT: both must be in this line, as in NPTS= 2000, DT= .02 SEC");
+      reader_.refuse("NPTS without DT: both must be on this line, as in NPTS= 2000, DT= .02 SEC");
     }
     numbers_first_ = std::min(npts_, dt_) == 2 && words_[0].number && words_[1].number;
   }

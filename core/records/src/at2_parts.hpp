@@ -9,14 +9,14 @@
 
 namespace stillpoint::records {
 
-// The lines of an AT2 header that mean something.
+// The lines of an AT2 header that carry information.
 
 struct At2Counts {
   std::size_t count{0};  ///< NPTS
   double step{0};        ///< DT in s
 };
 
-/// Whether a line has NPTS as a word of its own.
+/// Whether a line has NPTS as a separate word.
 [[nodiscard]] bool has_npts(std::string_view line);
 
 /// The line with NPTS and DT, in one of the forms

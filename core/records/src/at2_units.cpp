@@ -27,7 +27,7 @@ string_view without_stop(string_view word) {
   return word;
 }
 
-/// The word for the units: the one after UNITS, or one that can mean nothing else.
+/// The word for the units: the one after UNITS, or one that can only mean units.
 std::optional<string_view> units_word(const std::vector<string_view>& words) {
   const auto says_units = std::ranges::find_if(
       words, [](string_view word) { return word == "UNITS" || word == "UNIT"; });

@@ -9,7 +9,7 @@
 namespace stillpoint::records {
 
 /// Leaves `reader` at the line above the values of the channel that the options name, or of the
-/// only one. `begins` tells such a line. Refuses a file without one, one with several where the
+/// only one. `begins` tells such a line. Refuses a file without one, a file with several if the
 /// options name none, and a channel that it does not have.
 void go_to_channel(RecordReader& reader, bool (*begins)(std::string_view line));
 

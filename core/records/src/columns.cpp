@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t most_columns = 2;
 
-/// The columns of a line. Those beyond the most that there may be are counted, not kept.
+/// The columns of a line. Those beyond the allowed number are counted, not kept.
 struct Row {
   std::array<std::string_view, most_columns> columns;
   std::size_t count{0};
@@ -63,7 +63,7 @@ std::string_view without_comment(std::string_view line, std::string& description
   return trimmed(line.substr(0, at));
 }
 
-/// Text in front of the values is most likely a heading.
+/// Text before the values is most likely a heading.
 void check_heading(const Row& row, const RecordReader& reader) {
   if (scan_fortran_number(row.columns[0]).fault == NumberFault::no_number) {
     reader.refuse_word(row.columns[0],
@@ -79,12 +79,12 @@ void check_count(const Row& row, std::size_t expected, std::size_t first_line,
     reader.refuse(fmt::format("{} columns: must be time and value, or value alone", row.count));
   }
   if (row.count != expected) {
-    reader.refuse(fmt::format("{} column{}, but {} in line {}", row.count,
+    reader.refuse(fmt::format("{} column{}, but {} on line {}", row.count,
                               row.count == 1 ? "" : "s", expected, first_line));
   }
 }
 
-/// The times of a file. They become the step h = t_1 if they are 0, h, 2 h, ... but for the
+/// The times of a file. They become the step h = t_1 if they are 0, h, 2 h, ... except for the
 /// rounding of doubles:
 ///
 ///     t_0 = 0  and  |t_i - i h| <= 2^-51 t_i  for every i.
@@ -125,11 +125,10 @@ class TimeColumn {
       return;
     }
     if (!(time > before_)) {
-      reader.refuse(
-          fmt::format("time {}: must be more than {}, the time before it", time, before_));
+      reader.refuse(fmt::format("time {}: must be more than the previous time, {}", time, before_));
     }
     if (!clock.tells_apart(before_, time)) {
-      reader.refuse(fmt::format("time {} {}: is too close to {}, the time before it", time,
+      reader.refuse(fmt::format("time {} {}: is too close to the previous time, {}", time,
                                 clock.unit, before_));
     }
   }
@@ -179,16 +178,16 @@ RecordFile read_columns(RecordReader& reader) {
     file.record.values.push_back(reader.parse_acceleration(row.columns[count - 1]));
   }
   if (file.record.values.empty()) {
-    reader.refuse("the file ends without a value");
+    reader.refuse("the file has no values");
   }
   if (count == most_columns) {
-    reader.refuse_step(first_line, "there are times beside the values");
+    reader.refuse_step(first_line, "the file gives a time with each value");
     times.move_to(file.record);
   } else if (options.step) {
     file.record.step = *options.step / options.clock.per_tau;
   } else {
     throw InputError::missing(
-        "record-step", fmt::format("record {}, line {}: values without times need the step in {}",
+        "record-step", fmt::format("record {}, line {}: values without times need their step in {}",
                                    reader.path(), first_line, options.clock.unit));
   }
   return file;

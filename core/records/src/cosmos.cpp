@@ -38,7 +38,7 @@ bool is_cosmos(RecordReader reader) {
   return reader.next() && has(upper_case(reader.line()), "(FORMAT V");
 }
 
-/// A value of the real header. Those that are unknown are not above 0, as a rule -999.
+/// A value of the real header. Unknown ones are not above 0, usually -999.
 struct RealValue {
   std::size_t number{0};  ///< from 1
   double value{0};
@@ -62,7 +62,7 @@ std::array<RealValue, Count> real_values(RecordReader start, const RecordReader&
     }
   }
   if (!header) {
-    end.refuse("no Real-header values up to here: number 62 or 34 of them is the step");
+    end.refuse("Real-header values are missing: number 62 or 34 of them is the step");
   }
   const std::size_t width = field_width(header->line());
   std::array<RealValue, Count> found;
@@ -77,8 +77,7 @@ std::array<RealValue, Count> real_values(RecordReader start, const RecordReader&
     }
   }
   if (found.front().number == 0) {
-    end.refuse(
-        fmt::format("only {} Real-header values up to here: number 62 or 34 is the step", count));
+    end.refuse(fmt::format("only {} Real-header values: number 62 or 34 must be the step", count));
   }
   return found;
 }
@@ -97,10 +96,10 @@ void check_length(const RecordReader& reader, const CosmosTime& time, std::size_
   const auto& [step, length] = time;
   const double taken = static_cast<double>(count) * step.value;
   if (length.value > 0 && std::abs(taken - length.value) > length.value / 100 + step.value) {
-    reader.refuse(step.line,
-                  fmt::format("{} points of {} s, Real-header value {}, are {} s, but value {} "
-                              "says {} s",
-                              count, step.value, step.number, taken, length.number, length.value));
+    reader.refuse(
+        step.line,
+        fmt::format("{} points of {} s (Real-header value {}) take {} s, but value {} says {} s",
+                    count, step.value, step.number, taken, length.number, length.value));
   }
 }
 

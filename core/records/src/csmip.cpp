@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// The corrected records (volume 2, .V2) of the California networks, CSMIP, CGS and CDMG before: of
-// each channel 25 lines of text, 100 whole numbers and 100 reals, then blocks of acceleration,
-// velocity and displacement. Above each block a line says all that is needed:
+// The corrected records (volume 2, .V2) of the California networks, CSMIP, earlier CGS and CDMG:
+// for each channel 25 lines of text, 100 whole numbers and 100 reals, then blocks of acceleration,
+// velocity and displacement. The line above each block gives everything needed:
 //
 //     2000 points of accel data equally spaced at  .020 sec, in cm/sec2. (8f10.3)
 

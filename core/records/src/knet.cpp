@@ -47,7 +47,7 @@ double positive(const RecordReader& reader, std::string_view key, std::string_vi
   return scanned.value;
 }
 
-/// 3920(gal)/6182761: gal for so many counts.
+/// 3920(gal)/6182761: gal for that many counts.
 double gal_per_count(const RecordReader& reader, std::string_view text) {
   const std::size_t slash = text.find('/');
   const std::string_view gal = trimmed(text.substr(0, slash));
@@ -134,7 +134,7 @@ RecordFile read_knet(RecordReader& reader) {
     }
     value = *acceleration;
   }
-  const std::string description = fmt::format("{}; the mean of the counts, {:.6g}, is taken off",
+  const std::string description = fmt::format("{}; the mean of the counts, {:.6g}, is subtracted",
                                               single_spaced(header.description), mean);
   return {{std::move(values), step, {}},
           printable(description, longest_description),

@@ -30,7 +30,7 @@ std::string with_c_exponent(std::string_view text) {
     const std::size_t sign = text.size() - exponent_length;
     const bool has_point = text.substr(0, sign).find('.') != std::string_view::npos;
     if (is_sign(text[sign]) && has_point) {
-      result.insert(sign, 1, 'e');  // without a mantissa or digits around it still not a number
+      result.insert(sign, 1, 'e');  // still not a number: no mantissa, or no digits around it
     }
   }
   return result;
@@ -85,7 +85,7 @@ double parse_number(std::string_view field, std::string_view text) {
   const ScannedNumber scanned = scan_number(text);
   if (scanned.fault == NumberFault::out_of_range) {
     throw InputError(std::string(field), std::string(text),
-                     "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+                     "must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");
   }
   if (scanned.fault != NumberFault::none) {
     throw InputError(std::string(field), fmt::format("\"{}\"", text), "must be a finite number");

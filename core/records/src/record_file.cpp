@@ -26,7 +26,7 @@ namespace {
 constexpr std::array formats{&esm_format, &knet_format, &csmip_format,  &cosmos_format,
                              &smc_format, &at2_format,  &columns_format};
 
-/// A scale beyond these is a slip; products would lose digits or leave the range of a double.
+/// A scale beyond these is a mistake; products would lose digits or leave the range of a double.
 constexpr double smallest_scale = 1e-100;
 constexpr double largest_scale = 1e100;
 

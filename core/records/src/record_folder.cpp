@@ -23,7 +23,8 @@ namespace {
 // In upper case. K-NET's .UD, the vertical component, is left out: the mass moves sideways.
 constexpr std::array<std::string_view, 11> record_endings{
     ".AT2", ".ASC", ".EW", ".NS", ".EW1", ".NS1", ".EW2", ".NS2", ".V2", ".V2C", ".SMC"};
-/// Of columns, but also of notes and of the tables that databases put beside their records.
+/// The endings of columns, but also of notes and of the tables that databases put beside their
+/// records.
 constexpr std::array<std::string_view, 3> text_endings{".TXT", ".CSV", ".DAT"};
 
 template <std::size_t Count>
@@ -82,7 +83,7 @@ std::vector<std::string> record_files(const std::string& path) {
   if (found.records.empty()) {
     throw FileError({"record", path},
                     found.plain_text.empty()
-                        ? fmt::format("this folder has no record: no name ends in {} {}",
+                        ? fmt::format("this folder has no record: no file name ends in {} {}",
                                       fmt::join(record_endings, " "), fmt::join(text_endings, " "))
                         : fmt::format("this folder has no record: {} begins with text",
                                       shortened(found.plain_text.front(), longest_path)));

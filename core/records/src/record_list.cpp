@@ -33,7 +33,7 @@ std::string beside(const std::string& list, const std::string& file) {
   return file;
 }
 
-/// What the second column of a list holds.
+/// What the second column of a list contains.
 enum class Column { scale, peak, spectrum };
 
 Column header_column(const FilePlace& place, std::string_view line) {
@@ -44,7 +44,7 @@ Column header_column(const FilePlace& place, std::string_view line) {
       return column;
     }
   }
-  throw FileError(place, "must be the header file,scale, file,peak or file,spectrum");
+  throw FileError(place, "must be a header: file,scale or file,peak or file,spectrum");
 }
 
 /// Throws InputError.

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr char end_of_dos_file = '\x1A';
 
-/// Bytes that no text has. A form feed and DOS's end of file may be in a trailer.
+/// Bytes that text does not contain. A form feed and DOS's end of file may be in a trailer.
 bool is_binary(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte < 0x20U && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != end_of_dos_file;
@@ -40,8 +40,8 @@ RecordReader::RecordReader(std::string_view text, const std::string& path,
   const auto* const found = std::ranges::find_if(rest_, is_binary);
   if (found != rest_.end()) {
     const auto line = 1 + std::count(rest_.begin(), found, '\n');
-    refuse(static_cast<std::size_t>(line),
-           fmt::format("is not text: it holds the byte 0x{:02X}", static_cast<unsigned>(*found)));
+    refuse(static_cast<std::size_t>(line), fmt::format("is not text: it contains the byte 0x{:02X}",
+                                                       static_cast<unsigned>(*found)));
   }
 }
 

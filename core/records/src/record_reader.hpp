@@ -10,9 +10,8 @@
 
 namespace stillpoint::records {
 
-/// The lines of a record file one after the other, the numbers in them, and the errors that name
-/// them. Lines end with LF or CR LF; a byte order mark at the beginning is left out. A copy reads
-/// ahead.
+/// Reads a record file line by line, with the numbers in the lines and the errors that name them.
+/// Lines end with LF or CR LF; a byte order mark at the beginning is left out. A copy reads ahead.
 class RecordReader {
  public:
   /// All three must outlive this. Throws FileError if the text is empty or binary.
@@ -41,13 +40,13 @@ class RecordReader {
   /// The number that `word`, a part of this line, stands for. Refuses anything else.
   [[nodiscard]] double parse_number(std::string_view word) const;
 
-  /// The units of the accelerations, from here on.
+  /// Sets the units of the accelerations from here on.
   void set_units(RecordUnits units);
-  /// The same where line `line` of the file gives them. Refuses other ones of the options.
+  /// The same if line `line` of the file gives them. Refuses different ones in the options.
   void set_units(RecordUnits units, std::size_t line);
   /// The acceleration in g that `word` stands for, scaled. In g with the scale 1 no bit changes.
   [[nodiscard]] double parse_acceleration(std::string_view word) const;
-  /// In g and scaled; empty where no motion can follow it.
+  /// In g and scaled; empty if no motion can follow it.
   [[nodiscard]] std::optional<double> in_g(double given) const;
   /// "is out of range", with the bounds.
   [[nodiscard]] std::string load_bounds() const;
@@ -61,7 +60,7 @@ class RecordReader {
   std::size_t number_{0};
 };
 
-/// The bound of a step, as messages give it.
+/// The bound of a step, for messages.
 [[nodiscard]] std::string step_bounds(const RecordClock& clock);
 
 /// A format of record files: one source file defines it, one row in record_file.cpp lists it.
@@ -71,7 +70,7 @@ struct RecordFormat {
   bool has_channels{false};  ///< so that a file may hold several records
 };
 
-/// Of the description of a record; more is cut off.
+/// The longest description of a record; the rest is cut off.
 inline constexpr std::size_t longest_description = 200;
 
 extern const RecordFormat at2_format;

@@ -78,7 +78,7 @@ class Series {
     return sum;
   }
 
-  /// Where a derivative changes its sign between `from` and `to`, by bisection to the last bits.
+  /// Where a derivative changes its sign between `from` and `to`, by bisection to the last bit.
   [[nodiscard]] std::optional<double> zero(std::size_t order, double from, double to) const {
     const double first = derivative(order, from);
     if (!((first < 0 && derivative(order, to) > 0) || (first > 0 && derivative(order, to) < 0))) {

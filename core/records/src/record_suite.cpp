@@ -15,7 +15,7 @@ namespace stillpoint::records {
 
 namespace {
 
-/// Files and folders, with what each is scaled by.
+/// Files and folders, each with its scale.
 std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTarget& of_all) {
   std::vector<ListedRecord> asked;
   asked.reserve(files.paths.size());
@@ -28,7 +28,7 @@ std::vector<ListedRecord> asked_records(const SuiteFiles& files, const RecordTar
   for (ListedRecord& listed : read_record_list(*files.list)) {
     if (of_all.is_given() && listed.target.is_given()) {
       throw FileError({"records-list", *files.list},
-                      fmt::format("its targets and {} exclude each other",
+                      fmt::format("its targets and {} cannot be combined",
                                   of_all.peak ? "record-peak" : "record-spectrum"));
     }
     if (of_all.is_given()) {

@@ -40,7 +40,7 @@ struct SmcNumber {
   [[nodiscard]] double value() const { return reader.parse_number(text); }
 };
 
-/// Number `wanted`, from 1, of the header that takes the next `lines` lines.
+/// Number `wanted`, counted from 1, of the header that takes the next `lines` lines.
 SmcNumber smc_number(RecordReader reader, std::size_t lines, std::size_t width,
                      std::size_t wanted) {
   std::size_t before = 0;

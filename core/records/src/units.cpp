@@ -80,7 +80,7 @@ std::string moved(std::string_view number, int power_of_ten) {
     const auto [stop, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
     if (error != std::errc()) {
-      return std::string(number);  // beyond any double, and said to be
+      return std::string(number);  // beyond any double, and reported as such
     }
   }
   constexpr long long far = 1'000'000'000;
@@ -121,13 +121,13 @@ double parse_value(std::string_view field, Dimension dimension, std::string_view
         std::string(field), fmt::format("\"{}\"", shortened(text, longest_word)),
         accepted.empty()
             ? fmt::format("must be a number without a unit{}", instead)
-            : fmt::format("must be a number in {}, or end in {}", accepted.front().name,
+            : fmt::format("must be a number in {}, or have the unit {}", accepted.front().name,
                           accepted.size() == 1 ? "this unit" : unit_names(dimension)));
   }
   const auto scanned = scan_number(moved(parts->number, unit->power_of_ten));
   if (scanned.fault != NumberFault::none) {
     throw InputError(std::string(field), std::string(text),
-                     "must have a magnitude that a double holds, 2.2e-308 to 1.8e308");
+                     "must have a magnitude that a double can hold, 2.2e-308 to 1.8e308");
   }
   return scanned.value;
 }

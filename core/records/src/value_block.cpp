@@ -14,7 +14,7 @@ namespace stillpoint::records {
 
 namespace {
 
-/// More values than a file within the size limit can hold.
+/// More values than a file within the size limit can contain.
 constexpr double largest_count = 1e9;
 
 bool is_digit(char c) {
@@ -22,8 +22,8 @@ bool is_digit(char c) {
 }
 
 /// Where the number that `word` begins with ends: at the sign of the next one. A sign in front of
-/// the last three digits may be that of an exponent without its E, and one behind another sign
-/// begins nothing. Nothing is read twice: a word may be as long as a file.
+/// the last three digits may be that of an exponent without its E, and a sign after another sign
+/// does not begin a number. Nothing is read twice: a word may be as long as a file.
 std::size_t number_end(std::string_view word) {
   constexpr std::size_t exponent = 4;
   for (std::size_t i = 1; i < word.size(); ++i) {
@@ -48,11 +48,11 @@ std::vector<std::string_view> words_that_touch(std::string_view line) {
 }
 
 [[noreturn]] void refuse_too_many(const RecordReader& reader, const ValueBlock& block) {
-  reader.refuse(fmt::format("too many values: more than {} = {} in line {}", block.count_name,
+  reader.refuse(fmt::format("too many values: more than {} = {} on line {}", block.count_name,
                             block.count, block.count_line));
 }
 
-/// A line of numbers right after the last value is one too many; text may follow.
+/// A line of numbers right after the last value is too many; text may follow.
 void check_end(RecordReader reader, const ValueBlock& block) {
   while (reader.next()) {
     const auto fields = fields_of(reader.line(), block.width);
@@ -122,7 +122,7 @@ std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
         refuse_too_many(reader, block);
       }
       if (!is_number(field)) {
-        // A line of text, whose first columns say nothing.
+        // A line of text, whose first columns carry no information.
         const bool is_first = field.data() == fields.front().data();
         reader.refuse_word(is_first ? trimmed(reader.line()) : field,
                            fmt::format("is not a number; value {} of {} is expected here",
@@ -132,7 +132,7 @@ std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
     }
   }
   if (values.size() < block.count) {
-    reader.refuse(fmt::format("too few values: the file ends after {}, but {} = {} in line {}",
+    reader.refuse(fmt::format("too few values: the file ends after {}, but {} = {} on line {}",
                               values.size(), block.count_name, block.count, block.count_line));
   }
   check_end(reader, block);

@@ -40,7 +40,7 @@ RatedPart rated(const Problem& problem, const Limits& limits, const Part& part) 
     const auto all = constraints(problem, limits, part.f, part.delta);
     const auto back = std::ranges::find(all, "return", &Constraint::name);
     for (const Constraint& now : all) {
-      // What does not come back is not judged by Delta1, which means nothing there.
+      // A damper that does not return is not judged by Delta1, which has no meaning there.
       const bool meaningless = now.name == "stop" && now.variable == "delta" && !back->satisfied;
       if (!now.satisfied && !meaningless) {
         rated.violated.push_back(now);
@@ -50,12 +50,13 @@ RatedPart rated(const Problem& problem, const Limits& limits, const Part& part) 
   return rated;
 }
 
-/// An input that a change in one direction loosens for every part, and a value that binds nothing.
+/// An input whose change in one direction loosens the task for every part, and a value that no
+/// longer binds.
 struct Loosened {
   std::string_view field;
   double now;
   double loosest;
-  double& input;  ///< of the task that `admissible` is asked about
+  double& input;  ///< of the task that `admissible` checks
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ PulseRequest pulse_request(const DesignRequest& request) {
                      "must be 1 with a pulse: a design for a pulse stops at the first arrival");
   }
   if (problem.residual) {
-    throw InputError("pulse", std::string(name(*pulse)), "takes no residual");
+    throw InputError("pulse", std::string(name(*pulse)), "has no design with a residual");
   }
   return {{*pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high},
           limits,

@@ -18,22 +18,22 @@ namespace {
 using records::Dimension;
 
 /// A stroke is compared with V0/omega, the stroke without friction. A damper exists for strokes
-/// from 0.71 of it and is of no use above 1, so a factor of 20 either way is not a design.
+/// from 0.71 of it and is useless above 1, so a factor of 20 either way is not a sensible task.
 constexpr double far_from_one = 20;
-/// What a likely unit must make of it.
+/// What a likely unit must bring it to.
 constexpr double near_one = 3;
-/// A motion of more than 30 m without friction is no isolator's; this is as likely as any.
+/// A motion of more than 30 m without friction is not that of an isolator; this is a plausible one.
 constexpr double longest_m = 30;
 constexpr double likely_m = 0.1;
 constexpr double likely_factor = 30;
 /// A notch that takes more than this many times the energy of the hit was given in another unit.
 constexpr double far_beyond = 20;
-/// A pulse longer than this many natural periods is no pulse.
+/// A pulse longer than this many natural periods is not a pulse.
 constexpr double longest_pulse = 10;
 
 constexpr double standard_gravity = 9.80665;
 
-/// What dimensionless ratios are made of, in SI units.
+/// The quantities that make dimensionless ratios, in SI units.
 struct Values {
   std::optional<double> velocity, period, frequency, stiffness, mass, stroke, x0;
   double gravity{standard_gravity};
@@ -56,7 +56,7 @@ struct Values {
   }
 };
 
-/// A value, where it stands, what it measures, and the range that it mostly has.
+/// A value, where it is kept, what it measures, and its usual range.
 struct Source {
   std::string_view name;
   std::optional<double> Values::*value;
@@ -94,14 +94,13 @@ Values values_of(const GivenValues& given) {
   return values;
 }
 
-/// How many powers of ten a value is outside of its usual range.
+/// How many powers of ten a value is outside its usual range.
 double outside(const Source& source, double value) {
   return std::max({0.0, std::log10(source.least / value), std::log10(value / source.most)});
 }
 
-/// The value that was given without a unit and of which another unit makes `ratio` likely, in that
-/// unit; of several the one that is furthest from what is usual, then the one that makes the ratio
-/// nearest to 1.
+/// The value given without a unit for which another unit makes `ratio` likely, in that unit; of
+/// several, the one furthest from the usual, then the one that brings the ratio closest to 1.
 template <class Ratio>
 std::optional<Doubt::Meant> likely_unit(const GivenValues& given, const Values& values,
                                         double factor, const Ratio& ratio) {
@@ -126,7 +125,7 @@ std::optional<Doubt::Meant> likely_unit(const GivenValues& given, const Values& 
   return found;
 }
 
-/// The number of a value that has no unit, in one that makes it likely.
+/// The number of a value without a unit, in a unit that makes it likely.
 std::optional<Doubt::Meant> in_unit(const GivenValues& given, std::string_view name, double value,
                                     std::string_view unit, bool likely) {
   return likely && !with_unit(given, name)
@@ -196,7 +195,7 @@ std::optional<Doubt> doubtful_pulse(const GivenValues& given, const Values& valu
                in_unit(given, name, *pulse, "ms", *pulse * 1e-3 <= period)};
 }
 
-/// g itself, within a percent, as the peak of what is given in g.
+/// g itself, within a percent, as a peak that should be in g.
 std::optional<Doubt> doubtful_peak(const GivenValues& given) {
   const auto k = number(given, "k");
   if (!k || std::abs(*k / standard_gravity - 1) > 0.01 || with_unit(given, "k")) {

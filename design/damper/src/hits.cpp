@@ -49,7 +49,7 @@ double rest(const Damper& damper, int n, Wide from, Wide to, Wide farthest) {
   return n % 2 == 1 ? x : -x;
 }
 
-/// The list as it grows, from the lowest V0 that starts a motion to the highest that is listed.
+/// The growing list, from the lowest V0 that starts a motion to the highest listed.
 struct Listing {
   Wide lowest;
   Wide highest;

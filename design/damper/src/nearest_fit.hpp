@@ -7,9 +7,9 @@
 
 namespace stillpoint::design {
 
-/// The number nearest to `from` that `fits`, where everything from it to `to` fits as well:
+/// The number nearest to `from` that `fits`, if everything from it to `to` fits as well:
 /// bisection over the doubles themselves, whose bit patterns are in order, so it ends at the last
-/// bit. Empty where not even `to` fits. Both >= 0.
+/// bit. Empty if not even `to` fits. Both >= 0.
 template <class Fits>
 std::optional<double> nearest_fit(double from, double to, const Fits& fits) {
   if (fits(from)) {

@@ -10,7 +10,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// A conversion rounds a few times; so much to the safe side keeps the converted input feasible.
+/// A conversion rounds a few times; this much to the safe side keeps the converted input feasible.
 constexpr double conversion_safety = 1e-14;
 
 double omega_of(const PhysicalIsolator& isolator) {
@@ -44,8 +44,8 @@ double omega_of(const PhysicalIsolator& isolator) {
   return std::sqrt(*isolator.stiffness_n_per_m / *isolator.mass_kg);
 }
 
-/// H = velocity / omega. Where there is no velocity, the initial displacement; and without that
-/// g / omega^2, which makes p = 1.
+/// H = velocity / omega. Without a velocity, the initial displacement; without that, g / omega^2,
+/// which makes p = 1.
 double reference_velocity(const PhysicalIsolator& isolator, double velocity, double x0_m) {
   if (velocity != 0) {
     return std::abs(velocity);

@@ -39,23 +39,27 @@ std::optional<double> last_passage(const Oscillator& oscillator, const Response&
 
 }  // namespace
 
-double notch_acceleration(double f, double delta, double width) {
-  return f + delta / width;
+double notch_acceleration(double f, double delta, double width, double p) {
+  return f + delta / width + p * p * width / 2;
 }
 
-std::optional<double> least_notch_width(double f, double delta, double limit) {
-  if (!(limit > f)) {
+std::optional<double> least_notch_width(double f, double delta, double limit, double p) {
+  // p^2 w^2/2 - c w + Delta <= 0: from the lesser root on.
+  const double c = limit - f;
+  const double square = (c - p * std::sqrt(2 * delta)) * (c + p * std::sqrt(2 * delta));
+  if (!(c > 0) || square < 0) {
     return std::nullopt;
   }
-  double width = delta / (limit - f);
-  while (notch_acceleration(f, delta, width) > limit) {
+  double width = 2 * delta / (c + std::sqrt(square));
+  constexpr int roundings = 100;  // the two roots may be one
+  for (int i = 0; i < roundings && notch_acceleration(f, delta, width, p) > limit; ++i) {
     width = std::nextafter(width, HUGE_VAL);
   }
   return width;
 }
 
 std::optional<Practice> practice(const Oscillator& oscillator, const Response& response,
-                                 const std::optional<double>& acceleration_max) {
+                                 const std::optional<double>& acceleration_max, SetOff set_off) {
   const auto& [p, f, delta, hold] = oscillator;
   const double peak = response.peak_amplitude;
   if (peak == 0) {
@@ -82,7 +86,11 @@ std::optional<Practice> practice(const Oscillator& oscillator, const Response& r
     lines.impulse_largest = std::max(*last, lines.impulse_at_stop.value_or(0));
   }
   if (acceleration_max) {
-    lines.notch_width_min = least_notch_width(f, delta, *acceleration_max);
+    // docs/theory.md section 11: half of the capacity is taken before x = 0, whatever the width.
+    constexpr double half = 0.5;
+    const bool rests_before = set_off == SetOff::hit && response.zero_passages.value_or(0) == 0 &&
+                              lines.notch_used.value_or(1) <= half;
+    lines.notch_width_min = least_notch_width(f, delta, *acceleration_max, rests_before ? 0 : p);
   }
   return lines;
 }

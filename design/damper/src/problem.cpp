@@ -12,14 +12,14 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Below it beta and the limits come near the smallest normal double, where digits are lost.
+/// Below it beta and the limits come close to the smallest normal double, where digits are lost.
 constexpr double smallest_limit = 1e-300;
 /// f2 is half of v0^2 / beta at most, and must stay a double.
 constexpr double largest_f2 = 1e305;
-/// p beta, a speed that is compared with v0 and may be somewhat outside of its range.
+/// p beta, a speed that is compared with v0 and may be slightly outside its range.
 constexpr double smallest_edge = 1e-155;
 constexpr double largest_edge = 1e155;
-/// p beta / v0 decides everything; further out f2 would overflow or beta mean nothing.
+/// p beta / v0 decides everything; farther out f2 would overflow or beta would have no meaning.
 constexpr double widest_ratio = 1e100;
 
 }  // namespace
@@ -63,7 +63,7 @@ void require_valid(const Problem& problem, const Limits& limits) {
     require_within("shape", side, 0, 1);
   }
   if (!(std::max({f_low, f_high, delta_low, delta_high}) > 0)) {
-    throw InputError("tolerance", 0.0, "must be above 0 on one side of f or delta at least");
+    throw InputError("tolerance", 0.0, "must be above 0 on at least one side of f or delta");
   }
   if (limits.f_max) {
     require_within("f_max", *limits.f_max, smallest_limit, largest_square);

@@ -15,7 +15,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// By what factor the worst constraint is missed, less 1.
+/// The factor by which the worst constraint is missed, minus 1.
 double miss_of(const std::vector<Constraint>& violated) {
   double worst = 0;
   for (const Constraint& now : violated) {

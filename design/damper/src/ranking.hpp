@@ -15,7 +15,8 @@ namespace stillpoint::design {
 [[nodiscard]] std::vector<RatedPart> best_first(
     std::vector<RatedPart> all, const std::function<double(const RatedPart&)>& cost);
 
-/// Throws InputError unless f and delta are those of a part that an oscillator with that p takes.
+/// Throws InputError unless f and delta are those of a part that is valid in an oscillator with
+/// that p.
 void require_valid(const Part& part, double p);
 
 /// "none of the 30 parts of the catalogue is admissible"

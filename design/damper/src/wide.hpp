@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What decides to the last bit of a double is computed in 64 bits, the long double of x86. Where
-// long double has 113 bits, each operation is rounded to 64 of them, so that the same digits come
-// out.
+// Decisions to the last bit of a double are computed in 64 bits, the long double of x86. Where long
+// double has 113 bits, each operation is rounded to 64 of them, so that the results are the same.
 
 #include <cfloat>
 #include <cmath>

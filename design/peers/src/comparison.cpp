@@ -21,7 +21,7 @@ namespace stillpoint::peers {
 
 namespace {
 
-/// The effort of an integrator (methods.hpp), some 0.1 to 0.5 microseconds each. In steps, not
+/// The effort of an integrator (methods.hpp), about 0.1 to 0.5 microseconds each. In steps, not
 /// seconds, so that the result does not depend on the machine.
 constexpr std::int64_t most_effort = 3'000'000;
 
@@ -140,7 +140,7 @@ double far_enough(const SimulationRequest& request) {
 
 /// The largest t_end of a forced scene.
 double longest(const Scene& scene) {
-  constexpr double most = 3e4;  // of the faster of motion and load: some seconds in 50 digits
+  constexpr double most = 3e4;  // of the faster of motion and load: a few seconds in 50 digits
   return most * std::numbers::pi / rate(scene);
 }
 

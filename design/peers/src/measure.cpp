@@ -27,7 +27,7 @@ struct Case {
 
   Case(const std::function<void()>& what, const MeasureOptions& options)
       : call(what), first(seconds_of(what, 1)), repeats(repeats_of(options.batch_seconds)) {
-    // The first call pays for cold caches, and the machine may hold up any of them: with too few
+    // The first call pays for cold caches, and the machine may delay any of them: with too few
     // repeats every batch would be a cold one.
     for (int again = 0; again < 2 && first <= options.slow; ++again) {
       first = std::min(first, seconds_of(call, std::min(repeats, 16L)));

@@ -3,8 +3,8 @@
 // The usual model without events, e the width as a speed, d as a length:
 //   x' = v,   v' = -W - p^2 x - (f + Delta bump(x)) tanh(v / e),
 //   bump(x) = 1 / (2 d cosh^2(x / d)), whose integral is 1.
-// A notch with a width is no bump but a step of f, like a zone. What a notch holds is that of its
-// bump, so the model has no hold.
+// A notch with a width is not a bump but a step of f, like a zone. A notch holds what its bump
+// holds, so the model has no hold.
 // It creeps where the mass should be held, so rests are read off a band |v| < 3 e: tanh 3 = 0.995
 // counts as held. A turn is an entry into the band or a change of sign of v
 // across it, a stick an entry under a load that friction can hold. A passage leads from beyond

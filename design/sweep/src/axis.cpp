@@ -65,7 +65,7 @@ Axis::Axis(const std::vector<Range>& ranges, RangeEnd standing) : size_(0), step
   values_.reserve(ranges.size());
   others_.reserve(ranges.size());
   for (const auto& [low, high] : ranges) {
-    // With 0 added -0 is 0, and of equal ends neither is the lower.
+    // Adding 0 turns -0 into 0, so equal ends compare equal.
     values_.push_back((standing == RangeEnd::low ? low : high) + 0.0);
     others_.push_back((standing == RangeEnd::low ? high : low) + 0.0);
   }

@@ -16,8 +16,8 @@ struct SweepBlock {
   Eigen::Index size{0};
   std::array<Eigen::ArrayXd, quantity_count> columns;
   std::int64_t first{0};            ///< its first entry, counted from 0
-  std::vector<std::int64_t> lines;  ///< of a list, where each entry is
-  /// Of a list, the digest of all entries up to each. A grid always has the same entries.
+  std::vector<std::int64_t> lines;  ///< of a list: where each entry is
+  /// For a list, the digest of all entries up to each. A grid always has the same entries.
   std::vector<std::uint64_t> digests;
 
   Eigen::ArrayXd& operator[](Quantity quantity) { return columns[index(quantity)]; }

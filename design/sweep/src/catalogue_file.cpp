@@ -65,7 +65,7 @@ class CatalogueReader {
     CsvLine row(line);
     for (std::string_view field; row.next(field);) {
       if (row.unclosed()) {
-        refuse("a quote is opened and not closed");
+        refuse("a quote is opened but not closed");
       }
       fields_.push_back(field);
     }
@@ -122,7 +122,7 @@ class CatalogueReader {
                          printable(name, longest_word), longest_part_name));
     }
     if (const auto [first, alone] = line_of_.emplace(name, lines_.number()); !alone) {
-      refuse(fmt::format("name = {}: appears twice, first in line {}", name, first->second));
+      refuse(fmt::format("name = {}: appears twice, first on line {}", name, first->second));
     }
     design::Part part{name, number("f", fields_[*f_], 1), 0};
     part.delta = delta_ ? number("delta", fields_[*delta_], 1)
@@ -137,7 +137,7 @@ class CatalogueReader {
     return part;
   }
 
-  /// The value of a cell in dimensionless units, of which one is `unit` of the cell's.
+  /// The value of a cell in dimensionless units, of which one is `unit` in the cell's units.
   double number(std::string_view field, std::string_view text, double unit) const {
     double value = 0;
     try {

@@ -10,7 +10,7 @@ namespace stillpoint::sweep {
 
 namespace {
 
-/// What cannot be a name is refused where the file is written.
+/// Invalid names are refused where the file is written.
 bool may_be_a_file(const NamedFile& output) {
   return !output.path.empty() && output.path != "-" && !is_special_file(output.path);
 }
@@ -46,8 +46,9 @@ void require_apart(const std::vector<NamedFile>& inputs, const std::vector<Named
       const NamedFile& other = outputs[j];
       const bool both_standard = is_standard_output(other.path) && is_standard_output(output.path);
       if (may_be_a_file(other) && !both_standard && is_one_file(other, output)) {
-        throw records::FileError({output.field, output.path},
-                                 fmt::format("is the file of {} as well: give two", shown(other)));
+        throw records::FileError(
+            {output.field, output.path},
+            fmt::format("is also the file of {}: give two different files", shown(other)));
       }
     }
   }
@@ -56,7 +57,7 @@ void require_apart(const std::vector<NamedFile>& inputs, const std::vector<Named
 void require_not_swept(const NamedFile& output) {
   if (is_being_swept(output.path)) {
     throw records::FileError({output.field, output.path},
-                             "a sweep is writing it: let it end, or give another file");
+                             "a sweep is writing it: wait until it ends, or give another file");
   }
 }
 

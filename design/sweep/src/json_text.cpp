@@ -49,9 +49,9 @@ class NotingIterator {
   const char** read_;
 };
 
-/// Reads a text through for what json::parse passes over or words badly: equal keys, of which it
-/// keeps the last, a deep value, which it would print by recursion until the stack ends, and
-/// numbers beyond a double. Throws FileError. The parser calls a function for each part of the
+/// Scans a text for what json::parse ignores or reports badly: equal keys, of which it keeps the
+/// last; deep values, which it would print by recursion until the stack overflows; and numbers
+/// beyond a double. Throws FileError. The parser calls a function for each part of the
 /// text.
 class JsonCheck {
  public:
@@ -82,7 +82,7 @@ class JsonCheck {
     if (!seen_.back().insert(key).second) {
       throw records::FileError(
           std::move(place),
-          fmt::format("{} is set twice: a key can stand only once", shown_key(key)));
+          fmt::format("{} is set twice: a key may appear only once", shown_key(key)));
     }
     if (seen_.size() == 1) {
       outer_ = key;
@@ -110,8 +110,8 @@ class JsonCheck {
     constexpr std::size_t deepest = 16;  // a scene has three
     seen_.emplace_back();
     if (seen_.size() > deepest) {
-      refuse({},
-             fmt::format("is nested deeper than {} levels, which no {} is", deepest, file_.kind));
+      refuse({}, fmt::format("is nested deeper than {} levels: no {} needs so many", deepest,
+                             file_.kind));
     }
     return true;
   }
@@ -120,7 +120,7 @@ class JsonCheck {
     return true;
   }
 
-  /// Of the library's message "[...] parse error at ...: ... - CAUSE; last read: ...".
+  /// The cause in the library's message "[...] parse error at ...: ... - CAUSE; last read: ...".
   static std::string cause(std::string_view message) {
     constexpr std::string_view dash = " - ";
     if (const std::size_t begin = message.find(dash); begin != std::string_view::npos) {
@@ -129,7 +129,7 @@ class JsonCheck {
     return records::printable(message.substr(0, message.find("; last read")), 150);
   }
 
-  /// Of the key that has just been read, up to its closing quote.
+  /// The place of the key that has just been read, up to its closing quote.
   records::FilePlace place_of_key() {
     const auto is_quote = [this](const char* at) {
       return *at == '"' && (at == text_.data() || at[-1] != '\\');

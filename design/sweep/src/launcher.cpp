@@ -16,7 +16,7 @@ namespace stillpoint::sweep {
 
 namespace {
 
-/// Of any variable: far beyond every launcher, and differences stay whole numbers.
+/// For any variable: far beyond every launcher, and differences stay exact.
 constexpr std::int64_t farthest = 1'000'000'000'000;
 
 /// What one launcher says.
@@ -40,13 +40,14 @@ class Launchers {
 
   [[nodiscard]] SweepPart part() {
     if (words_.empty()) {
-      refuse(job_ ? fmt::format("GNU parallel says that this is job {}, but not of how many: give "
-                                "auto/N",
-                                *job_)
-                  : "no launcher says which part this is: start it with Slurm, mpirun or GNU "
-                    "parallel, or give I/N");
+      refuse(
+          job_ ? fmt::format(
+                     "GNU parallel says that this is job {}, but not of how many jobs: give auto/N",
+                     *job_)
+               : "no launcher says which part this is: start it with Slurm, mpirun or GNU "
+                 "parallel, or give I/N");
     }
-    // One process alone says little: each task of an array is the only one of its step.
+    // A single process says little: each task of an array is the only one of its step.
     std::stable_partition(words_.begin(), words_.end(),
                           [](const Word& word) { return word.part.count > 1; });
     const Word& first = words_.front();
@@ -98,7 +99,7 @@ class Launchers {
     return number && count;
   }
 
-  /// Tasks have numbers from MIN on, in steps.
+  /// Tasks are numbered from MIN on, in steps.
   void add_array() {
     const char* const id = "SLURM_ARRAY_TASK_ID";
     const auto task = value(id);
@@ -109,7 +110,7 @@ class Launchers {
     const std::int64_t from_first = *task - value("SLURM_ARRAY_TASK_MIN").value_or(1);
     const std::int64_t step = std::max<std::int64_t>(value("SLURM_ARRAY_TASK_STEP").value_or(1), 1);
     if (from_first % step != 0) {
-      throw InputError(id, environment_(id), "is not at the array's step: give --part I/N");
+      throw InputError(id, environment_(id), "is not a step of the array: give --part I/N");
     }
     add("an array of Slurm", id, from_first / step + 1, *count);
   }

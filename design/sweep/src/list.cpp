@@ -118,7 +118,7 @@ void List::read_header(std::string_view line) {
   for (std::string_view field; fields.next(field);) {
     const auto quantity = find_input(field, units_);
     if (fields.unclosed()) {
-      refuse("a quote is opened and not closed");
+      refuse("a quote is opened but not closed");
     }
     if (!quantity) {
       refuse(not_a("column", field, units_));
@@ -136,7 +136,7 @@ void List::read_row(std::string_view line, std::vector<double>& values) {
   CsvLine fields(line);
   for (std::string_view field; fields.next(field); ++count) {
     if (fields.unclosed()) {
-      refuse("a quote is opened and not closed");
+      refuse("a quote is opened but not closed");
     }
     if (count < columns_.size()) {
       try {

@@ -24,14 +24,14 @@ std::string_view without_quotes(std::string_view text) {
 
 using nlohmann::json;
 
-/// What the parser calls for each part of the text; false ends it.
+/// The parser's callbacks for each part of the text; false ends it.
 class RowHandler {
  public:
   explicit RowHandler(JsonRow& row) : row_(row) {}
 
   bool null() { return refuse_value("null"); }
-  bool boolean(bool /*value*/) { return refuse_value("a truth value"); }
-  bool string(std::string& /*value*/) { return refuse_value("a text"); }
+  bool boolean(bool /*value*/) { return refuse_value("a boolean"); }
+  bool string(std::string& /*value*/) { return refuse_value("a string"); }
   bool binary(json::binary_t& /*value*/) { return refuse_value("binary"); }
   bool start_array(std::size_t /*size*/) { return refuse_value("an array"); }
   static bool end_array() { return false; }
@@ -85,7 +85,7 @@ class RowHandler {
       return refuse_value("a number");
     }
     row_.fields.back().second = value;
-    return true;  // the parser lets no number pass that is beyond a double
+    return true;  // the parser refuses numbers beyond a double
   }
 
   JsonRow& row_;

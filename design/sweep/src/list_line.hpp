@@ -16,7 +16,7 @@ class CsvLine {
 
   /// The next field without blanks and quotes; false after the last.
   [[nodiscard]] bool next(std::string_view& field);
-  /// The field that was read last opens a quote and does not close it.
+  /// The last field read opens a quote and does not close it.
   [[nodiscard]] bool unclosed() const { return unclosed_; }
 
  private:

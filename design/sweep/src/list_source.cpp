@@ -55,7 +55,7 @@ class ListSource : public SweepSource {
     if (digest && !stop_.stop_requested() && (next_ != entries || digest_.value() != digest)) {
       throw records::FileError(
           {.kind = "list", .path = list_->source()},
-          fmt::format("its first {} entries are not those that the interrupted sweep had read",
+          fmt::format("its first {} entries differ from those that the interrupted sweep read",
                       entries));
     }
   }
@@ -91,8 +91,8 @@ class ListSource : public SweepSource {
     next_ += size;
   }
 
-  /// Reads the next entry, or gives the last one again for the next damper of its front. What is
-  /// wrong with it is kept until the `size` entries before it in this block have been given.
+  /// Reads the next entry, or returns the last one again for the next damper of its front. An error
+  /// is kept until the `size` entries before it in this block have been returned.
   bool has_next(Index size) {
     if ((next_ + size) % of_each_ != 0) {
       return true;

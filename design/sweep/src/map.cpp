@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-/// More than a page shows. Of a longer axis every n-th value is drawn.
+/// More than a page shows. On a longer axis every n-th value is drawn.
 constexpr std::int64_t most_cells = 2000;
 
 const SweepAxis& axis_of(const SweepSpec& spec, Quantity quantity) {

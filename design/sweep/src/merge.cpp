@@ -36,7 +36,7 @@ std::vector<Seal> read_seals(const std::vector<std::string>& paths) {
     order.add(seal.label);
     seal.label.task.clear();
     if (seal.npy_fields != seals.front().npy_fields) {
-      refuse_rows(seal, "has numbers in another order of bytes");
+      refuse_rows(seal, "has numbers in a different byte order");
     }
   }
   std::vector<Seal> ordered;
@@ -98,7 +98,7 @@ class Joiner {
   std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 20U);
 };
 
-/// Of the whole sweep: that of the first part, but with all rows.
+/// The header of the whole sweep: that of the first part, but with all rows.
 std::string header_of(const Seal& first) {
   if (first.format == RowFormat::npy) {
     return npy_header(first.npy_fields, first.label.whole.entries);
@@ -119,36 +119,53 @@ void require_apart(const NamedFile& written, const std::vector<std::string>& par
   }
 }
 
-Merged merge(const std::string& output, const std::vector<std::string>& parts,
-             const MergeWatch& watch) {
+namespace {
+
+/// Of all parts, in order. Throws as merge does.
+std::vector<Seal> seals_of(const std::vector<std::string>& parts) {
   if (parts.empty()) {
     throw InputError::missing("part", "name the files of all parts");
   }
-  require_apart({"output", output}, parts);
-  const std::vector<Seal> seals = read_seals(parts);
+  return read_seals(parts);
+}
+
+Merged join(RowSink& sink, const std::vector<Seal>& seals, const MergeWatch& watch) {
   const std::string header = header_of(seals.front());
-  const std::unique_ptr<RowSink> sink =
-      open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
-  Joiner joiner(*sink, watch);
+  Joiner joiner(sink, watch);
   Merged merged;
   try {
     joiner.write(header);
     merged.stopped =
         !std::ranges::all_of(seals, [&joiner](const Seal& part) { return joiner.append(part); });
   } catch (...) {
-    sink->leave();
+    sink.leave();
     throw;
   }
   merged.rows = joiner.merged().rows;
   merged.bytes = joiner.merged().bytes;
   if (merged.stopped) {
-    sink->leave();
+    sink.leave();
     return merged;
   }
   SweepState whole;
   whole.rows = merged.rows;
-  sink->finish(whole, header);
+  sink.finish(whole, header);
   return merged;
+}
+
+}  // namespace
+
+Merged merge(const std::string& output, const std::vector<std::string>& parts,
+             const MergeWatch& watch) {
+  require_apart({"output", output}, parts);
+  const std::vector<Seal> seals = seals_of(parts);
+  const std::unique_ptr<RowSink> sink =
+      open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
+  return join(*sink, seals, watch);
+}
+
+Merged merge(RowSink& sink, const std::vector<std::string>& parts, const MergeWatch& watch) {
+  return join(sink, seals_of(parts), watch);
 }
 
 }  // namespace stillpoint::sweep

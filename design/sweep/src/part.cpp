@@ -30,7 +30,7 @@ SweepPart parse_part(std::string_view text) {
 
 EntryRange range_of(const SweepPart& part, std::int64_t entries) {
   const std::int64_t least = entries / part.count;
-  const std::int64_t longer = entries % part.count;  // so many have one entry more
+  const std::int64_t longer = entries % part.count;  // this many have one entry more
   const std::int64_t before = part.number - 1;
   return {before * least + std::min(before, longer), least + (before < longer ? 1 : 0)};
 }

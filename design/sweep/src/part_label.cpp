@@ -44,7 +44,7 @@ std::string difference(const PartLabel& one, const PartLabel& other) {
     return tasks;
   }
   if (one.whole.entries != other.whole.entries) {
-    return fmt::format("the number of entries was {}, is {}", one.whole.entries,
+    return fmt::format("the number of entries was {} and is now {}", one.whole.entries,
                        other.whole.entries);
   }
   return one.whole.digest == other.whole.digest ? "" : "the list has changed";
@@ -56,8 +56,8 @@ bool is_that_part(const PartLabel& found, const PartLabel& wanted, std::string_v
   }
   if (found.part != wanted.part) {
     throw LeftoverError(
-        fmt::format("output {}: is part {} of this {}: give each part a file of its own, as "
-                    "{{part}} in the name does",
+        fmt::format("output {}: is part {} of this {}: give each part its own file, for instance "
+                    "with {{part}} in its name",
                     wanted.path, text(found.part), whole));
   }
   return true;
@@ -68,7 +68,8 @@ void PartOrder::add(PartLabel label) {
     const PartLabel& first = labels_.front();
     const std::string differs = difference(first, label);
     if (!differs.empty()) {
-      refuse_part(label, fmt::format("is of another {} than {}: {}", whole_, first.path, differs));
+      refuse_part(
+          label, fmt::format("belongs to a different {} from {}: {}", whole_, first.path, differs));
     }
     if (first.part.count != label.part.count) {
       refuse_part(label, fmt::format("is part {}, but {} is part {}", text(label.part), first.path,
@@ -89,7 +90,7 @@ std::vector<std::size_t> PartOrder::places() const {
   if (twice != places.end()) {
     const PartLabel& second = labels_[*(twice + 1)];
     refuse_part(second,
-                fmt::format("is part {}, like {}", text(second.part), labels_[*twice].path));
+                fmt::format("is part {}, and so is {}", text(second.part), labels_[*twice].path));
   }
   const std::int64_t count = labels_.front().part.count;
   const std::int64_t missing = count - std::ssize(places);

@@ -144,10 +144,30 @@ std::pair<Quantity, std::string_view> column_of(std::string_view option, std::st
   throw wrong(option, text, "must begin with a column of numbers: " + names);
 }
 
+void require_bins(std::string_view option, std::string_view text, std::int64_t bins) {
+  constexpr std::int64_t most_bins = 100'000;
+  if (bins < 1 || bins > most_bins) {
+    throw wrong(option, text, fmt::format("must have 1 to {} bins", most_bins));
+  }
+}
+
+/// "0:1:51" of "0:1:50": N bins have N + 1 edges.
+std::string with_edges(std::string_view option, std::string_view text, std::string_view rest) {
+  const std::vector<std::string_view> parts = records::split(rest, ':');
+  const auto bins = parts.size() > 2 ? records::scan_integer(parts[2]) : std::nullopt;
+  if (!bins) {
+    return std::string(rest);
+  }
+  require_bins(option, text, *bins);
+  const std::string_view spacing(parts[2].end(), rest.end());
+  return fmt::format("{}:{}:{}{}", parts[0], parts[1], *bins + 1, spacing);
+}
+
 /// Of what follows the column.
 Axis edges_of(std::string_view option, std::string_view text, std::string_view rest) {
+  const std::string edges = with_edges(option, text, rest);
   try {
-    return parse_axis(option, rest);
+    return parse_axis(option, edges);
   } catch (const InputError&) {
     throw wrong(option, text,
                 "must be COLUMN:LOW:HIGH:BINS, COLUMN:LOW:HIGH:BINS:log with LOW > 0, or "
@@ -159,24 +179,17 @@ Axis edges_of(std::string_view option, std::string_view text, std::string_view r
 
 AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns,
                      const std::optional<SweepUnits>& units) {
-  constexpr std::int64_t most_bins = 100'000;
   const std::string_view option = "histogram";
   const auto [column, rest] = column_of(option, text, columns, units);
-  const Axis asked = edges_of(option, text, rest);
-  const bool counted = asked.spacing().has_value();
-  const std::int64_t bins = asked.size() - (counted ? 0 : 1);
-  if (bins < 1 || bins > most_bins) {
-    throw wrong(option, text, fmt::format("must have 1 to {} bins", most_bins));
-  }
-  const auto [low, high] = asked.ends();
-  const Axis edges = counted ? Axis(low, high, bins + 1, *asked.spacing()) : asked;
+  const Axis edges = edges_of(option, text, rest);
+  require_bins(option, text, edges.size() - 1);
   AskedBins result{column, {}};
   result.edges.reserve(static_cast<std::size_t>(edges.size()));
   for (std::int64_t i = 0; i < edges.size(); ++i) {
     result.edges.push_back(edges[i]);
   }
   if (std::ranges::adjacent_find(result.edges, std::greater_equal()) != result.edges.end()) {
-    throw wrong(option, text, "must have rising edges");
+    throw wrong(option, text, "must have increasing edges");
   }
   return result;
 }

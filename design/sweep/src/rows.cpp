@@ -121,7 +121,7 @@ std::string RowWriter::header(std::int64_t rows) const {
 }
 
 const std::vector<std::string>& RowWriter::rows(const SweepBlock& block) {
-  constexpr Index piece = 4096;  // entries: some 300 kB, enough to be worth a thread
+  constexpr Index piece = 4096;  // entries: about 300 kB, enough to be worth a thread
   pieces_.resize(static_cast<std::size_t>((block.size + piece - 1) / piece));
   for_each_entry(static_cast<Index>(pieces_.size()), threads_, {}, [&](Index i) {
     std::string& bytes = pieces_[static_cast<std::size_t>(i)];

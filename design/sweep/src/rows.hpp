@@ -20,7 +20,7 @@ class RowWriter {
 
   /// Of format npy, as npy_header takes them; else "".
   [[nodiscard]] std::string npy_fields() const;
-  /// What comes before `rows` entries.
+  /// The bytes before `rows` entries.
   [[nodiscard]] std::string header(std::int64_t rows) const;
   /// The bytes in order, valid until the next call.
   [[nodiscard]] const std::vector<std::string>& rows(const SweepBlock& block);

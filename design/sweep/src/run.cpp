@@ -24,7 +24,7 @@ using Eigen::Index;
 constexpr Index most_rows = std::numeric_limits<Index>::max();
 
 /// How many entries are computed at once. A block takes some tenths of a second at most, so a stop
-/// is answered soon however long an entry takes.
+/// takes effect soon however long an entry takes.
 class BlockSize {
  public:
   [[nodiscard]] Index value() const { return value_; }
@@ -33,7 +33,7 @@ class BlockSize {
     constexpr double short_s = 0.05;
     constexpr double long_s = 0.3;
     constexpr Index least = 16;
-    constexpr Index most = 65'536;  // some 5 MB of columns
+    constexpr Index most = 65'536;  // about 5 MB of columns
     if (seconds < short_s) {
       value_ = std::min(2 * value_, most);
     } else if (seconds > long_s) {

@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 
 constexpr auto seal_schema = "stillpoint/sweep-part/1";
 constexpr std::string_view seal_mark = "#stillpoint-part ";
-constexpr std::int64_t longest_seal = std::int64_t{1} << 26U;  // as of a checkpoint
+constexpr std::int64_t longest_seal = std::int64_t{1} << 26U;  // as for a checkpoint
 constexpr std::size_t place_digits = 20;
 
 /// The value of the 20 digits with which a seal ends, before " " and after "\n".
@@ -101,7 +101,8 @@ Seal seal_of(const SweepSpec& spec, const SweepState& state) {
 Seal read_seal(const std::string& path) {
   const records::FilePlace place{.kind = "part", .path = path};
   const auto refuse = [&place]() -> records::FileError {
-    return {place, "is not a whole part of a sweep: it does not end as one, or was cut short"};
+    return {place,
+            "is not a complete part of a sweep: it is another kind of file, or was cut short"};
   };
   std::error_code unknown;
   const auto size = static_cast<std::int64_t>(std::filesystem::file_size(path, unknown));

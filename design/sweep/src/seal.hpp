@@ -11,9 +11,9 @@
 namespace stillpoint::sweep {
 
 /// The last line of the file of a part, behind its rows: which part of which sweep it is, and what
-/// comes before. The line ends with the number of bytes before it, in 20 digits, so that it is
-/// found from the end of the file. A file without it is no whole part. Readers of CSV can take it
-/// for a comment, and readers of .npy do not look behind the rows.
+/// comes before. The line ends with the number of bytes before it, in 20 digits, so that it can be
+/// found from the end of the file. A file without it is not a complete part. Readers of CSV can
+/// take it for a comment, and readers of .npy do not look beyond the rows.
 struct Seal {
   PartLabel label;
   RowFormat format{RowFormat::csv};

@@ -48,7 +48,7 @@ void make_room(SweepBlock& block, std::span<const Quantity> quantities) {
   }
 }
 
-/// What stands for a time that a motion does not have.
+/// The value for a time that a motion does not have.
 double missing_time(Outcome how) {
   if (how == Outcome::never_stops) {
     return never;
@@ -65,7 +65,7 @@ void set_response(SweepBlock& block, Index i, const Response& response) {
   block[peak_absolute_acceleration][i] = response.peak_absolute_acceleration;
 }
 
-/// The motion has more half-cycles than the sweep allows; nothing else is known of it.
+/// The motion has more half-cycles than the sweep allows; nothing else is known about it.
 void set_too_many(SweepBlock& block, Index i, std::span<const Quantity> results) {
   for (const Quantity result : results) {
     block[result][i] = absent;
@@ -170,7 +170,7 @@ void SweepStep::require_ranges(const SweepBlock& block) const {
   }
 }
 
-/// The inputs of `block` stay as they are, whatever is thrown.
+/// The inputs of `block` are unchanged, whatever is thrown.
 void SweepStep::run_physical(SweepBlock& block) {
   const SweepUnits& units = *spec_.units;
   plain_.size = block.size;
@@ -245,7 +245,7 @@ void SweepStep::run_free(SweepBlock& block) {
       free_batch(block[v0], block[p], block[f], block[delta], options, batch_);
     }
   } catch (const InputError&) {
-    return run_free_one_by_one(block);  // which says what is wrong with the entry alone
+    return run_free_one_by_one(block);  // which says what is wrong with this entry
   } catch (const TooManyHalfCycles&) {
     return run_free_one_by_one(block);
   }

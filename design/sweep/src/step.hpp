@@ -13,7 +13,7 @@
 
 namespace stillpoint::sweep {
 
-/// The step of a sweep: from the inputs of a block of entries to their results. It takes one way
+/// The step of a sweep: from the inputs of a block of entries to their results. There is one branch
 /// for each kind of sweep.
 class SweepStep {
  public:

@@ -13,7 +13,7 @@ namespace {
 
 using records::Dimension;
 
-/// What a quantity is called in metres and seconds; what is not here has no unit.
+/// The names of quantities in metres and seconds; quantities not listed have no unit.
 struct PhysicalForm {
   Quantity quantity;
   std::string_view name;
@@ -64,7 +64,7 @@ PhysicalForm pulse_form(Quantity quantity, PulseClock clock) {
                             Dimension::frequency};
 }
 
-/// Dimensionless where there are no units.
+/// Dimensionless if there are no units.
 PhysicalForm form_of(Quantity quantity, const std::optional<SweepUnits>& units) {
   if (units && (quantity == Quantity::p || quantity == Quantity::p_high)) {
     return restoring_form(quantity, units->restoring);

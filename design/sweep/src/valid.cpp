@@ -24,7 +24,7 @@ bool contains(std::span<const Quantity> quantities, Quantity quantity) {
   return std::ranges::find(quantities, quantity) != quantities.end();
 }
 
-/// What has a unit, in it: the kernel would name dimensionless numbers.
+/// Checks values with a unit in that unit: the kernel would name dimensionless numbers.
 void require_in_units(const std::string& field, records::Dimension dimension, double value,
                       double least) {
   const auto units = records::units_of(dimension);
@@ -63,7 +63,7 @@ bool may_be_left_out(const SweepSpec& spec, Quantity input) {
   return contains(always, input) || (spec.pulse ? input == Quantity::v0 : of_pulse);
 }
 
-/// Of designs, the inputs of the hit that the entries do not have.
+/// For designs, the inputs of the hit that the entries do not have.
 void require_one_hit(const SweepSpec& spec) {
   constexpr std::array of_velocity{Quantity::v0, Quantity::v0_low};
   constexpr std::array of_pulse{Quantity::k, Quantity::k_low, Quantity::lambda,
@@ -72,7 +72,7 @@ void require_one_hit(const SweepSpec& spec) {
   for (const Quantity other : others) {
     if (given(spec, other)) {
       throw InputError(option_name(other, spec.units), "an input",
-                       spec.pulse ? "must be left out with a pulse, which is the hit"
+                       spec.pulse ? "must be left out: the pulse is the hit"
                                   : "must be left out without a pulse");
     }
   }
@@ -106,10 +106,10 @@ void require_inputs(const SweepSpec& spec) {
     const auto other =
         swept.axis.has_ranges() ? other_end(swept.quantity) : std::optional<Quantity>();
     if (other && !contains(inputs(spec.kind), *other)) {
-      refuse("must be first:last:count or numbers: a range LOW:HIGH is for designs");
+      refuse("must be first:last:count or numbers: a range LOW:HIGH needs a design");
     }
     if (spec.list && (spec.list->has(swept.quantity) || (other && spec.list->has(*other)))) {
-      refuse("is a column of the list as well: give only one of them");
+      refuse("is also a column of the list: give only one of them");
     }
     if (spec.list && swept.axis.size() > 1 && swept.quantity != Quantity::trade_off) {
       refuse("must be one number beside a list");
@@ -136,7 +136,7 @@ void require_columns(const SweepSpec& spec) {
     }
     if (contains(inputs(spec.kind), column) && !given(spec, column)) {
       throw InputError("columns", std::string(name(column, spec.units)),
-                       "is an input that is not given");
+                       "is an input, but it is not given");
     }
   }
 }
@@ -171,7 +171,7 @@ void check(const Corner& corner, const SweepSpec& spec) {
   require_valid(oscillator, surface);
 }
 
-/// There are no more of them than the largest: every value of a sensible axis is looked at.
+/// The largest is small, so every value of a sensible axis is checked.
 void check_arrivals(const SweepSpec& spec) {
   const auto found = std::ranges::find(spec.axes, Quantity::arrivals, &SweepAxis::quantity);
   const std::int64_t count = found == spec.axes.end() ? 0 : found->axis.size();
@@ -180,8 +180,8 @@ void check_arrivals(const SweepSpec& spec) {
   }
 }
 
-/// Of `corner` the axes before `next` are set. Of an axis without ranges the ends are corners, of
-/// one with ranges all values: each has two ends.
+/// The axes of `corner` before `next` are set. The corners of an axis without ranges are its ends;
+/// of one with ranges, all its values: each has two ends.
 void check_corners(const SweepSpec& spec, Corner& corner, std::size_t next = 0) {
   if (next == spec.axes.size()) {
     return check(corner, spec);

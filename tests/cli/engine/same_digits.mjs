@@ -76,7 +76,7 @@ function task(number) {
   ];
 }
 
-/** Without what is a time of the machine. */
+/** Without wall times. */
 const timeless = (/** @type {string} */ text) =>
   text.replace(/"(wall_time_s|[a-z_]*seconds|[a-z_]*_us)": [-+.e0-9]+/g, '"$1": 0');
 

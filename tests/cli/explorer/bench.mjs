@@ -78,7 +78,7 @@ export async function frame(page) {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(done)));
 }
 
-/** Until what was asked for is drawn, and what was put off. @param {Page} page */
+/** Waits until what was requested and what was postponed is drawn. @param {Page} page */
 export async function settle(page) {
   await page.evaluate(
     () =>
@@ -163,7 +163,7 @@ export async function drag(page, ...places) {
 
 /**
  * The frames in which the page drew during `work`: what each took of its thread in ms of computing, with style, layout
- * and paint. What others do on the machine counts little in it.
+ * and paint. Other load on the machine hardly affects it.
  * @param {Page} page
  * @param {() => Promise<void>} work
  */

@@ -65,7 +65,7 @@ function random_task(random) {
   return task;
 }
 
-/** What the program says of a task without a damper of its own. @param {string} task */
+/** What the program says about a task without a chosen damper. @param {string} task */
 function design_numbers(task) {
   const report = program(["design", ...words_of(task)]);
   if (report.refused) return report;

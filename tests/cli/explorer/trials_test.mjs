@@ -18,7 +18,7 @@ test("a wrong unit is named, and the right one mends it", () =>
     await type(page, "velocity", "0.4kg");
     assert.match(await notice(page), /^velocity = "0\.4kg": must be a number in m\/s/);
     assert.equal(await page.getAttribute("#in-velocity", "aria-invalid"), "true");
-    // Another hit on the damper of before does not make it right.
+    // Another hit on the same damper does not make it admissible.
     await page.fill("#hit", "1000");
     await settle(page);
     assert.match(await notice(page), /^velocity = "0\.4kg"/);
@@ -42,7 +42,7 @@ test("a frequency in the field of the period is a frequency", () =>
 test("an impossible stroke is explained, and what it needs is offered", () =>
   with_page(isolator, {}, async (page) => {
     await type(page, "max-displacement", "50mm");
-    assert.match(await words(page, "#verdict"), /^No damper will do\. To stay within 50\smm/);
+    assert.match(await words(page, "#verdict"), /^No damper works\. To stay within 50\smm/);
     assert.deepEqual(Object.values(await numbers(page)), [null, null, null, null, null]);
     assert.equal(await page.inputValue("#set-delta"), "");
     const offers = await page.locator("#verdict button").all();
@@ -144,7 +144,7 @@ test("dragged out of the frame, the damper stays on its edge", () =>
       const most = Number((await page.getAttribute("#region svg", "data-x"))?.split(" ")[1]);
       assert.ok(f >= 0 && f <= most && delta >= 0, `${f} ${delta} ${most}`);
       assert.equal(await notice(page), "");
-      // Let go outside, it is let go.
+      // A release outside the window counts.
       await page.mouse.move(plot.x + 50, plot.y + 50);
       await settle(page);
       assert.equal((await numbers(page)).f, f);

@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(places_values_by_the_scale_of_their_axis) {
   BOOST_TEST(contains(svg(figure, Frame::in_page), "translate(185.00 67.50)"));
 }
 
-/// Of 0.3 to 0.3000001 six digits would be the same number, and 1e150 written out too long.
+/// Six digits would not distinguish 0.3 and 0.3000001, and 1e150 would be too long written out.
 BOOST_AUTO_TEST_CASE(ticks_are_told_apart_and_stay_within_the_figure) {
   const auto narrow = tick_labels(ticks({"", 0.3, 0.3000001}));
   BOOST_TEST_REQUIRE(narrow.size() >= 3U);

@@ -24,7 +24,7 @@ const Arguments s4(
     "accuracy --v0 0.5 --p 1 --f 0.18 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 "
     "--t-end 200");
 
-/// The first of a name, the kernel's, or the one of a setting.
+/// The first of a name: the kernel's, or the one with a setting.
 json method(const json& report, const std::string& name, const std::string& setting = "") {
   for (const json& now : report["methods"]) {
     if (now["name"] == name && (setting.empty() || now["setting"] == setting)) {
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(kernel_is_the_one_that_simulate_uses_and_is_right) {
   }
 }
 
-// Each method comes nearer with a finer setting, and is shown as it is with a coarse one.
+// Each method gets closer with a finer setting, and its errors are shown with a coarse one.
 BOOST_AUTO_TEST_CASE(integrators_are_as_good_as_their_setting) {
   const json report = reported(s1);
   const double coarse = method(report, "dopri5", "tolerance 1e-06")["end_error"];
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(integrators_are_as_good_as_their_setting) {
   BOOST_TEST(method(report, "regularised")["end_error"].get<double>() > 1e-3);
 }
 
-// 424 half-cycles: what a loose setting gets wrong is said to be wrong.
+// 424 half-cycles: what a loose setting gets wrong is reported as wrong.
 BOOST_AUTO_TEST_CASE(wrong_count_is_shown_as_wrong) {
   const json report = reported("accuracy --v0 1 --p 1 --f 1e-3 --delta 1e-4");
   BOOST_TEST(method(report, "regularised")["counts_right"] == false);

@@ -14,7 +14,7 @@ namespace {
 using namespace stillpoint::cli_test;
 
 constexpr std::size_t columns = 80;
-constexpr std::size_t lines_at_most = 16;  ///< some ten, with title, blank lines and long rows
+constexpr std::size_t lines_at_most = 16;  ///< about ten, with title, blank lines and long rows
 /// Parts or a trade-off were asked for: 20 rows and what stands around them.
 constexpr std::size_t lines_of_a_table = 26;
 
@@ -33,14 +33,14 @@ BOOST_FIXTURE_TEST_CASE(of_each_scene_fits_a_terminal, Sandbox) {
     const bool table =
         spectrum || contains(text, "\nParts, best") || contains(text, "\nTrade-off of");
     BOOST_TEST(lines.size() <= lines_at_most + (table ? lines_of_a_table : 0), text);
-    BOOST_TEST(lines.back() == "  --verbose says more.");
+    BOOST_TEST(lines.back() == "  --verbose shows more.");
     for (const std::string& line : lines) {
       BOOST_TEST(line.size() <= columns, line);
     }
     const std::string full = run({command, entry.path().string(), "--verbose"}).out;
     BOOST_TEST(lines_of(full).size() > lines.size());
     BOOST_TEST(!contains(full, "--verbose"));
-    // Where a scene is not for region or simulate, these print nothing.
+    // If a scene is not for region or simulate, these print nothing.
     const std::string region = run({"region", entry.path().string(), "--verbose"}).out;
     const std::string motion = run({"simulate", entry.path().string(), "--verbose", "--f", "0.02",
                                     contains(full, " mm") ? "--delta-m" : "--delta", "0.001"})

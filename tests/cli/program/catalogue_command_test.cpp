@@ -88,7 +88,7 @@ const std::vector<Wrong> wrong_uses{
      {"catalogue nowhere.csv", "cannot be read", "No such file"}},
     {design("--catalogue ."), {"catalogue .", "cannot be read"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --trade-off 5",
-     {"trade-off and pulse exclude each other"}},
+     {"trade-off and pulse cannot be combined"}},
     {design("--trade-off 0"), {"trade_off = 0", "from 2 to 1000"}},
     {design("--trade-off 1000000000"), {"trade_off", "from 2 to 1000"}},
     {design("--trade-off many"), {"trade-off", "many"}},

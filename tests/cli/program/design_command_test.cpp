@@ -79,6 +79,23 @@ BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
       (names == std::vector<std::string>{"dead_zone", "start", "amplitude", "return", "stop"}));
 }
 
+/// The best is the limit f -> 0, which nobody builds: the text says so, the JSON has the point.
+BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
+  const Arguments task("--arrivals 2 --f-max 0.1");
+  BOOST_TEST(report_of(*this, design(1.1, task))["design"]["f"] < 1e-6);
+  const std::string shown = run(design(1.1, task)).out;
+  check_contains(shown,
+                 {"Build delta = 0.375 and as little constant friction as you can.",
+                  "damper            f as small as you can make it, delta = 0.375",
+                  "delta may be off by +-33.33 % with next to no f", "with any up to 0.00621"});
+  BOOST_TEST(shown.find("e-09") == std::string::npos, shown);
+  // Delta must be V0^2/2 where there is no friction: Delta1 = Delta2.
+  check_contains(
+      run(design(1.1, "--objective time")).out,
+      {"Build delta = 0.5 and as little constant friction as you can.",
+       "tolerance         none is left: the damper is on the edge of", "hits v0 of only 1\n"});
+}
+
 BOOST_AUTO_TEST_CASE(echoes_the_input) {
   const json report =
       reported(design(0.9,
@@ -234,7 +251,7 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_FIXTURE_TEST_SUITE(search, Sandbox)
 
 BOOST_AUTO_TEST_CASE(optimum_stands_beside_that_along_f) {
-  constexpr double same = 2e-9;  // both stay a relative 1e-9 inside of open edges
+  constexpr double same = 2e-9;  // both stay a relative 1e-9 inside open edges
   const Arguments plain("design --v0 1 --p 1 --beta 2 --tolerance 0.05");
   for (const std::string objective : {"robust", "amplitude", "time", "acceleration"}) {
     for (const Arguments& more : {Arguments{}, Arguments("--arrivals 3 --f-max 0.02"),

@@ -46,7 +46,7 @@ const std::vector<Wrong> doubts{
      {"pulse-duration = 50 s", "mean --pulse-duration 50ms?"}},
     {simulate("--period 2.8 --delta 0 --excitation half-sine --k 9.81 --pulse-duration 50ms"),
      {"k = 9.81 is in g", "mean --k 1?"}},
-    // What was given with its unit is not questioned, but said to be absurd.
+    // A value given with its unit gets a warning, but no other unit is suggested.
     {design("0.4m/s --period 2.8s --max-displacement 150m"),
      {"max-displacement = 150 m", "without friction\n"}},
     // 20 times either way is the edge of what is absurd: V0/omega is 1 m.
@@ -67,7 +67,7 @@ BOOST_DATA_TEST_CASE_F(Sandbox, doubtful, data::make(doubts), doubt) {
   BOOST_TEST(!answer.out.empty());
   std::vector<std::string> doubts_of_it = answer.err_lines();
   std::erase_if(doubts_of_it, [](const std::string& line) {
-    return line.starts_with("stillpoint: never starts: ");  // what a notch too strong does
+    return line.starts_with("stillpoint: never starts: ");  // what too strong a notch does
   });
   BOOST_TEST(doubts_of_it.size() == (doubt.says.empty() ? 0U : 1U), answer.err);
   check_contains(answer.err, doubt.says);

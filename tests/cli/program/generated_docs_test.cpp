@@ -28,7 +28,7 @@ std::set<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// What a shell command prints.
+/// The output of a shell command.
 std::string printed_by(const std::string& command) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"),
                                                              &::pclose);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(texts)
 
-/// Of each option every text has its name, and with it what it is for.
+/// Every text has the name of each option, with its help.
 BOOST_AUTO_TEST_CASE(name_every_option) {
   const std::string man = cli::man_page();
   const std::string zsh = cli::zsh_completion();

@@ -30,7 +30,7 @@ Surroundings of_width(const char* columns) {
   return surroundings;
 }
 
-/// The words of a text, whatever is between them; of an example a line's end is no word.
+/// The words of a text, whatever is between them; a line's end in an example does not count.
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;

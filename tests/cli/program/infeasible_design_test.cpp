@@ -10,7 +10,7 @@
 
 BOOST_AUTO_TEST_SUITE(infeasible_design_test)
 
-// What design says where no damper is admissible.
+// What design says if no damper is admissible.
 
 namespace {
 
@@ -42,8 +42,8 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
   const ProgramRun text = run(design(0.6));
   BOOST_TEST(text.exit_code == 3);
   BOOST_TEST(text.err.empty(), text.err);
-  check_contains(text.out, {"No admissible design", "amplitude and return exclude each other",
-                            "0.8485281374", "1.178511302", "0.7071067812"});
+  check_contains(text.out, {"No admissible design", "amplitude and return conflict", "0.8485281374",
+                            "1.178511302", "0.7071067812"});
 }
 
 // (f3 - f2)/(f3 + f2) = 22.22 % with f2 = 0.225, f3 = 1/sqrt(8), at their middle.
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart
   BOOST_TEST(contains(text.out, "22.2198 %"), text.out);
 }
 
-/// Nobody is left alone with a tolerance that no damper has: the theory's largest is 36.3 %.
+/// A tolerance that no damper has gets an explanation: the theory's largest is 36.3 %.
 BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_enough) {
   const Arguments impossible = design(0.6, "--tolerance 0.5");
   const ProgramRun text = run(impossible);

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(of_free_motion_says_beforehand_that_it_takes_minutes) {
   const ProgramRun stopped = run(joined(free, "1e12"), {.interrupt_once_heard = true});
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 1U, stopped.err);
-  BOOST_TEST(lines[0] == "stillpoint: up to 1e+11 half-cycles: this may take some 25 minutes");
+  BOOST_TEST(lines[0] == "stillpoint: up to 1e+11 half-cycles: this may take about 25 minutes");
   const ProgramRun refused = run(joined(free, "1e10"));
   check_refusal(refused, {"1e+11 half-cycles; at most 1e+10"});
   BOOST_TEST(refused.err_lines().size() == 1U, refused.err);

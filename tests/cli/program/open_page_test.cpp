@@ -127,7 +127,7 @@ BOOST_FIXTURE_TEST_CASE(is_refused_where_there_is_no_browser, Sandbox) {
   nothing.environment.emplace_back("PATH", path("").string());
   const auto before = contents();
   check_refusal(run(joined(region, "--html page.html"), nothing),
-                {"open", "no browser is found", "BROWSER", "--html"});
+                {"open", "no browser was found", "BROWSER", "--html"});
   BOOST_TEST(contents() == before);
   Surroundings no_room = with_browser("/bin/sh");
   no_room.environment.emplace_back("TMPDIR", path("nowhere").string());

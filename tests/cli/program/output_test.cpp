@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(replaces_an_old_one_by_a_new_one) {
   fs::create_hard_link(path("report.json"), path("old"));
   succeed(design("--output report.json"));
   BOOST_TEST(is_report(read("report.json")));
-  // Never written into: whoever has the old one open still has all of it.
+  // Never written into: a reader of the old file still sees all of it.
   BOOST_TEST(read("old") == std::string(100'000, '#'));
   BOOST_TEST(contents().size() == 2U);
 }

@@ -22,8 +22,8 @@ using namespace stillpoint::cli_test;
 namespace data = boost::unit_test::data;
 using nlohmann::json;
 
-/// A sweep has another unit of length than one motion, so both are rounded differently; a motion
-/// magnifies that by some hundreds.
+/// A sweep has a different unit of length from a single motion, so the two round differently; a
+/// motion amplifies that a few hundred times.
 constexpr double row_tolerance = 1e-12;
 
 SweepTable rows(const Sandbox& sandbox, const Arguments& arguments) {
@@ -241,7 +241,7 @@ Arguments sweep(const Arguments& more) {
 }
 
 const std::vector<Wrong> wrongs{
-    {sweep("--p 1 --delta-m 0"), {"p and velocity", "exclude each other"}},
+    {sweep("--p 1 --delta-m 0"), {"p and velocity", "cannot be combined"}},
     {sweep("--period 1 --delta 0"), {"delta is dimensionless", "--delta-m"}},
     {"sweep --velocity 1 --period 1 --max-displacement 1 --delta-max 1",
      {"delta-max is dimensionless", "--delta-max-m"}},
@@ -265,7 +265,7 @@ const std::vector<Wrong> wrongs{
     {sweep("--delta-m 0"), {"period is missing"}},
     {sweep("--period 1 --delta-m 0 --columns stop_time"),
      {"columns = \"stop_time\"", "stop_time_s"}},
-    {sweep("--period 1 --max-displacement 1"), {"max-displacement and f exclude each other"}},
+    {sweep("--period 1 --max-displacement 1"), {"max-displacement and f cannot be combined"}},
 };
 
 }  // namespace
@@ -300,7 +300,7 @@ const std::vector<WrongEntry> wrong_entries{
 
 }  // namespace
 
-/// As it was given: the kernel would name a v0 that nobody wrote.
+/// As it was given: the kernel would name a v0 that the user did not write.
 BOOST_DATA_TEST_CASE_F(Sandbox, a_wrong_entry_of_a_list_has_its_unit, data::make(wrong_entries),
                        wrong) {
   write("list.csv", wrong.list);

@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(no_design_says_what_mends_it_in_terms_of_the_pulse) {
   BOOST_TEST((inputs == std::vector<std::string>{"k", "lambda", "p", "beta"}));
 }
 
-/// A pulse that was given in seconds is mended in seconds, as it can be asked for.
+/// For a pulse given in seconds the suggested change is in seconds, as it can be given.
 BOOST_AUTO_TEST_CASE(a_duration_mends_as_it_is_printed) {
   const auto lasting = [](const std::string& duration) {
     return joined({"design", "--pulse-duration", duration},
@@ -309,20 +309,20 @@ const std::vector<Wrong> wrong_pulses{
      {"lambda = 1", "to 1e+12 p", "a shorter pulse cannot be followed"}},
     {without(asked, "--p"), {"p is missing"}},
     {without(asked, "--beta"), {"beta is missing"}},
-    {joined(asked, "--v0 1"), {"v0 and pulse exclude each other"}},
+    {joined(asked, "--v0 1"), {"v0 and pulse cannot be combined"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --period 2 --max-displacement 0.05 --velocity 1",
-     {"pulse and velocity exclude each other"}},
-    {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k is for a pulse", "--pulse"}},
-    {"design --v0 1 --p 1 --beta 0.9 --lambda 1", {"lambda is for a pulse", "--pulse"}},
+     {"pulse and velocity cannot be combined"}},
+    {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
+    {"design --v0 1 --p 1 --beta 0.9 --lambda 1", {"lambda needs a pulse", "--pulse"}},
     {joined(region, "--arrivals 2"), {"arrivals = 2", "with a pulse"}},
-    {joined(region, "--residual 0.1"), {"pulse = rectangle", "takes no residual"}},
-    {joined(region, "--v0 1"), {"v0 and pulse exclude each other"}},
+    {joined(region, "--residual 0.1"), {"pulse = rectangle", "has no design with a residual"}},
+    {joined(region, "--v0 1"), {"v0 and pulse cannot be combined"}},
     {joined(region, "--delta 1"), {"f is missing", "--f"}},
     {joined(region, "--f nan"), {"f = ", "finite number"}},
     {joined(region, "--objective time"), {"--objective", "not an option of region"}},
     {without(region, "--k"), {"k is missing", "--k"}},
     {joined(without(region, "--lambda"), "--lambda 0.0099"), {"lambda = 0.0099", "longer pulse"}},
-    {"region --v0 1 --p 1 --beta 0.9 --k 1", {"k is for a pulse", "--pulse"}},
+    {"region --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
 };
 
 }  // namespace

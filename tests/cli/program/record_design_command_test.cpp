@@ -22,7 +22,7 @@ namespace data = boost::unit_test::data;
 /// Of a figure worked out by hand, after its way through metres.
 constexpr double hand_tolerance = 1e-12;
 
-/// A damper that does not move, so that every figure is known: it passes the load on.
+/// A damper that does not move, so every figure is known: it transmits the load.
 const Arguments held("design --record a.txt --period 2.8s --search-f 2:2 --search-delta-m 0:0");
 
 /// A search under it takes seconds.
@@ -43,13 +43,13 @@ json failed_report(const Sandbox& sandbox, const Arguments& arguments, int exit_
 
 const std::vector<Wrong> wrong_inputs{
     {"design --velocity 0.4 --period 2 --record a.txt",
-     {"velocity and records exclude each other"}},
+     {"velocity and records cannot be combined"}},
     {"design --record b.txt --period 2", {"b.txt"}},
     {"design --record a.txt --max-displacement 0.2", {"period"}},
     {"design --record a.txt --period 2 --catalogue parts.csv",
-     {"catalogue is not for a design under records"}},
+     {"catalogue cannot be used in a design under records"}},
     {"design --record a.txt --period 2 --trade-off 5",
-     {"trade-off is not for a design under records"}},
+     {"trade-off cannot be used in a design under records"}},
     {"design --record a.txt --period 2 --search-f 0.1", {"search-f = 0.1", "LOW:HIGH"}},
     {"design --record a.txt --period 2 --search-f 0.2:0.1", {"search-f = 0.2:0.1", "LOW <= HIGH"}},
     {"design --record a.txt --period 2 --search-delta-m -1mm:1mm",
@@ -60,10 +60,10 @@ const std::vector<Wrong> wrong_inputs{
     {"design --v0 1 --p 1 --beta 0.9 --objective residual", {"objective = residual", "records"}},
     {"design --record a.txt --period 2 --combine median", {"combine = median", "max or mean"}},
     {"design --record a.txt --period 2 --arrivals 2",
-     {"arrivals is not for a design under records"}},
-    {"design --v0 1 --p 1 --beta 0.9 --combine max", {"combine is for a design under records"}},
+     {"arrivals cannot be used in a design under records"}},
+    {"design --v0 1 --p 1 --beta 0.9 --combine max", {"combine needs a design under records"}},
     {"design --v0 1 --p 1 --beta 0.9 --combine mean",
-     {"combine is for a design under records: give --record as well"}},
+     {"combine needs a design under records: give --record as well"}},
     {"design --records-list bare.csv --period 2", {"records-list bare.csv, line 1", "file,scale"}},
     {"design --records-list word.csv --period 2", {"records-list word.csv, line 2", "scale"}},
     {"design --records-list zero.csv --period 2", {"records-list zero.csv, line 2", "scale"}},
@@ -71,7 +71,7 @@ const std::vector<Wrong> wrong_inputs{
     {"design --record a.txt --period 2 --acceleration-max 0", {"acceleration-max = 0"}},
     {"design --record a.txt --period 2 --residual-m -1", {"residual-m = -1"}},
     {"design --record a.txt --period 2 --tolerance 1", {"tolerance = 1"}},
-    {"design --record a.txt --period 2 --hold 1 --notch-width 1", {"exclude each other"}},
+    {"design --record a.txt --period 2 --hold 1 --notch-width 1", {"cannot be combined"}},
 };
 
 }  // namespace
@@ -100,7 +100,7 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_said_to, Recorded) {
   const ProgramRun answer = run({"design", "--record", "a.txt", "--period", "2.8s", "--search-f",
                                  "0.02:0.02", "--search-delta-m", "1mm:1mm", "--hold", "100"});
   const std::string words =
-      "under 1 of 1 record the notch holds it to the end, against up to 0.4 g\n";
+      "under 1 of 1 record the notch holds it to the end, and transmits up to 0.4 g\n";
   BOOST_TEST((answer.out.find("  locked            under 1 of 1 record the notch holds") !=
               std::string::npos),
              answer.out);
@@ -164,7 +164,7 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Recor
   BOOST_TEST(none.exit_code == 3, none.err);
   const std::string page = read("p.html");
   BOOST_TEST(contains(page, ">No damper: allow an acceleration of 0.4"));
-  BOOST_TEST(contains(page, "Each colour names the first limit that is broken there."));
+  BOOST_TEST(contains(page, "Each colour names the first limit that is violated there."));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_damper_without_friction_is_said_never_to_rest, Recorded) {

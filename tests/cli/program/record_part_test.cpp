@@ -106,20 +106,20 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 BOOST_AUTO_TEST_CASE(that_are_missing_doubled_or_torn_are_refused) {
   const Arguments names = split(task, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
-  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "like"});
+  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "and so is"});
   check_refused({}, {"PART"});
   check_refused(joined(names, {"none"}), {"none", "No such file"});
   const std::string whole = read(names[1]);
   const std::size_t step = whole.size() / 23;
   for (std::size_t size = 0; size < whole.size() - 1; size += step) {
     write(names[1], whole.substr(0, size));
-    check_refused(names, {names[1], "not a whole part"});
+    check_refused(names, {names[1], "not a complete part"});
   }
   for (std::size_t place = 0; place < whole.size() - 1; place += step) {
     std::string changed = whole;
     changed[place] = static_cast<char>(changed[place] ^ 1);
     write(names[1], changed);
-    check_refused(names, {names[1], "not a whole part"});
+    check_refused(names, {names[1], "not a complete part"});
   }
 }
 
@@ -131,15 +131,15 @@ BOOST_AUTO_TEST_CASE(of_other_tasks_are_refused) {
     check_refused({names[1], "foreign"}, says);
     fs::remove(path("foreign"));
   };
-  check_foreign({"--max-displacement", "1"}, {"another design", "max-displacement"});
-  check_foreign({"--objective", "residual"}, {"another design", "objective"});
+  check_foreign({"--max-displacement", "1"}, {"belongs to a different design", "max-displacement"});
+  check_foreign({"--objective", "residual"}, {"belongs to a different design", "objective"});
   static_cast<void>(run(joined(task, {"--part", "3/3", "--output", "foreign"})));
   check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
   static_cast<void>(run({"sweep", "--v0", "1", "--p", "1", "--f", "0.1,0.2", "--delta", "0",
                          "--reduce", "--part", "2/2", "--output", "foreign"}));
-  check_refused({names[1], "foreign"}, {"foreign", "not a whole part of a design"});
+  check_refused({names[1], "foreign"}, {"foreign", "not a complete part of a design"});
   check_refusal(run({"sweep", "merge", "merged", names[0], names[1]}),
-                {names[0], "not a whole part"});
+                {names[0], "not a complete part"});
 }
 
 /// Each part has seen them, and so does the search.
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(of_records_that_have_changed_are_refused) {
   write("b.txt", "0 0\n0.2 -0.15\n0.9 0.31\n1.1 -0.1\n1.5 0\n");
   check_refused(names, {names[0], "other records", "record_digest"});
   static_cast<void>(part(task, 2, 2));
-  check_refused(names, {names[1], "another design", "record_digest"});
+  check_refused(names, {names[1], "belongs to a different design", "record_digest"});
 }
 
 BOOST_AUTO_TEST_CASE(are_not_overwritten) {
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_SUITE_END()
 namespace {
 
 const Wrong wrong_record_parts[] = {
-    {"design --v0 1 --p 1 --beta 0.9 --part 1/2", {"part is for a design under records"}},
+    {"design --v0 1 --p 1 --beta 0.9 --part 1/2", {"part needs a design under records"}},
     {joined(task, {"--part", "3/2"}), {"part", "3/2", "1 <= I <= N"}},
     {joined(task, {"--part", "1/2", "--html", "a.html"}), {"part", "page"}},
     {joined(task, {"--resume"}), {"resume", "--part"}},

@@ -29,7 +29,7 @@ constexpr double hand_tolerance = 1e-12;
 /// 0.25 g for 5 s.
 constexpr const char* long_load = "0 0.25\n1 0.25\n2 0.25\n3 0.25\n4 0.25\n5 0.25\n";
 
-/// What the displacement under a load that stays overshoots to.
+/// The overshoot of the displacement under a constant load.
 const double overshoot = 1 + std::exp(-std::numbers::pi * 0.05 / std::sqrt(1 - 0.05 * 0.05));
 
 const Arguments moved("simulate --f 0.05 --delta-m 1mm --period 2.8s");
@@ -134,14 +134,14 @@ Arguments with(const Arguments& more) {
 }
 
 const std::vector<Wrong> wrong{
-    {with("--record-scale 2 --record-peak 1"), {"record-scale and record-peak exclude each other"}},
+    {with("--record-scale 2 --record-peak 1"), {"record-scale and record-peak cannot be combined"}},
     {with("--record-peak 0"), {"record-peak = 0"}},
     {with("--record-peak -1g"), {"record-peak = -1"}},
     {with("--record-spectrum 0"), {"record-spectrum = 0"}},
     {with("--record-peak 1m"), {"record-peak", "1m"}},
     {"simulate --v0 0 --p 1 --f 0 --delta 0 --excitation half-sine --k 1 --lambda 1 --record-peak "
      "1",
-     {"record-peak and excitation half-sine exclude each other"}},
+     {"record-peak and excitation half-sine cannot be combined"}},
     {joined(moved, "--record zeros.txt --record-peak 1"), {"record zeros.txt: is 0 throughout"}},
     {joined(moved, "--record zeros.txt --record-spectrum 1"),
      {"record zeros.txt: moves no oscillator"}},
@@ -155,7 +155,7 @@ const std::vector<Wrong> wrong{
     {"design --record a.txt --search-period 2:3 --record-spectrum 1",
      {"record-spectrum-period is missing"}},
     {"design --period 2 --records-list peaks.csv --record-spectrum 1",
-     {"records-list peaks.csv: its targets and record-spectrum exclude each other"}},
+     {"records-list peaks.csv: its targets and record-spectrum cannot be combined"}},
     {"design --period 2 --records-list none.csv", {"records-list none.csv, line 2: peak = 0"}},
     {"design --period 2 --record empty", {"record empty: this folder has no record", ".AT2"}},
     {joined(moved, "--record empty"), {"Is a directory"}},

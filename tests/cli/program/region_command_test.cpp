@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(judges_a_point) {
   }
 }
 
-/// A point that is served has all three blocks; one that is not still has its hits.
+/// An admissible point has all three blocks; another still has its hits.
 BOOST_AUTO_TEST_CASE(a_point_says_what_it_serves) {
   const json good = reported(region("--f 0.3 --delta 0.4 --acceleration-max 1.1"));
   BOOST_TEST(near(good["works_for"]["v0"][0], std::sqrt(0.8), 1e-15));
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
   BOOST_TEST(report["region"]["mends"].size() == 3U);
   const ProgramRun text = run(empty);
   BOOST_TEST(text.exit_code == 3);
-  BOOST_TEST(contains(text.out, "amplitude and return exclude each other"));
+  BOOST_TEST(contains(text.out, "amplitude and return conflict"));
 }
 
 BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
   BOOST_TEST(reported(again)["region"] == report["region"]);
 }
 
-/// A mend speaks of what was given: whoever gave a stiffness is told a stiffness.
+/// A suggested change is in the terms given: for a stiffness it is a stiffness.
 BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
   const auto isolator = [](const std::string& stiffness) {
     return Arguments{"region", "--velocity", "0.4", "--stiffness", stiffness, "--max-displacement",

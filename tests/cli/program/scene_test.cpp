@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(gives_way_to_flags) {
   BOOST_TEST(report["input"]["p"] == 1);
 }
 
-// One of these at most can be given; so the flag's stands, whatever the file has.
+// At most one of these can be given, so the flag wins, whatever the file has.
 BOOST_AUTO_TEST_CASE(gives_way_to_flags_that_exclude_its_keys) {
   write("plain.json", R"({"v0": 1, "p": 1, "beta": 0.9})");
   write("pulse.json", R"({"pulse": "half-sine", "k": 0.5, "lambda": 20, "p": 1, "beta": 0.05})");
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(with_a_pulse_serves_region_and_sweep) {
   check_refusal(run("simulate bad.json --f 0.01 --delta 0"),
                 {"pulse = harmonic", "half-sine, full-sine or rectangle"});
   write("both.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1, "v0": 1})");
-  check_refusal(run("simulate both.json --f 0.01 --delta 0"), {"v0 and pulse exclude each other"});
+  check_refusal(run("simulate both.json --f 0.01 --delta 0"), {"v0 and pulse cannot be combined"});
 }
 
 BOOST_AUTO_TEST_CASE(takes_hyphens_and_underscores_alike) {

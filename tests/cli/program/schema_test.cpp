@@ -86,7 +86,8 @@ BOOST_AUTO_TEST_CASE(allows_every_scene_that_is_shipped) {
   }
 }
 
-/// What the program takes the schema takes, and what it refuses by a key or a type likewise.
+/// The schema accepts what the program accepts, and refuses what the program refuses by key or
+/// type.
 BOOST_FIXTURE_TEST_CASE(agrees_with_the_program, Sandbox) {
   const std::map<std::string, bool> scenes{
       {R"({"v0": 1, "p": 1, "f": 0.02, "delta": 0.02})", true},

@@ -21,7 +21,7 @@ Arguments simulate(const char* f, const char* delta, const Arguments& more = {})
   return joined({"simulate", "--v0", "1", "--p", "1", "--f", f, "--delta", delta}, more);
 }
 
-/// What is instant has five seconds, also under sanitizers on a loaded machine.
+/// An instant command gets five seconds, also under sanitizers on a loaded machine.
 Surroundings impatient() {
   return {.patience = std::chrono::seconds(5)};
 }
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(a_pulse_that_lasts_can_free_the_mass_from_a_weak_notch) {
   BOOST_TEST(contains(run(joined(design, "--hold 0.01")).out, "later than with the paper's notch"));
   const json strong = reported(joined(design, "--hold 0.02"), impatient());
   BOOST_TEST(strong["built_notch"]["peak_amplitude"] == 0);
-  BOOST_TEST(contains(run(joined(design, "--hold 0.02")).out, "holds the mass all through"));
+  BOOST_TEST(contains(run(joined(design, "--hold 0.02")).out, "holds the mass throughout"));
 }
 
 // A notch of 12 mm holds hits of up to sqrt(2 g delta) = 0.485 m/s; 0.4 m/s times 1200 t are 480 kN
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(limit_of_half_cycles_can_be_set) {
   BOOST_TEST(report["response"]["half_cycles"].get<double>() > 10'000);
   const Arguments shaken = at_rest("--excitation harmonic --k 0.2 --lambda 1 --t-end 200");
   check_refused(*this, {joined(shaken, "--half-cycle-limit 5"),
-                        {"half-cycle-limit", "more half-cycles than are allowed", "5 by tau"}});
+                        {"half-cycle-limit", "more half-cycles than allowed", "5 by tau"}});
   succeed(joined(shaken, "--half-cycle-limit 100"));
 }
 

@@ -53,7 +53,7 @@ const std::vector<Wrong> wrong_inputs{
     {but("--f", "-0.1"), {"f = -0.1"}},
     {but("--delta-m", "-1mm"), {"delta-m = -0.001"}},
     {but("--hold", "-1"), {"hold = -1"}},
-    {joined(asked, "--notch-width-m 1mm"), {"exclude each other"}},
+    {joined(asked, "--notch-width-m 1mm"), {"cannot be combined"}},
     {joined(asked, "--combine median"), {"combine = median", "max or mean"}},
     {joined(asked, "--p 1"), {"--p: is not an option of spectrum"}},
     {joined(asked, "--json --table -"), {"json and the table", "--table FILE"}},
@@ -133,10 +133,10 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_said_to, Recorded) {
     BOOST_TEST(point["largest_load_while_locked"] == point["peak_absolute_acceleration"]);
   }
   const ProgramRun answer = run(locked);
-  BOOST_TEST(contains(answer.out, "  locked            at 5 of 5 periods the notch holds it"));
+  BOOST_TEST(contains(answer.out, "\n  Locked: at 5 of 5 periods the notch holds it"));
   BOOST_TEST(answer.err ==
              "stillpoint: locked: at 5 of 5 periods the notch holds it to the end of a record, "
-             "against up to 0.4 g\n");
+             "and transmits up to 0.4 g\n");
   BOOST_TEST(run(joined(locked, "--quiet")).err.empty());
   BOOST_TEST(run(but("--delta-m", "0")).err.empty());
 }

@@ -28,7 +28,7 @@ Surroundings with_input(const std::string& text) {
   return {.input = text};
 }
 
-/// What a number of the file is where the CSV has nothing.
+/// The number in the file where the CSV is empty.
 double absent(const std::string& outcome, const std::string& column) {
   return outcome == "never_stops" && column != "stop_position"
              ? std::numeric_limits<double>::infinity()

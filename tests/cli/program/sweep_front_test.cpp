@@ -147,16 +147,17 @@ Wrong wrong(const std::string& options, const Texts& says) {
 }
 
 const std::vector<Wrong> refused{
-    wrong("--v0 1 --beta 0.9 --trade-off 1", {"trade_off = 1: must be a whole number from 2"}),
-    wrong("--v0 1 --beta 0.9 --trade-off 2000", {"trade_off = 2000", "to 1000"}),
+    wrong("--v0 1 --beta 0.9 --trade-off 1",
+          {"trade-off = 1: must be a whole number from 2 to 1000"}),
+    wrong("--v0 1 --beta 0.9 --trade-off 2000", {"trade-off = 2000", "to 1000"}),
     wrong("--v0 1 --beta 0.9 --trade-off 5,6", {"trade-off = \"5,6\"", "a whole number"}),
-    wrong("--v0 1 --f 0.1 --delta 0.1 --trade-off 5", {"trade-off is for designs", "--beta"}),
+    wrong("--v0 1 --f 0.1 --delta 0.1 --trade-off 5", {"trade-off needs a design", "--beta"}),
     wrong("--v0 1 --beta 0.9 --trade-off 5 --catalogue parts.csv",
-          {"trade-off and catalogue exclude each other"}),
+          {"trade-off and catalogue cannot be combined"}),
     wrong("--v0 1 --beta 0.9 --trade-off 5 --objective time",
-          {"trade-off and objective exclude each other"}),
+          {"trade-off and objective cannot be combined"}),
     wrong("--pulse half-sine --k 0.2 --lambda 2 --beta 0.9 --trade-off 5",
-          {"trade-off and pulse exclude each other"})};
+          {"trade-off and pulse cannot be combined"})};
 
 }  // namespace
 

@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(of_many_entries_comes_through_whole_and_in_order) {
   }
 }
 
-/// The entries around one that would take too long are computed, and its row says why it is not.
+/// The entries around one that would take too long are computed, and its row says why it was not.
 BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
   const std::string text = "f,delta,x0\n0.1,0.2,0\n1e-12,1e-30,0\n0.02,0.03,0.5\n";
   const Arguments plainly("sweep --v0 1 --p 1 --list - --times");
@@ -178,7 +178,7 @@ const std::vector<WrongList> wrong_lists{
     {"f,half_cycles\n", {"half_cycles", "is not a column"}},
     {"f,delta,f\n", {"line 1", "f", "twice"}},
     {"f\n0.1\n", {"delta is missing", "column of the list"}},
-    {"f,delta,v0\n1,1,1\n", {"v0 = 1: is a column of the list as well"}},
+    {"f,delta,v0\n1,1,1\n", {"v0 = 1: is also a column of the list"}},
     {"f,delta\n0.1,0.2\n0.1\n", {"line 3", "has 1 value,", "2 columns"}, 1},
     {"f,delta\n0.1,0.2,0.3\n", {"line 2", "3 values"}},
     {"f,delta\n0.1,0.2\n\nabc,1\n", {"line 4", "f = \"abc\"", "finite number"}, 1},
@@ -188,7 +188,7 @@ const std::vector<WrongList> wrong_lists{
     {"f,delta\n0.1,0.2\n0.1,-3\n", {"line 3", "delta = -3", "from 0"}, 1},
     {"f,delta\n0.1,0.2\n0.1,-3\n-1,1\n", {"line 3", "delta = -3"}, 1},
     {"f,delta\n\"0,1\",1\n", {"line 2", "f = \"0,1\"", "finite number"}},
-    {"f,delta\n\"0.1,0.2\n", {"line 2", "a quote is opened and not closed"}},
+    {"f,delta\n\"0.1,0.2\n", {"line 2", "a quote is opened but not closed"}},
     {"f,delta\n\"0.1\"2,0.2\n", {"line 2", "\"0.1\"2", "finite number"}},
     {"f,delta\n\"0\"\"1\",0.2\n", {"line 2", "finite number"}},
     {"\n\xEF\xBB\xBF" + plain, {"line 2", "is not a column"}},
@@ -199,7 +199,7 @@ const std::vector<WrongList> wrong_lists{
     {"{\"f\": 1, \"delta\": 1}\n[1, 2]\n", {"line 2", "array", "object"}, 1},
     {"{\"f\": 1, \"delta\": 1}\n7\n", {"line 2", "number", "object"}, 1},
     {"{\"f\": {\"a\": 1}, \"delta\": 1}\n", {"line 1", "f is an object"}},
-    {"{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a text", "number"}},
+    {"{\"f\": \"1\", \"delta\": 1}\n", {"line 1", "f is a string", "number"}},
     {"{\"f\": null, \"delta\": 1}\n", {"line 1", "f is null", "number"}},
     {"{\"f\": 1, \"delta\": 1, \"f\": 2}\n", {"line 1", "key f", "twice"}},
     {"{\"f\": 1, \"delta\": 1, \"g\": 2}\n", {"line 1", "\"g\"", "is not a key"}},

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 const Arguments grid("sweep --v0 1 --p 1 --f 0.02:0.35:13 --delta 0:0.5:5");
 
-/// While it lives, no program that is started can write a file beyond so many bytes: it gets
+/// While it lives, no program started can write a file beyond this many bytes: it gets
 /// SIGXFSZ, or an error where that is ignored.
 class WriteLimit {
  public:
@@ -158,9 +158,9 @@ BOOST_AUTO_TEST_CASE(that_are_missing_or_doubled_are_refused) {
   const Arguments names = split(grid, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
   check_refused({names[2]}, {"2/3", "is missing", "2"});
-  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "like"});
+  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "and so is"});
   fs::copy_file(path(names[1]), path("copy.csv"));
-  check_refused(joined(names, "copy.csv"), {"copy.csv", "is part 2/3", "like " + names[1]});
+  check_refused(joined(names, "copy.csv"), {"copy.csv", "is part 2/3", "and so is " + names[1]});
   check_refused({}, {"PART"});
   check_refused(joined(names, "none.csv"), {"none.csv", "No such file"});
 }
@@ -174,12 +174,12 @@ BOOST_AUTO_TEST_CASE(that_are_torn_are_refused) {
     const std::size_t step = whole.size() / 23;
     for (std::size_t size = 0; size < whole.size(); size += step) {
       write(torn, whole.substr(0, size));
-      check_refused(names, {torn, "not a whole part"});
+      check_refused(names, {torn, "not a complete part"});
     }
     write(torn, whole.substr(0, whole.size() - 1));
-    check_refused(names, {torn, "not a whole part"});
+    check_refused(names, {torn, "not a complete part"});
     write(torn, whole + "\n");
-    check_refused(names, {torn, "not a whole part"});
+    check_refused(names, {torn, "not a complete part"});
     const std::size_t seal = whole.find("#stillpoint-part");
     for (std::size_t place = 0; place < seal; place += step) {
       std::string changed = whole;
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(whose_seal_has_numbers_that_are_no_integers_are_refused) {
       std::string changed = whole;
       write(names[0], changed.replace(place, end - place, number));
       BOOST_TEST_CONTEXT(key << " " << number) {
-        check_refused(names, {names[0], "not a whole part"});
+        check_refused(names, {names[0], "not a complete part"});
       }
     }
   }
@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
   static_cast<void>(run(joined(grid, "--part 3/3 --output foreign")));
   check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
   static_cast<void>(run(joined(grid, "--output foreign")));  // not in parts
-  check_refused({names[1], "foreign"}, {"foreign", "not a whole part"});
+  check_refused({names[1], "foreign"}, {"foreign", "not a complete part"});
 }
 
 BOOST_AUTO_TEST_CASE(of_a_list_that_has_changed_are_refused) {

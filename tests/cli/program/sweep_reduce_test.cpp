@@ -139,7 +139,7 @@ void check_best(const json& best, const SweepTable& table) {
 struct Reduced : Parts {
   Reduced() : Parts("sweep", "json") {}
 
-  /// Asserts that it says of its rows what is true of them.
+  /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {
     const SweepTable table = read_csv(run(sweep).out);
     const json found = reported(joined(sweep, more));
@@ -171,7 +171,9 @@ BOOST_FIXTURE_TEST_SUITE(reductions, Reduced)
 
 BOOST_AUTO_TEST_CASE(say_what_the_rows_say) {
   check_true(motions, asked);
-  check_true(designs, "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4");
+  check_true(designs,
+             "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4 --histogram "
+             "delta:0:0.4:1");
   check_true(
       "sweep --p 1 --f 0.05:0.2:9 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
       "--reduce --best final_velocity:3");
@@ -203,9 +205,9 @@ BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
   write("changed.json", changed);
   check_refused("1-of-2.json", {"2/2", "is missing"});
   check_refused("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
-  check_refused("1-of-2.json torn.json", {"torn.json", "not a whole part"});
-  check_refused("1-of-2.json changed.json", {"changed.json", "not a whole part"});
-  check_refused("1-of-2.json whole.json", {"whole.json", "not a whole part"});
+  check_refused("1-of-2.json torn.json", {"torn.json", "not a complete part"});
+  check_refused("1-of-2.json changed.json", {"changed.json", "not a complete part"});
+  check_refused("1-of-2.json whole.json", {"whole.json", "not a complete part"});
   check_refused("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
 }
 
@@ -238,9 +240,15 @@ const Wrong wrong_reductions[] = {
     {joined(motions, "--reduce --best stop_time:0"), {"best", "stop_time:0", "1 to"}},
     {joined(motions, "--reduce --best stop_time"), {"best"}},
     {joined(motions, "--reduce --best stop_time:5:first"), {"best", "smallest"}},
-    {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "rising"}},
+    {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:1:0:5"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:5:1:5:log"), {"histogram", "increasing"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:0"), {"histogram", "1 to"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:1e9"), {"histogram", "1 to"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:2.5"), {"histogram", "BINS"}},
+    {joined(motions, "--reduce --histogram stop_time:0:1:5:exp"), {"histogram", "BINS"}},
     {joined(motions, "--reduce --histogram stop_time:1"), {"histogram", "1 to"}},
-    {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "rising"}}};
+    {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "increasing"}}};
 
 }  // namespace
 

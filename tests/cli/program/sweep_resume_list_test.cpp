@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-// A sweep over a list that stopped at a wrong entry, and goes on with the list mended.
+// A sweep over a list that stopped at a wrong entry, and continues with the corrected list.
 BOOST_AUTO_TEST_SUITE(sweep_resume_list_test)
 
 namespace {
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
   std::string other = right;
   other.replace(other.find("1e-5"), 4, "2e-5");
   for (const std::string& wrong : {other, rows(10, "0.1,0.5")}) {
-    check_refusal(resume(*this, wrong), {"are not those"});
+    check_refusal(resume(*this, wrong), {"differ from those"});
     BOOST_TEST(contents() == before);
   }
 
@@ -63,8 +63,8 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(wrong_entry, Sandbox)
 
-/// However many entries are computed at once: all in front of the wrong one are kept, and the rest
-/// of the list may be mended.
+/// However many entries are computed at once, all before the wrong one are kept, and the rest
+/// of the list may be corrected.
 BOOST_AUTO_TEST_CASE(keeps_every_row_before_it) {
   const std::string whole_list = rows(200, "0.1,0.5");
   BOOST_TEST(resume(*this, whole_list).exit_code == 0);

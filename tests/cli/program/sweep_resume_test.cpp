@@ -36,7 +36,7 @@ std::uintmax_t size_of(const fs::path& path) {
   return none ? 0 : size;
 }
 
-/// Sends the signal as soon as the file has more than so many bytes.
+/// Sends the signal as soon as the file has more than this many bytes.
 Surroundings signalled(int signal, const fs::path& path, std::uintmax_t above) {
   Surroundings surroundings{.signal = signal};
   surroundings.signal_when = [path, above] { return size_of(path) > above; };
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none)
   BOOST_TEST(resume().exit_code == 0);
 }
 
-/// Whatever else there is to say of its file: nobody is to remove it.
+/// Whatever else is wrong with its file, the message must not suggest removing it.
 BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   const int other = ::open(path("rows.csv.part").c_str(), O_RDWR | O_CLOEXEC);
   BOOST_TEST_REQUIRE(::flock(other, LOCK_EX) == 0);
@@ -163,7 +163,8 @@ BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   BOOST_TEST(resume().exit_code == 0);
 }
 
-/// Where others may write as well, a link under the name of one of its files leads nowhere.
+/// In a directory where others may write, a link under the name of one of its files is not
+/// followed.
 BOOST_AUTO_TEST_CASE(follows_no_link_from_its_own_files) {
   write("victim", "not ours");
   fs::create_symlink("victim", path("rows.csv.part.json.new"));

@@ -116,26 +116,26 @@ const std::vector<Wrong> wrong_units{
      {"record-step = 10ms", "without a unit", "tau"}},
     {"sweep --period 1s:2kg:3", {"period = \"2kg\"", "s or ms"}},
     {"design --period 3 --natural-frequency 0.3 --velocity 1",
-     {"period and natural-frequency exclude each other"}},
+     {"period and natural-frequency cannot be combined"}},
     {forced("--excitation half-sine --lambda 2 --excitation-frequency 3"),
-     {"excitation-frequency and lambda exclude each other"}},
+     {"excitation-frequency and lambda cannot be combined"}},
     {forced("--excitation half-sine --pulse-duration 2 --excitation-frequency 3"),
-     {"excitation-frequency and pulse-duration exclude each other"}},
+     {"excitation-frequency and pulse-duration cannot be combined"}},
     {forced("--excitation harmonic --lambda 2 --duration 3 --excitation-duration 2"),
-     {"excitation-duration and duration exclude each other"}},
+     {"excitation-duration and duration cannot be combined"}},
     {forced("--excitation harmonic --lambda 2 --t-end 3 --end-time 2"),
-     {"end-time and t-end exclude each other"}},
+     {"end-time and t-end cannot be combined"}},
     {"simulate --p 1 --f 0 --delta 0 --excitation harmonic --k 1 --excitation-frequency 2",
-     {"p and excitation-frequency exclude each other"}},
+     {"p and excitation-frequency cannot be combined"}},
     {forced("--excitation harmonic --pulse-duration 2"),
-     {"pulse-duration and excitation harmonic exclude each other"}},
-    {joined(isolator, "--pulse-duration 2"), {"pulse-duration is for a pulse"}},
+     {"pulse-duration and excitation harmonic cannot be combined"}},
+    {joined(isolator, "--pulse-duration 2"), {"pulse-duration needs a pulse"}},
     {forced("--excitation half-sine"),
      {"lambda is missing", "--pulse-duration in s", "--excitation-frequency in Hz"}},
     {forced("--excitation harmonic --excitation-frequency 1"),
      {"end-time is missing", "--end-time in s"}},
     {"simulate --velocity 1 --period 3 --f 0.1 --delta 0 --end-time 3",
-     {"end-time is for a trajectory"}},
+     {"end-time needs a trajectory"}},
     {forced("--excitation half-sine --excitation-frequency 0"),
      {"excitation-frequency = 0", "from 1e-30"}},
     {forced("--excitation half-sine --pulse-duration -1ms"),
@@ -157,7 +157,7 @@ BOOST_FIXTURE_TEST_CASE(natural_frequency_stands_for_its_period, Sandbox) {
   const Arguments rest("--velocity 0.4 --max-displacement 0.2");
   BOOST_TEST(without_wall_times(reported(joined("design --natural-frequency 0.25Hz", rest))) ==
              without_wall_times(reported(joined("design --period 4s", rest))));
-  // The mend of p is in hertz, and mends.
+  // The suggested change of p is in hertz, and works.
   const Arguments narrow("region --velocity 0.4 --max-displacement 0.1");
   const ProgramRun empty = run(joined(narrow, "--natural-frequency 0.25"));
   BOOST_TEST(empty.exit_code == 3);
@@ -213,7 +213,7 @@ BOOST_FIXTURE_TEST_CASE(pulses_of_a_design_are_in_seconds, Sandbox) {
   write("scene.json", R"({"pulse": "half-sine", "k": "0.5g", "pulse_duration": "70ms",
       "period": "2.8s", "max_displacement": "100mm"})");
   BOOST_TEST(without_wall_times(reported("design scene.json")) == without_wall_times(in_seconds));
-  // Another hit takes the place of the pulse with all that is its.
+  // Another hit replaces the pulse and all its options.
   succeed("region scene.json --velocity 0.2");
 }
 

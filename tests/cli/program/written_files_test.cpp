@@ -27,7 +27,7 @@ const Arguments record("--record r.txt");
 const Arguments design("design --v0 1 --p 1 --beta 0.9");
 const Arguments list("sweep --v0 1 --p 1 --list l.csv");
 
-/// What there is to lose.
+/// The files that must survive.
 void prepare(const Sandbox& sandbox) {
   sandbox.write("s.json", scene);
   sandbox.write("r.txt", "0 0\n0.1 0.2\n0.2 0\n");

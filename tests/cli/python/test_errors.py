@@ -49,9 +49,9 @@ def test_text_is_that_of_the_program(program, command, options):
     ({"f": 0.1}, "f: is not an option of design"),
     ({"json": True}, "json: is not an option of design"),
     ({"v0": "fast"}, 'v0 = "fast": must be a number, or a range [LOW, HIGH]'),
-    ({"v0": 1 + 1j}, "v0 = (1+1j): must be a number, a text or a list of them"),
+    ({"v0": 1 + 1j}, "v0 = (1+1j): must be a number, a string or a list of them"),
     ({"v0": 10**30}, "v0 = 1000000000000000000000000000000: must be a whole number of at most 18 digits"),
-    ({"arrivals": 1.5}, "arrivals = 1.5: must be a whole number"),
+    ({"arrivals": 1.5}, "arrivals = 1.5: must be a whole number from 1 to 1000"),
     ({"beta": [1, 2]}, "beta = [1,2]: must be a number"),
 ])
 def test_what_only_python_can_get_wrong_is_named(options, text):

@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(as_html_is_tables_and_paragraphs) {
              "<p>A note.</p>\n</section>\n");
 }
 
-/// Whatever text gets into a document, it brings no markup and no control character.
+/// Text in a document never brings in markup or control characters.
 BOOST_AUTO_TEST_CASE(is_escaped) {
   Document document;
   document.section("<b>").row("&", "\"<script>\"");

@@ -311,7 +311,7 @@ BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
   BOOST_TEST(contains(caption, "1.0000"), caption);
 }
 
-/// Of springs that vary, as of one: no part of the plane that is forbidden stays without a word.
+/// For springs that vary, as for one: no forbidden part of the plane is left without words.
 BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
   design::DesignRequest request;
   request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};
@@ -396,7 +396,7 @@ BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
       "between the strips it leaves the mass off centre, below them it lets it pass more "
       "often.");
   BOOST_TEST(contains(caption({.v0 = 1.1, .p = 1, .beta = 2, .v0_low = 0.9}),
-                      "for every hit and spring of the ranges; outside"));
+                      "for every hit and spring in the ranges; outside"));
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -38,7 +38,7 @@ MotionReport free_motion() {
 
 }  // namespace
 
-/// The three ways tell one story: the numbers of JSON are in the text and on the page.
+/// The three formats agree: the numbers of the JSON are in the text and on the page.
 BOOST_AUTO_TEST_CASE(text_page_and_json_agree) {
   const DesignReport report = isolator();
   const auto data = json(report);

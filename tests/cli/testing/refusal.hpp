@@ -11,7 +11,7 @@ namespace stillpoint::cli_test {
 
 using Texts = std::vector<std::string>;
 
-/// A wrong command, and what the message must hold: the field, the value, the bound.
+/// A wrong command, and what the message must contain: the field, the value, the bound.
 struct Wrong {
   Arguments arguments;
   Texts says;

@@ -28,7 +28,7 @@ struct Arguments : std::vector<std::string> {
   Arguments(const char* line);  // NOLINT(google-explicit-constructor): stands for its words
 };
 
-/// What a run left behind.
+/// The results of a run.
 struct ProgramRun {
   int exit_code{-1};  ///< -1: it crashed, or was ended by a signal or after its time
   std::string out;
@@ -56,7 +56,7 @@ struct Surroundings {
   /// Sends SIGINT as soon as the program handles it; with error_is_terminal once it has said
   /// something there.
   bool interrupt{false};
-  bool interrupt_once_heard{false};  ///< the same where standard error is no terminal
+  bool interrupt_once_heard{false};  ///< the same if standard error is not a terminal
   /// Sends `signal` once this holds; it is asked every millisecond.
   std::function<bool()> signal_when{};
   int signal{SIGINT};

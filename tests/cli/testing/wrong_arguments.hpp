@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-/// Commands that would be right without what is added to them.
+/// Commands that would be correct without what is added to them.
 namespace stillpoint::cli_test::right {
 
 inline Arguments design(const Arguments& more = {}) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/excitation.hpp>
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

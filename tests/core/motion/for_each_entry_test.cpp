@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/checks.hpp"
+#include "testing/refusal.hpp"
 
-#include <stillpoint/core/for_each_entry.hpp>
-#include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -54,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_skips_the_rest) {
 }
 
 BOOST_AUTO_TEST_CASE(a_negative_number_of_threads_is_refused) {
-  BOOST_TEST(message_of<InputError>([] {
+  BOOST_TEST(refusal_of<InputError>([] {
                for_each_entry(1, -1, {}, [](std::ptrdiff_t /*i*/) {});
              }) == "threads = -1: must be 0 or more");
 }

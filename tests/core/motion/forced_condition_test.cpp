@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-// Under a harmonic that hardly exceeds the friction, a slip is as small as the square of the
+// Under a harmonic that barely exceeds the friction, a slip is as small as the square of the
 // excess, which is the difference of two inputs. Every metric must nevertheless be that of inputs
 // changed by rounding: its error is compared with its condition, sum |d metric / d ln input|, from
 // runs in 50 digits. docs/forced.md section 9.

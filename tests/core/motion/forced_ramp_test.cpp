@@ -16,7 +16,7 @@ namespace {
 using namespace stillpoint;
 
 constexpr double position_tolerance = 1e-13;  // of the largest x
-constexpr double t_end = 343;                 // some 54 periods of p = 1
+constexpr double t_end = 343;                 // about 54 periods of p = 1
 
 /// W = jump + slope tau, until t_end at least.
 Record ramp(double jump, double slope, double step) {

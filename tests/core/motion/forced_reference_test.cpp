@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_SUITE(forced_reference_test)
 
 namespace {
 
-// Some hundreds of events, each of which may add the rounding of a time: 1e-15 each.
+// A few hundred events, each of which may add the rounding of a time: 1e-15 each.
 constexpr double position_tolerance = 1e-12;
 constexpr double time_tolerance = 1e-12;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -8,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-// What the paper says of resonance, lambda = p = 1, over grids: where it holds and where it fails.
-// docs/resonance.md states the results, each with its test.
+// What the paper says about resonance, lambda = p = 1, over grids: where it holds and where it
+// fails. docs/resonance.md states the results, each with its test.
 
 namespace stillpoint::test {
 
@@ -114,8 +113,8 @@ BOOST_AUTO_TEST_CASE(above_the_threshold_the_motion_has_stops) {
 }
 
 BOOST_AUTO_TEST_CASE(friction_of_k_and_more_ends_at_rest_or_creeps_towards_it) {
-  // |x| <= f - k is never left. From outside, each period's slips carry the mass a little nearer,
-  // the less so the nearer it is: it gets there only in the limit, unless a swing ends inside.
+  // |x| <= f - k is never left. From outside, each period's slips carry the mass a little closer,
+  // by less the closer it is: it gets there only in the limit, unless a swing ends inside.
   int inside = 0;
   for (const double ratio : {1.0, 1.05, 1.2, 1.5, 2.0}) {
     for (const double v0 : {0.5, 1.0, 1.5}) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
 #include "testing/printing.hpp"
 #include "testing/simple_forced.hpp"
+
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

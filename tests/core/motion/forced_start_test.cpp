@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "testing/simple_forced.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/half_cycles.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

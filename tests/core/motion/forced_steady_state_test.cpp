@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/trajectory.hpp>
 #include "testing/printing.hpp"
+
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 

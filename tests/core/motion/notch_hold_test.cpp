@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <stillpoint/core/forced_batch.hpp>
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/trajectory.hpp>
 #include "testing/printing.hpp"
 #include "testing/simple_forced.hpp"
+
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-// A notch that holds only so much, docs/notches.md rule 1, with inputs for which the answer is
+// A notch of limited capacity, docs/notches.md rule 1, with inputs for which the answer is
 // simple.
 
 namespace stillpoint::test {
@@ -141,6 +138,29 @@ BOOST_AUTO_TEST_CASE(a_hold_that_no_load_reaches_is_the_papers_notch) {
   BOOST_TEST(*held.stop_time == *paper.stop_time);
   BOOST_TEST(held.peak_amplitude == paper.peak_amplitude);
   BOOST_TEST(*held.zero_passages == *paper.zero_passages);
+}
+
+/// A hold of 1e100 is another branch at each rest, and no other motion.
+BOOST_AUTO_TEST_CASE(a_hold_beyond_every_load_changes_no_bit) {
+  int stopped = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double f = 0.001 * (i % 70);
+    const double delta = 0.001 * (1 + i % 40);
+    const Harmonic load{0.1 + 0.002 * i, 0.3 + 0.01 * i, 0.1 * i};
+    const Start start{0, 0.3 + 0.005 * i};
+    const auto paper = run({1, f, delta}, start, load, 50);
+    const auto held = run({1, f, delta, 1e100}, start, load, 50);
+    BOOST_TEST(held.outcome == paper.outcome);
+    BOOST_TEST(held.peak_amplitude == paper.peak_amplitude);
+    BOOST_TEST(held.peak_absolute_acceleration == paper.peak_absolute_acceleration);
+    BOOST_TEST((held.stop_time == paper.stop_time));
+    BOOST_TEST((held.stop_position == paper.stop_position));
+    BOOST_TEST((held.half_cycles == paper.half_cycles));
+    BOOST_TEST((held.locked_from == paper.locked_from));
+    BOOST_TEST((held.final_velocity == paper.final_velocity));
+    stopped += paper.outcome == Outcome::stopped_at_zero;
+  }
+  BOOST_TEST(stopped > 20);
 }
 
 BOOST_AUTO_TEST_CASE(the_structure_feels_what_the_notch_holds_until_it_lets_go) {

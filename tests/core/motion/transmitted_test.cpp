@@ -4,9 +4,7 @@
 #include "testing/scene_count.hpp"
 #include "testing/simple_forced.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/trajectory.hpp>
+#include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -210,7 +208,7 @@ double load(const Record& record, double tau) {
   return record.values[i] + (record.values[i + 1] - record.values[i]) * part;
 }
 
-/// Where to look between two instants: evenly, close to both ends, and at the samples.
+/// Where to check between two instants: evenly, close to both ends, and at the samples.
 std::vector<double> instants(const Excitation& excitation, double from, double to) {
   constexpr double close_to_an_end = 1e-9;
   constexpr double looks_a_radian = 200;
@@ -300,8 +298,7 @@ BOOST_AUTO_TEST_CASE(random_motions_feel_what_the_law_of_motion_says_at_many_ins
   int loaded = 0;
   for (int i = 0; i < forced_scene_count(); ++i) {
     const ForcedScene<> scene = scene_to_feel(dice);
-    const Excitation excitation =
-        std::visit([](const auto& kind) { return Excitation(kind); }, scene.excitation);
+    const Excitation& excitation = scene.excitation;
     const Oscillator oscillator = scene.motion.oscillator();
     const ForcedResponse response = run(oscillator, scene.motion.start(), excitation, scene.t_end);
     const ForcedTrajectory path(oscillator, scene.motion.start(), excitation, {scene.t_end});

@@ -80,6 +80,10 @@ const std::vector<Good> peer{
      0.02},
 };
 
+/// `plain` in g, where the file has it in these units.
+const std::vector<double> from_gal{0.5 / 980.665, -1 / 980.665, 0.25 / 980.665};
+const std::vector<double> from_m_per_s2{0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665};
+
 const std::vector<Good> units{
     {"g_of_a_time_series", measured("ACCELERATION TIME SERIES IN UNITS OF G"), plain, 0.02},
     {"g_with_filter_points",
@@ -87,38 +91,14 @@ const std::vector<Good> units{
      plain, 0.02},
     {"g_in_lower_case", measured("acceleration time history in units of g"), plain, 0.02},
     {"g_that_the_option_repeats", header + three, plain, 0.02, {}, in(RecordUnits::g)},
-    {"cm_sec_sec",
-     measured("ACCELERATION TIME HISTORY IN UNITS OF CM/SEC/SEC"),
-     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
-     0.02},
-    {"cm_sec_2",
-     measured("ACCELERATION TIME HISTORY IN UNITS OF CM/SEC**2"),
-     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
-     0.02},
-    {"cm_s_2_with_blanks",
-     measured("UNITS: cm / s^2"),
-     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
-     0.02},
-    {"cm_sec_sec_in_brackets",
-     measured("ACCELERATION (CM/SEC/SEC)"),
-     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
-     0.02},
-    {"cm_second_second",
-     measured("ACCELERATION IN UNITS OF CM/SECOND/SECOND"),
-     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
-     0.02},
-    {"m_seconds_2",
-     measured("ACCELERATION IN UNITS OF M/SECONDS**2"),
-     {0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665},
-     0.02},
-    {"gal",
-     measured("ACCELERATION TIME HISTORY IN GAL"),
-     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
-     0.02},
-    {"m_s_2",
-     measured("ACCELERATION TIME HISTORY IN UNITS OF M/S2"),
-     {0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665},
-     0.02},
+    {"cm_sec_sec", measured("ACCELERATION TIME HISTORY IN UNITS OF CM/SEC/SEC"), from_gal, 0.02},
+    {"cm_sec_2", measured("ACCELERATION TIME HISTORY IN UNITS OF CM/SEC**2"), from_gal, 0.02},
+    {"cm_s_2_with_blanks", measured("UNITS: cm / s^2"), from_gal, 0.02},
+    {"cm_sec_sec_in_brackets", measured("ACCELERATION (CM/SEC/SEC)"), from_gal, 0.02},
+    {"cm_second_second", measured("ACCELERATION IN UNITS OF CM/SECOND/SECOND"), from_gal, 0.02},
+    {"m_seconds_2", measured("ACCELERATION IN UNITS OF M/SECONDS**2"), from_m_per_s2, 0.02},
+    {"gal", measured("ACCELERATION TIME HISTORY IN GAL"), from_gal, 0.02},
+    {"m_s_2", measured("ACCELERATION TIME HISTORY IN UNITS OF M/S2"), from_m_per_s2, 0.02},
     {"m_s_2_that_the_option_repeats",
      measured("ACCELERATION IN UNITS OF M/SEC/SEC"),
      {0.05, -0.1, 0.025},
@@ -128,14 +108,8 @@ const std::vector<Good> units{
     {"acceleration_that_tells_of_its_velocity",
      measured("ACCELERATION IN UNITS OF G, VELOCITY AND DISPLACEMENT SET TO ZERO AT ITS END"),
      plain, 0.02},
-    {"time_series_alone",
-     measured("RECORDED TIME SERIES, CM/S2"),
-     {0.5 / 980.665, -1 / 980.665, 0.25 / 980.665},
-     0.02},
-    {"units_are",
-     measured("ACCELERATION, UNITS ARE M/S2"),
-     {0.5 / 9.80665, -1 / 9.80665, 0.25 / 9.80665},
-     0.02},
+    {"time_series_alone", measured("RECORDED TIME SERIES, CM/S2"), from_gal, 0.02},
+    {"units_are", measured("ACCELERATION, UNITS ARE M/S2"), from_m_per_s2, 0.02},
     {"silent_header_is_g", measured("ACCELERATION TIME HISTORY"), plain, 0.02},
     {"silent_header_and_option",
      measured("ACCELERATION TIME HISTORY"),
@@ -152,7 +126,7 @@ const std::vector<Good> units{
 BOOST_TEST_DECORATOR(*boost::unit_test::tolerance(4 * std::numeric_limits<double>::epsilon()))
 BOOST_DATA_TEST_CASE(peer_record_is_read, data::make(peer), good) {
   check_read("record.AT2", good);
-  check_read("record.txt", good);  // told by NPTS, not by its name
+  check_read("record.txt", good);  // recognised by NPTS, not by its name
 }
 
 BOOST_TEST_DECORATOR(*boost::unit_test::tolerance(4 * std::numeric_limits<double>::epsilon()))
@@ -194,9 +168,13 @@ BOOST_AUTO_TEST_CASE(description_is_short_and_printable) {
 namespace {
 
 const std::vector<Bad> wrong_peer{
-    {"no_npts", titles + quantity + "DT= .02 SEC\n" + three, {"line 5:", "no NPTS and DT"}},
-    {"no_header", three, {"line 1:", "no NPTS and DT"}},
-    {"npts_too_far_down", std::string(32, '\n') + header + three, {"line 32:", "no NPTS and DT"}},
+    {"no_npts",
+     titles + quantity + "DT= .02 SEC\n" + three,
+     {"line 5:", "NPTS and DT are missing"}},
+    {"no_header", three, {"line 1:", "NPTS and DT are missing"}},
+    {"npts_too_far_down",
+     std::string(32, '\n') + header + three,
+     {"line 32:", "NPTS and DT are missing"}},
     {"npts_without_number",
      counted("NPTS= , DT= .02 SEC") + three,
      {"line 4:", "NPTS has no number"}},
@@ -221,7 +199,7 @@ const std::vector<Bad> wrong_peer{
      counted("NPTS= 3, DT= 5 MSEC") + three,
      {"line 4:", "\"MSEC\"", "in SEC"}},
     {"dt_in_front_in_milliseconds", counted("3 5 NPTS, DT (MS)") + three, {"line 4:", "\"MS\""}},
-    {"too_few_values", header + "0.5 -1\n", {"line 5:", "ends after 2", "NPTS = 3 in line 4"}},
+    {"too_few_values", header + "0.5 -1\n", {"line 5:", "ends after 2", "NPTS = 3 on line 4"}},
     {"no_values", header, {"line 4:", "ends after 0", "NPTS = 3"}},
     {"far_too_few_values",
      counted("NPTS= 999999999, DT= .01") + three,
@@ -231,10 +209,10 @@ const std::vector<Bad> wrong_peer{
      {"line 6, column 1:", "\"END\" is not a number", "value 3 of 3"}},
     {"too_many_values_in_a_line",
      header + "0.5 -1 0.25 4\n",
-     {"line 5:", "too many values: 4", "NPTS = 3 in line 4"}},
+     {"line 5:", "too many values: 4", "NPTS = 3 on line 4"}},
     {"too_many_values_in_more_lines",
      header + three + "\n4 5\n6\n\n7\nEND\n",
-     {"line 7:", "too many values: 7", "NPTS = 3 in line 4"}},
+     {"line 7:", "too many values: 7", "NPTS = 3 on line 4"}},
     {"too_many_values_that_are_not_finite",
      header + three + "NaN\n",
      {"line 6:", "too many values: 4"}},
@@ -300,7 +278,7 @@ const std::vector<Bad> wrong_peer{
      in(RecordUnits::g)},
     {"step_given_as_well", header + three, {"line 4:", "record-step = 0.02"}, with_step(0.02)},
     {"empty", "", {": is empty"}},
-    {"blank", "\n\n", {"line 2:", "no NPTS"}},
+    {"blank", "\n\n", {"line 2:", "NPTS and DT are missing"}},
     {"binary", "\x89PNG\r\n\x1F\x02", {"line 2:", "0x1F", "not text"}},
 };
 
@@ -318,7 +296,7 @@ BOOST_AUTO_TEST_CASE(npts_stands_in_one_of_the_first_32_lines) {
   for (const char* name : {"a.AT2", "a.txt"}) {
     BOOST_TEST(record_of(name, text).values == plain, boost::test_tools::per_element());
   }
-  check_refused("b.AT2", {"", "A TITLE\n" + text, {"line 32:", "no NPTS"}});
+  check_refused("b.AT2", {"", "A TITLE\n" + text, {"line 32:", "NPTS and DT are missing"}});
   check_refused("b.txt", {"", "A TITLE\n" + text, {"line 1, column 1:", "\"A\" is not a number"}});
 }
 

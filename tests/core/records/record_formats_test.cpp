@@ -3,9 +3,9 @@
 // The formats of the networks: ESM, K-NET, CSMIP, COSMOS and SMC. The samples of data/records hold
 // one pulse, 250 cm/s2 sin^2(pi t / 2) sin(3 pi t), in all of them.
 
-#include "refusal.hpp"
 #include "samples.hpp"
 #include "testing/printing.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>
@@ -70,7 +70,7 @@ std::ostream& operator<<(std::ostream& stream, const Sample& sample) {
 // because the mean of the rounded counts is off as well; of SMC half of 0.01.
 const std::vector<Sample> samples{
     {"ASC", 0.5e-6 + 0.5e-6 + 1e-9, "SYNTHETIC, NO EARTHQUAKE XX NONE HNE"},
-    {"EW", 2 * 0.5 * 3920 / 6182761, "SYNTHETIC E-W; the mean of the counts, 8000, is taken off"},
+    {"EW", 2 * 0.5 * 3920 / 6182761, "SYNTHETIC E-W; the mean of the counts, 8000, is subtracted"},
     {"V2#1", 0.5e-5 + 0.5e-6 + 1e-9, "Station No. 00000 SYNTHETIC; Chan 1: 90 Deg"},
     {"V2c", 0.5e-3 + 0.5e-6 + 1e-9, "Statn No: 00- 0 Code:XX-NONE SYNTHETIC; Sta Chan 1: 90 deg"},
     {"smc", 0.5e-2 + 0.5e-6 + 1e-9, "SYNTHETIC, NO EARTHQUAKE; made by make_records.py"},
@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(channels_are_told_by_number) {
   const auto refusal = [](const std::string& name) {
     return refusal_of<FileError>([&] { return records::read_record(path_of(name)); });
   };
-  check_says(refusal("V2"), {"line 134: a second channel begins here, and there are 2", "#1 to "});
-  check_says(refusal("V2#3"), {"line 134: the last channel is number 2", "no number 3"});
+  check_says(refusal("V2"), {"line 134: a second channel begins here, of 2 in all", "#1 to "});
+  check_says(refusal("V2#3"), {"line 134: there is no channel 3", "the last is number 2"});
   check_says(refusal("ASC#2"), {"holds one record", "no channel 2"});
   check_says(refusal("V2#0"), {"V2#0: cannot be read"});
   check_says(refusal("V2#x"), {"V2#x: cannot be read"});
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(units_that_csmip_leaves_out_are_those_of_the_option) {
   check_pulse(records::parse_record(text, "a", given), 1, 1e-5);
 }
 
-// Laid out as the networks' own files are, with numbers of ours.
+// Laid out like the networks' own files, with our numbers.
 BOOST_AUTO_TEST_CASE(layouts_of_published_files_are_read) {
   const std::vector<double> expected{1, -0.5, 0.25};
   const auto check = [&](const std::string& text, double step) {
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(fields_without_a_format_part_at_a_sign) {
 }
 
 BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
-  // To read the rest of the line again for each value takes 400 000 times 400 kB on the average: a
+  // Reading the rest of the line again for each value would take 400 000 times 400 kB on average: a
   // minute.
   constexpr std::size_t count = 400'000;
   const std::string length = "     2.000000";
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
 
 namespace {
 
-/// 50 Hz for so many seconds.
+/// 50 Hz for this many seconds.
 std::string knet_heading(const std::string& duration) {
   const std::string text = text_of("EW");
   return replaced(text.substr(0, text.find("    8000     8073")), "Time(s)  2",

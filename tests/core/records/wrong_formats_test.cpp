@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-// Files of the networks that are wrong: each is refused in one line, with file and line.
+// Wrong files of the networks: each is refused in one line, with file and line.
 
-#include "refusal.hpp"
 #include "samples.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
@@ -34,7 +34,7 @@ using stillpoint::test::refusal_of;
 using stillpoint::test::replaced;
 using stillpoint::test::text_of;
 
-/// Of a sample, what stands in place of what, and what the refusal says.
+/// For a sample: what replaces what, and what the refusal says.
 struct Wrong {
   std::string old;
   std::string now;
@@ -58,10 +58,10 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
          {"NDATA: 100", "NDATA: 1e300", {"line 30: NDATA = 1e300", "to 1000000000"}},
          {"NDATA: 100",
           "NDATA: 999999999",
-          {"line 164: too few values: the file ends after 100, but NDATA = 999999999 in line 30"}},
+          {"line 164: too few values: the file ends after 100, but NDATA = 999999999 on line 30"}},
          {"NDATA: 100",
           "NDATA: 99",
-          {"line 164: too many values: more than NDATA = 99 in line 30"}},
+          {"line 164: too many values: more than NDATA = 99 on line 30"}},
          {"UNITS: cm/s^2\n", "", {"line 63:", "without UNITS"}},
          {"cm/s^2", "mg", {"line 33: the units \"mg\" are unknown"}},
          {"cm/s^2", "cm/s", {"line 33:", "are those of a velocity"}},
@@ -91,8 +91,8 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
           {"line 17: Sampling Freq times Duration Time = 100.5: must be a whole number"}},
          {"Time(s)  2",
           "Time(s)  3",
-          {"line 30: too few values: the file ends after 100", "= 150 in line 12"}},
-         {"Time(s)  2", "Time(s)  1", {"line 24: too many values", "= 50 in line 12"}},
+          {"line 30: too few values: the file ends after 100", "= 150 on line 12"}},
+         {"Time(s)  2", "Time(s)  1", {"line 24: too many values", "= 50 on line 12"}},
          {" 8073 ", " 80x3 ", {"line 18, column 14: \"80x3\" is not a number; value 2"}},
          {" 8073 ", " 80.5 ", {"line 18,", "must be a whole number"}},
          {" 8073 ", " 9e99 ", {"line 18,", "is not a count"}},
@@ -101,7 +101,7 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
      {
          {"points of accel data",
           "points of data",
-          {"line 134: the last channel is number 1"},
+          {"line 134: there is no channel", "the last is number 1"},
           {.channel = 3}},
          {"   100 points of accel data",
           "  -100 points of accel data",
@@ -119,19 +119,19 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
           {"line 60, column 4: \"100 points of veloc data", "is not a number; value 101 of 108"}},
          {"   100 points of accel data",
           "    92 points of accel data",
-          {"line 58: too many values: more than the count of points = 92 in line 46"}},
+          {"line 58: too many values: more than the count of points = 92 on line 46"}},
          {"   0.36285", "   0.36x85", {"line 47, column 24: \"0.36x85\" is not a number"}},
          {"   0.36285", "       NaN", {"line 47, column 28: \"NaN\" is not a finite"}},
      }},
     {"V2c",
      {
-         {"Real-header values", "Numbers", {"line 45: no Real-header values"}},
+         {"Real-header values", "Numbers", {"line 45: Real-header values are missing"}},
          {"    20.000000",
           "  -999.000000",
-          {"line 31: 100 points of 0.01 s, Real-header value 34, are 1 s, but value 35 says 2 s"}},
+          {"line 31: 100 points of 0.01 s (Real-header value 34) take 1 s, but value 35 says 2 s"}},
          {"    20.000000",
           "     0.020000",
-          {"line 36: 100 points of 2e-05 s, Real-header value 62, are 0.002 s, but value 63 says "
+          {"line 36: 100 points of 2e-05 s (Real-header value 62) take 0.002 s, but value 63 says "
            "2 s"}},
          {"    20.000000", "    20.0x0000", {"line 36, column 18: \"20.0x0000\" is not a number"}},
          {"     0.010000", "     0.0x0000", {"line 31, column 45: \"0.0x0000\" is not a number"}},
@@ -143,7 +143,7 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
          {"100 acceleration pts", " 90 acceleration pts", {"line 36: 90 points of 0.02 s"}},
          {"100 acceleration pts",
           " 99 acceleration pts",
-          {"line 55: too many values: more than the count of points = 99 in line 45"}},
+          {"line 55: too many values: more than the count of points = 99 on line 45"}},
          {"   0.046", "     inf", {"line 46, column 14: \"inf\" is not a finite"}},
          {"acceleration pts",
           "velocity pts",
@@ -162,7 +162,7 @@ const std::map<std::string, std::vector<Wrong>> wrong_samples{
          {"       100", "       104", {"line 41: too few values: the file ends after"}},
          {"       100",
           "        96",
-          {"line 41: too many values: more than whole number 17 = 96 in line 14"}},
+          {"line 41: too many values: more than whole number 17 = 96 on line 14"}},
          {"| synthetic\n", "", {"line 40: too few values"}},
          {" 4.6219E-2", " 4.62:9E-2", {"line 29, column 12: \"4.62:9E-2\""}},
      }},

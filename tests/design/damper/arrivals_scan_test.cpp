@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arrivals_task.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -50,7 +49,7 @@ int arrival_by_map(const Problem& problem, Wide f, Wide delta) {
       return n;
     }
     if (arrival < d) {
-      return 0;  // it stops here, but the published criterion does not vouch for it
+      return 0;  // it stops here, but the published criterion does not guarantee it
     }
     r = std::sqrt(t * t - d);
   }
@@ -107,7 +106,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
   int empty = 0;
   for (int i = 0; i < 60; ++i) {
     const Task task = random_task(random);
-    const auto& [problem, limits] = task;
+    const auto& [problem, limits, seed] = task;
     const auto points = grid(problem);
     for (const Objective objective : objectives) {
       BOOST_TEST_CONTEXT(name(objective) << ", " << context_of(task)) {

@@ -2,9 +2,7 @@
 #include "check/runge_kutta.hpp"
 #include "random_source.hpp"
 
-#include <stillpoint/design/cross_check.hpp>
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

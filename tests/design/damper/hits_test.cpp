@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/hits.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -21,8 +18,8 @@ using namespace stillpoint;
 using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
-/// Of an edge, relative: inside of it by so much the motion itself ends as the segment says. Some
-/// hundred half-cycles, each good to 2e-16.
+/// Of an edge, relative: this far inside it the motion itself ends as the segment says. A few
+/// hundred half-cycles, each accurate to 2e-16.
 constexpr double beside = 1e-12;
 /// Of a rest, relative to f/p^2: near an edge of the dead zone it moves as the radius does.
 constexpr double rest_tolerance = 1e-9;

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(every_algorithm_finds_the_bottom_of_a_bowl) {
 }
 
 BOOST_AUTO_TEST_CASE(algorithms_that_take_constraints_come_by_the_constrained_minimum) {
-  // Come by, not return: SLSQP returns the best point that is feasible to the last bit, which may
+  // Visited, not returned: SLSQP returns the best point that is feasible to the last bit, which may
   // be far worse than one that is outside by 1e-17. So the caller keeps its own best.
   const Eigen::Vector2d least(0.1, 0.4);
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {

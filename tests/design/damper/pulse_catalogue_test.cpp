@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(every_part_is_judged_as_its_simulation_judges_it) {
             constexpr double missed = 1e-3;
             constexpr int fine = 200;
             BOOST_TEST(box_works(request, now.part, *now.tolerance * (1 - beside), 1));
-            const bool most = *now.tolerance >= 0.995;  // no more is looked for
+            const bool most = *now.tolerance >= 0.995;  // the search ends there
             BOOST_TEST((most || !box_works(request, now.part, *now.tolerance + missed, 1, fine)));
           } else {
             BOOST_TEST(!now.admissible);

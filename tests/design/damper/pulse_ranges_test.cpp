@@ -20,7 +20,7 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_ranges_test)
 
-// Designs for ranges of k, lambda and p under a pulse, held against simulations of single pulses.
+// Designs for ranges of k, lambda and p under a pulse, compared with simulations of single pulses.
 
 namespace {
 
@@ -28,12 +28,12 @@ using namespace stillpoint;
 using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
-/// A design stays a relative 1e-9 inside of its edges.
+/// A design stays a relative 1e-9 inside its edges.
 constexpr double inset = 1e-8;
 /// The scan misses what is between its points, and the design keeps a reserve between two lambdas:
 /// docs/theory.md section 15.
 constexpr double sampled = 0.01;
-/// A tolerance beyond this is not looked for.
+/// The search ends at this tolerance.
 constexpr double widest = 0.995;
 
 struct Ends {

@@ -12,7 +12,7 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_reduction_test)
 
-// The velocity that a short pulse leaves, held against the motion under the pulse itself.
+// The velocity that a short pulse leaves, compared with the motion under the pulse itself.
 
 namespace {
 

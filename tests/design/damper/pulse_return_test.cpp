@@ -13,7 +13,7 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_return_test)
 
-// The first return in closed form, held against the forced motion, which looks for every event.
+// The first return in closed form, compared with the forced motion, which looks for every event.
 
 namespace {
 
@@ -21,8 +21,8 @@ using namespace stillpoint;
 using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
-/// Some ten roundings of the pieces, and those that lambda times the rounding of the velocity that
-/// a full sine leaves, the difference of its halves, makes of the time of a slow return.
+/// About ten roundings of the pieces, and those of the time of a slow return: lambda times the
+/// rounding of the velocity that a full sine leaves, the difference of its halves.
 constexpr double rounding = 1e-12;
 /// Closer than this to another kind of motion, either may be right.
 constexpr double undecided = 1e-10;
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(random_motions_are_those_of_the_forced_run) {
       continue;
     }
     ++closed[pulse.index()];
-    // Both as in the cross-check: (31), and what an f hardly below k magnifies.
+    // Both as in the cross-check: (31), and what an f barely below k amplifies.
     const double allowed = rounding * std::max(1.0, f / std::max(found->speed, 1e-9 * f)) / (1 - f);
     BOOST_TEST_CONTEXT("run " << i << ", " << name(pulse) << ", lambda " << lambda << ", f " << f) {
       BOOST_TEST(found->returns == (motion.stops_at_zero && motion.half_cycles == 1.0));

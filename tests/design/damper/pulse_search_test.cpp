@@ -16,7 +16,7 @@
 
 BOOST_AUTO_TEST_SUITE(pulse_search_test)
 
-// NLopt's optimum under a pulse beside the one along f, which it has not seen.
+// NLopt's optimum under a pulse compared with the one along f, found without it.
 
 namespace {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Random tasks with a pulse, and what its own motion says of a damper.
+// Random tasks with a pulse, and the judgement of a damper by its own motion.
 
 #include "random_source.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <array>
 #include <cmath>

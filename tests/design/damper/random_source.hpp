@@ -3,8 +3,7 @@
 
 // Random problems that repeat: the same numbers on every machine, from a seed that is printed.
 
-#include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/search.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -25,7 +25,7 @@ using namespace stillpoint::design_test::in_ranges;
 BOOST_AUTO_TEST_CASE(the_soonest_stop_with_a_residual_is_on_the_edge_of_the_first_arrival) {
   // The first arrival stops the mass where Delta >= Delta1(f), (26); its time grows with f, and
   // Delta is D = min(V_a^2/2, delta_max)/(1 + R) at most: the soonest has Delta1(f) = D. A design
-  // stays a relative 1e-9 inside of its edges, of which the time takes a part.
+  // stays a relative 1e-9 inside its edges, of which the time takes a part.
   constexpr double relative = 1e-9;
   struct Case {
     double weakest;
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(the_strips_have_the_tolerance_of_the_best_design) {
 
 // Over f it has two maxima, of which the higher one is where the box just fits below the cap of f.
 BOOST_AUTO_TEST_CASE(the_search_finds_what_is_found_along_f_alone) {
-  // Each stays a relative 1e-9 inside of open edges, in its own way; golden sections end within
+  // Each stays a relative 1e-9 inside open edges, in its own way; golden sections end within
   // 1e-9 of f.
   constexpr double same = 2e-9;
   int compared = 0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/region.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,8 +4,7 @@
 // The best design of all points of a grid: slow, but simple. In long
 // double and in the paper's own units, so that it shares no formula with the search.
 
-#include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/search.hpp>
+#include <stillpoint/design.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -18,13 +18,13 @@ namespace {
 using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
-/// Of a cost, relative (of R, absolute): the design stays a relative 1e-9 inside of open edges.
+/// Of a cost, relative (of R, absolute): the design stays a relative 1e-9 inside open edges.
 constexpr double cost_tolerance = 1e-8;
 /// Error in R of the scan of 100 by 100 points, absolute.
 constexpr double scan_miss = 0.02;
 /// Of the reported R, as in tolerance_test.
 constexpr double reported_tolerance = 4e-15;
-/// Of the largest tolerance that the region allows: the rounding of its edges.
+/// For the largest tolerance that the region allows: the rounding of its edges.
 constexpr double last_digits = 2e-15;
 
 Limits make_limits(RandomSource& random, const Problem& problem, int which, bool tolerant) {

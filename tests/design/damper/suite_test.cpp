@@ -5,8 +5,7 @@
 #include "random_source.hpp"
 #include "suites_of_records.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -28,7 +27,7 @@ using stillpoint::design_test::two_records;
 
 /// That of the check of a design: what narrow decisions make of Runge-Kutta's 5e-16 a radian.
 constexpr double integrator_tolerance = 1e-6;
-/// Of a motion that makes ten thousand times as much of an error as its neighbours do.
+/// For a motion that amplifies an error ten thousand times more than its neighbours.
 constexpr double narrow_tolerance = 1e-9;
 /// Of a figure worked out by hand.
 constexpr double hand_tolerance = 1e-14;

@@ -3,6 +3,7 @@
 #include "reference.hpp"
 
 #include <stillpoint/design/region.hpp>
+#include <stillpoint/design/tolerance.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -140,6 +141,39 @@ BOOST_AUTO_TEST_CASE(a_tolerance_worked_out_by_hand) {
   BOOST_TEST(std::abs(r({}, 0.25, 0.4) - 0.25) < 1e-15);
   BOOST_TEST(r({0.2, std::nullopt, 0}, 0.25, 0.4) == -1);
   BOOST_TEST(r({std::nullopt, 0.35, 0}, 0.25, 0.4) == -1);
+}
+
+BOOST_AUTO_TEST_CASE(any_friction_up_to_that_is_admissible_and_none_beyond) {
+  // Points of the box are admissible; a little farther out one of its two corners is not.
+  RandomSource random(2611);
+  int found = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double v0 = random.uniform(0.5, 2);
+    const double p = random.uniform(0.5, 2);
+    Problem problem{v0, p, v0 / p * random.uniform(1, 1.2)};
+    problem.arrivals = 2;
+    Limits limits;
+    if (random.pick(2) == 0) {
+      limits.f_max = v0 * p * random.log_uniform(1e-3, 0.3);
+    }
+    const double delta = v0 * v0 * random.uniform(0.26, 0.49);
+    const double r = random.uniform(0, 0.3);
+    const auto largest = any_f_up_to(problem, limits, delta, r);
+    const double error = 1e-6 * v0 * p;  // that it may have, and more than the box leaves out
+    const auto works = [&](double f, double with) { return admissible(problem, limits, f, with); };
+    if (!largest) {
+      BOOST_TEST(!(works(error, delta * (1 - r)) && works(error, delta * (1 + r))));
+      continue;
+    }
+    ++found;
+    for (int j = 0; j < 50; ++j) {
+      BOOST_TEST(
+          works(*largest * random.uniform(1e-3, 1), delta * (1 + r * random.uniform(-1, 1))));
+    }
+    const double beyond = *largest + error;
+    BOOST_TEST(!(works(beyond, delta * (1 - r)) && works(beyond, delta * (1 + r))));
+  }
+  BOOST_TEST(found > 50);
 }
 
 BOOST_AUTO_TEST_CASE(on_an_edge_no_tolerance_is_left) {

@@ -2,10 +2,7 @@
 #include "random_source.hpp"
 #include "reference.hpp"
 
-#include <stillpoint/core/free_motion.hpp>
-#include <stillpoint/design/design.hpp>
-#include <stillpoint/design/physical.hpp>
-#include <stillpoint/design/works_for.hpp>
+#include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
 

@@ -85,9 +85,9 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_number_of_values_is_refused_in_proper_english)
 
 BOOST_AUTO_TEST_CASE(with_an_unclosed_quote_is_refused_for_that) {
   for (const std::string text : {"f,delta\n\"0.1,0.2\n", "f,delta\n0.1,\"0.2\n"}) {
-    check_wrong(text, 2, "a quote is opened and not closed");
+    check_wrong(text, 2, "a quote is opened but not closed");
   }
-  check_wrong("f,\"delta\n", 1, "a quote is opened and not closed");
+  check_wrong("f,\"delta\n", 1, "a quote is opened but not closed");
 }
 
 BOOST_AUTO_TEST_CASE(gives_its_rows_in_order) {

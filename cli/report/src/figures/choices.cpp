@@ -64,7 +64,7 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
   add("parts that fit", std::move(fit), Shape::disc, Ink::green, Fill::hollow);
   if (outside > 0) {
     figure.caption.back() = ';';
-    figure.caption += format(" {} of the {} parts {} outside of this figure.", outside,
+    figure.caption += format(" {} of the {} parts {} outside this figure.", outside,
                              catalogue.parts.size(), outside == 1 ? "lies" : "lie");
   }
 }

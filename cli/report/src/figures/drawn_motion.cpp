@@ -33,7 +33,7 @@ std::optional<double> end_of_beginning(const std::vector<HalfCycle>& listed) {
              : std::optional(listed.back().end_time);
 }
 
-/// The same start without friction, where that has few half-cycles and is of the same size.
+/// The same start without friction, if that has few half-cycles and a similar size.
 std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
                                 const Excitation& excitation) {
   if (motion.turns.size() > most_single_half_cycles || motion.oscillator.p == 0) {
@@ -156,7 +156,7 @@ DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& ans
       forced_half_cycles(oscillator, start, excitation, last, most_drawn_half_cycles, {}, surface);
   last = std::min(last, end_of_beginning(listed).value_or(last));
   const auto& stop_time = answer.response.stop_time;
-  if (stop_time == 0.0) {  // the load is seen whole here too
+  if (stop_time == 0.0) {  // the whole load is shown here too
     last = std::min(last, duration(excitation).value_or(last));
     DrawnMotion motion = drawn_forced_motion(oscillator, start, excitation, last, surface);
     motion.locked_from = answer.forced ? answer.forced->locked_from : std::nullopt;

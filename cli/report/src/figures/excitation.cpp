@@ -87,7 +87,7 @@ struct Wave {
   }
 };
 
-/// The least and the largest of each column where there are more points than columns.
+/// The least and the largest of each column if there are more points than columns.
 std::vector<FigurePoint> thinned(const std::vector<FigurePoint>& points) {
   if (points.size() <= 2 * most_columns) {
     return points;

@@ -62,7 +62,7 @@ const State& farthest(const DrawnMotion& motion) {
                                    [](const State& state) { return std::abs(state.x); });
 }
 
-/// Up to the motion and the limit, and to the motion without friction where that is not much more.
+/// Up to the motion and the limit, and to the motion without friction if that is not much larger.
 figures::FigureAxis displacement_axis(const DrawnMotion& motion, const FigureUnits& units) {
   double least = 0;
   double most = 0;

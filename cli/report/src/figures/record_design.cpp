@@ -137,14 +137,13 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   const char* const what = result.finding ? "chosen" : "nearest";
   drawn.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
   drawn.notes.push_back({what, place});
-  drawn.description = format(
-      "The plane of f and Δ: the {} of the records combined, and where a "
-      "limit is broken.",
-      name(task.objective));
-  drawn.caption = least <= most
-                      ? "Blue meets every limit, the darker the better; every other colour breaks "
-                        "one."
-                      : "Each colour names the first limit that is broken there.";
+  drawn.description =
+      format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
+             name(task.objective));
+  drawn.caption =
+      least <= most
+          ? "Blue meets every limit, the darker the better; every other colour violates one."
+          : "Each colour names the first limit that is violated there.";
   return drawn;
 }
 

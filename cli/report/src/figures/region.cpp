@@ -27,7 +27,8 @@ using design::Region;
 
 constexpr int steps = 200;  // of a curve over f
 
-/// What the five constraints and the limits leave, tolerance aside. Empty where that is nothing.
+/// What the five constraints and the limits leave, regardless of the tolerance. Empty if that is
+/// nothing.
 std::vector<FigurePoint> admissible_outline(const DrawnRegion& drawn, const RegionSpan& span,
                                             double unit) {
   std::vector<FigurePoint> lower;
@@ -72,7 +73,7 @@ void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {
   figure.curves.push_back(std::move(exact));
 }
 
-/// From 0, but nearer where what there is to see would be small.
+/// From 0, but closer if the interesting part would be small.
 FigureAxis axis_of(std::string label, double least, double most, double all) {
   constexpr double margin = 1.15;
   constexpr double small = 0.25;
@@ -127,7 +128,7 @@ void add_damper(Figure& figure, const DrawnDamper& damper, const std::vector<Fig
   if (figure.x.position(at.x) > 1 || figure.y.position(at.y) > 1) {
     figure.marks.back().name =
         format("{}: f = {:.4g}, Δ = {}", damper.name, damper.f, units.length_words(damper.delta));
-    figure.caption = "The arrow points to the damper, which lies far outside of this figure.";
+    figure.caption = "The arrow points to the damper, which lies far outside this figure.";
   }
 }
 
@@ -146,14 +147,14 @@ std::string strips_caption(const Problem& problem) {
       problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "";
   if (problem.v0_low || problem.p_high) {
     return format(
-        "A damper in a strip {} at that arrival, for every hit and spring of the ranges{}; "
+        "A damper in a strip {} at that arrival, for every hit and spring in the ranges{}; "
         "outside, "
         "some of them end otherwise.",
         end, order);
   }
   return format("A damper in a strip {} at that arrival{}; {}.", end, order,
                 problem.residual
-                    ? "outside of the strips it rests too far off centre, or later"
+                    ? "outside the strips it rests too far off centre, or later"
                     : "between the strips it leaves the mass off centre, below them it "
                       "lets it pass more often");
 }

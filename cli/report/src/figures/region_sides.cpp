@@ -37,7 +37,7 @@ std::vector<FigurePoint> between(double from, double to, const Level& lower, con
   return something ? below : std::vector<FigurePoint>{};
 }
 
-/// Where that is something.
+/// If it is not empty.
 void add(Figure& figure, std::string name, std::vector<FigurePoint> outline, Ink ink = Ink::grey,
          AreaLook look = AreaLook::hatched) {
   if (!outline.empty()) {

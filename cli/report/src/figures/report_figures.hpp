@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What is drawn of a motion, a region and a sweep, and the figures of it.
+// The data drawn for a motion, a region and a sweep, and their figures.
 
 #include "units.hpp"
 
@@ -35,7 +35,7 @@ std::vector<figures::FigurePoint> places(const std::vector<State>& states, const
   return points;
 }
 
-/// A motion as its figures need it.
+/// A motion in the form that its figures need.
 struct DrawnMotion {
   Oscillator oscillator;
   std::vector<State> states;    ///< samples and every event; a passage has two at one instant
@@ -50,11 +50,11 @@ struct DrawnMotion {
   bool whole{true};  ///< else only its beginning
 };
 
-/// Of a longer motion only the beginning is drawn: so many half-cycles, and periods of the spring
-/// or of the load, whichever is faster.
+/// For a longer motion only the beginning is drawn: this many half-cycles, and periods of the
+/// spring or of the load, whichever is faster.
 inline constexpr std::int64_t most_drawn_half_cycles = 2000;
 inline constexpr double most_drawn_periods = 1000;
-/// Of more half-cycles than can be told apart, the envelope is drawn.
+/// With more half-cycles than can be distinguished, the envelope is drawn.
 inline constexpr std::size_t most_single_half_cycles = 40;
 
 /// Evenly spaced points that make a curve of an angular frequency look smooth up to tau =
@@ -71,7 +71,7 @@ inline constexpr std::size_t most_single_half_cycles = 40;
 /// The motion of an answer, or its beginning.
 [[nodiscard]] DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer);
 
-/// " (beginning)" of a motion that is not drawn whole.
+/// " (beginning)" for a motion that is not drawn whole.
 [[nodiscard]] std::string beginning(const DrawnMotion& motion);
 /// Marks of events, in the three shapes that figures use; turns and passages up to a tau.
 template <class Place>
@@ -97,14 +97,14 @@ void add_lock(figures::Figure& figure, const DrawnMotion& motion, const FigureUn
 
 [[nodiscard]] figures::Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units);
 [[nodiscard]] figures::Figure phase_figure(const DrawnMotion& motion, const FigureUnits& units);
-/// Of a free motion: what is left of the energy, and what each friction took.
+/// For a free motion: the energy left, and what each friction took.
 [[nodiscard]] figures::Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units);
 /// W over the same time as the motion.
 [[nodiscard]] figures::Figure excitation_figure(const Excitation& excitation,
                                                 const DrawnMotion& motion,
                                                 const FigureUnits& units);
 
-/// A point of the (f, Delta) plane and the tolerance it withstands.
+/// A point of the (f, Delta) plane and its tolerance.
 struct DrawnDamper {
   std::string name;
   double f{0};
@@ -112,7 +112,7 @@ struct DrawnDamper {
   double tolerance{0};
 };
 
-/// The corners of the box of dampers that it withstands, from the lowest to the left on.
+/// The corners of its tolerance box, starting from the lower left.
 [[nodiscard]] std::vector<figures::FigurePoint> tolerance_box(const DrawnDamper& damper,
                                                               const design::BoxShape& shape,
                                                               double unit);
@@ -122,7 +122,7 @@ struct DrawnDamper {
 /// The problem at a constant friction f.
 using ProblemAt = std::function<design::Problem(double)>;
 
-/// What there is to draw of a region.
+/// What to draw for a region.
 struct DrawnRegion {
   design::Problem problem;
   design::Limits limits;
@@ -147,7 +147,7 @@ struct RegionSpan {
 void add_sides(figures::Figure& figure, const DrawnRegion& drawn, const RegionSpan& span,
                const FigureUnits& units);
 
-/// Of a task that allows several arrivals: the strip of each within the limits, the damper's own
+/// For a task that allows several arrivals: the strip of each within the limits, the damper's own
 /// in front, and what forbids the rest of the figure.
 [[nodiscard]] std::vector<figures::FigureArea> strip_areas(const DrawnRegion& drawn,
                                                            const FigureUnits& units);

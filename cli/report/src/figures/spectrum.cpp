@@ -23,7 +23,7 @@ namespace {
 using design::SpectrumFigures;
 using design::SpectrumPoint;
 
-/// What is drawn of a motion; empty where it does not exist.
+/// The value drawn for a motion; empty if it does not exist.
 using Drawn = std::optional<double> (*)(const SpectrumFigures&);
 
 struct SpectrumAxes {
@@ -57,7 +57,7 @@ double highest(const std::vector<std::vector<FigurePoint>>& strokes) {
   return most;
 }
 
-/// Each record's line faint behind those of all together.
+/// The line of each record, faint behind those of all together.
 void add_curves(Figure& figure, const design::Spectrum& spectrum, const SpectrumAxes& axes) {
   const bool several = spectrum.records.size() > 1;
   const std::string which = !several                                            ? ""

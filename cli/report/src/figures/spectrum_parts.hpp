@@ -11,8 +11,8 @@
 
 namespace stillpoint::report {
 
-/// Transmitted acceleration, peak and residual over the period, with the notch and without; of a
-/// design with `chosen` its p marked.
+/// Transmitted acceleration, peak and residual over the period, with the notch and without; for a
+/// design, `chosen` is its p, which is marked.
 [[nodiscard]] std::vector<figures::Figure> spectrum_figures(
     const design::Spectrum& spectrum, const FigureUnits& units,
     const std::optional<double>& chosen = std::nullopt);

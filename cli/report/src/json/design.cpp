@@ -90,7 +90,7 @@ ordered_json cross_check_json(const design::CrossCheck& check) {
   return {{"passed", check.passed}, {"methods", list_json(check.methods, method_json)}};
 }
 
-/// How the design stands under its pulse.
+/// The design under its pulse.
 ordered_json pulse_check_json(const design::PulseCheck& check) {
   const auto worst = [](const auto& figures) -> ordered_json {
     return {{"peak_amplitude", number(figures.peak)},
@@ -141,8 +141,8 @@ ordered_json json(const DesignReport& report) {
   const auto& [problem, limits, search, pulse, ranges] = result.request;
   ordered_json task = task_json(problem, limits);
   add_pulse(task, pulse, ranges);
-  if (pulse && problem.v0 == 0) {
-    task["v0"] = nullptr;  // a full sine leaves none
+  if (pulse) {
+    task["v0"] = number(result.reduced_v0);
   }
   task["objective"] = name(search.objective);
   task["algorithm"] = text_or_null(search.algorithm);

@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Its numbers as given; what a type does not have is null.
+/// Its numbers as given; null for what a type does not have.
 ordered_json excitation_json(const Excitation& excitation,
                              const std::optional<RecordOrigin>& record) {
   if (std::holds_alternative<NoExcitation>(excitation)) {

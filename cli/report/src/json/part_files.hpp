@@ -18,7 +18,7 @@
 
 namespace stillpoint::report {
 
-/// Of everything else in a part.
+/// The digest of everything else in a part.
 [[nodiscard]] nlohmann::ordered_json digest_json(const nlohmann::ordered_json& report);
 
 /// The part of a `whole` in a file of this schema. `part_from` makes it of its JSON, less what
@@ -49,7 +49,7 @@ template <class Part, class Rows>
   } catch (const std::exception&) {
     throw records::FileError(
         {.kind = "part", .path = path},
-        fmt::format("is not a whole part of {}: it was cut short or has changed", whole));
+        fmt::format("is not a complete part of {}: it was cut short or has changed", whole));
   }
 }
 

@@ -40,7 +40,7 @@ ordered_json intervals_json(const std::vector<design::FrictionInterval>& interva
   });
 }
 
-/// The constraints and limits that exclude each other, by name; null where none do.
+/// The constraints and limits that conflict, by name; null where none do.
 ordered_json conflict_json(design::Conflict conflict) {
   switch (conflict) {
     case design::Conflict::none:

@@ -23,7 +23,7 @@ namespace stillpoint::report {
 /// Null where it does not exist; a number that is not finite is an assertion.
 [[nodiscard]] nlohmann::ordered_json number(double value);
 [[nodiscard]] nlohmann::ordered_json number(const std::optional<double>& value);
-/// A count: an integer as long as a double holds it exactly.
+/// A count: an integer, if a double holds it exactly.
 [[nodiscard]] nlohmann::ordered_json count(const std::optional<double>& value);
 /// Null where it is empty.
 [[nodiscard]] nlohmann::ordered_json text_or_null(const std::string& value);

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Without what is beyond a double.
+/// Without values beyond a double.
 std::optional<double> finite(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
@@ -41,7 +41,7 @@ void add_region(ordered_json& json, const design::PhysicalInput& physical,
   json["delta2_m"] = number(finite(times(region.delta2, physical.scales.length_m)));
 }
 
-/// Null where that input alone cannot mend it.
+/// Null if that input alone cannot make it feasible.
 void add_mends(ordered_json& json, design::PhysicalInput physical,
                const std::vector<design::Mend>& mends) {
   const auto mended = [&](std::string_view field, bool by_stiffness) -> std::optional<double> {
@@ -156,7 +156,8 @@ ordered_json physical_json(const DesignReport& report) {
   const design::DesignRequest& request = result.request;
   const auto& finding = result.finding;
   const design::Scales& scales = report.physical->scales;
-  ordered_json json = scale_values(*report.physical, request.problem.v0 * scales.velocity_m_per_s);
+  const double v0 = request.pulse ? result.reduced_v0.value_or(0) : request.problem.v0;
+  ordered_json json = scale_values(*report.physical, v0 * scales.velocity_m_per_s);
   add_region(json, *report.physical, result.region);
   add_mends(json, *report.physical, result.mends);
   if (finding) {
@@ -171,7 +172,7 @@ ordered_json physical_json(const DesignReport& report) {
   }
   add_practice(json, scales, finding ? finding->practice : std::nullopt);
   add_response(json, scales, finding ? &finding->response : nullptr);
-  if (request.problem.v0 == 0) {
+  if (request.pulse && !result.reduced_v0) {
     json["velocity_m_per_s"] = nullptr;  // of a full sine
   }
   add_excitation(json, scales, request.pulse ? design::excitation(*request.pulse) : NoExcitation{});

@@ -7,6 +7,8 @@
 #include <stillpoint/sweep/json_text.hpp>
 
 #include <array>
+#include <cstddef>
+#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -71,6 +73,13 @@ ordered_json json(const RecordScan& scan) {
                       {"task", ordered_json::parse(task)}};
   result["digest"] = digest_json(result);
   return result;
+}
+
+bool is_record_scan(const std::string& path) {
+  constexpr std::size_t most = 100;
+  std::string beginning(most, ' ');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), most);
+  return beginning.find(record_scan_schema) != std::string::npos;
 }
 
 RecordScan read_record_scan(const std::string& path) {

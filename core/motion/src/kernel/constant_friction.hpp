@@ -31,12 +31,12 @@ class ConstantFriction {
   /// Friction from y on.
   [[nodiscard]] const Real& phi_ahead(const Real& /*y*/) const { return phi_; }
 
-  /// Where the motion has to be looked at: x = 0, or never.
+  /// Where the motion must be examined: x = 0, or never.
   [[nodiscard]] Real edge_ahead(const Real& y) const {
     return y < 0 ? Real(0) : std::numeric_limits<Real>::max();
   }
 
-  /// What a rest at u holds of a load in the direction `sign`.
+  /// The load that a rest at u can hold in the direction `sign`.
   [[nodiscard]] Real capacity(const Real& u, int /*sign*/) const {
     return at_notch(u) ? Real(phi_ + spare_) : phi_;
   }
@@ -51,10 +51,10 @@ class ConstantFriction {
   /// Whether the notch has a capacity, so that no rest there is final while the load goes on.
   [[nodiscard]] bool lets_go() const { return lets_go_; }
   [[nodiscard]] bool at_notch(const Real& u) const { return lets_go_ && u == 0; }
-  /// What it holds besides friction, h / p.
+  /// The load that it holds besides friction, h / p.
   [[nodiscard]] const Real& spare() const { return spare_; }
 
-  /// How far a place |u| is from where the law changes.
+  /// How far a position |u| is from where the law changes.
   [[nodiscard]] const Real& from_edge(const Real& distance) const { return distance; }
 
   /// The mass has come to rest.

@@ -46,7 +46,7 @@ class LinearDrive {
 
   [[nodiscard]] const Real& w() const { return w_; }
 
-  /// W itself with all its digits, or a turn within rounding of a tie would be met for ever.
+  /// W itself with all its digits, or a turn within rounding of a tie would be repeated for ever.
   [[nodiscard]] Load<Real> load() const {
     Load<Real> now{w_, ExactSum<Real>(full_)};
     const Real rate = (end_full_ - full_) / length_;
@@ -54,7 +54,7 @@ class LinearDrive {
     return now;
   }
 
-  /// The load is as good as its own digits.
+  /// The load is as accurate as its own digits.
   [[nodiscard]] Real amplitude() const { return Real(0); }
 
   void advance(const Real& h) {
@@ -113,10 +113,10 @@ class LinearDrive {
   Real w_;
   Real rate_;
   Real end_w_;
-  Real full_;  ///< W at the begin and at the end
+  Real full_;  ///< W at the start and at the end
   Real end_full_;
   Real length_;
-  ExactSum<Real> elapsed_;  ///< or times below its ulp would be lost, and a tie with them
+  ExactSum<Real> elapsed_;  ///< or times below its ulp would be lost, and with them a tie
 };
 
 /// W = K sin psi; K >= 0.
@@ -174,6 +174,9 @@ class HarmonicDrive {
     return piece.first_event(limit, want_arrival);
   }
 
+  /// The first guess for the next arrival; returns what it would have been.
+  Real expects_arrival_after(const Real& h) { return std::exchange(guesses_.arrival, h); }
+
   void advance(const ExactSum<Real>& h) {
     phase_.advance(h);
     now_ = phase_.sin_cos();
@@ -207,8 +210,8 @@ class HarmonicDrive {
 
   [[nodiscard]] int release_direction() const { return direction_; }
 
-  /// How near the crests of the load come to friction during a wait after release(), the last crest
-  /// included.
+  /// How close the crests of the load come to friction during a wait after release(), the last
+  /// crest included.
   template <class AnyHold>
   void crests(const AnyHold& hold, const Real& wait, bool released) const {
     const Real angle = wait * phase_.ratio();
@@ -257,7 +260,8 @@ class HarmonicDrive {
       return std::nullopt;
     }
     const Real turn = 2 * pi<Real>();
-    // From the crossing up to the crest, with all digits where the crest hardly exceeds the level.
+    // From the crossing up to the crest, with all digits even if the crest barely exceeds the
+    // level.
     const Real below = room / (2 * k_);
     const Real to_crest = below < 1 ? Real(2 * elementary::asin(Real(sqrt(below)))) : pi<Real>();
     Real ahead = pi<Real>() / 2 - to_crest - psi;
@@ -282,7 +286,7 @@ class HarmonicDrive {
   typename DrivePhase<Real>::SinCos now_;
   EventGuesses<Real> guesses_;
   int direction_{1};
-  Real room_up_{0};  ///< what a crest exceeds, at the last look for a release
+  Real room_up_{0};  ///< the level that a crest exceeds, at the last search for a release
   Real room_down_{0};
   int by_sums_{0};  ///< pieces since `now_` was taken from the phase
 };
@@ -298,7 +302,7 @@ struct Crossing {
   Piece piece;
   typename Piece::End end;
 
-  // By reference; otherwise a piece would be copied twice on the way in.
+  // By reference; otherwise a piece would be copied twice.
   // NOLINTNEXTLINE(modernize-pass-by-value)
   Crossing(const Piece& on, const typename Piece::End& until) : piece(on), end(until) {}
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From a peak to the end of a free motion: by a remainder where only one friction acts, otherwise
-// by the map. docs/theory.md sections 3 and 5; names as in half_cycle_map.hpp.
+// From a peak to the end of a free motion: by a remainder if only one friction acts, otherwise by
+// the map. docs/theory.md sections 3 and 5; names as in half_cycle_map.hpp.
 
 #include "kernel/half_cycle_map.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Takes a forced run through each kind of excitation, one overload a kind.
+// Takes a forced run through each kind of excitation, one overload per kind.
 
 #include "kernel/drive_phase.hpp"
 #include "kernel/drives.hpp"
@@ -20,7 +20,7 @@ namespace stillpoint {
 
 namespace detail {
 
-/// p times `time`, or `end` where that comes first or there is no such time.
+/// p times `time`, or `end` if that comes first or there is no such time.
 template <class Real>
 ExactSum<Real> earlier(const Real& p, const Real& time, const ExactSum<Real>& end) {
   if (time == std::numeric_limits<Real>::infinity()) {
@@ -50,7 +50,7 @@ Load<Real> harmonic(ForcedRun<Real, Watcher, Law>& run, const Real& k, const Rea
 
 }  // namespace detail
 
-/// The excitation is 0 from here on; infinity where it never ends.
+/// The excitation is 0 from here on; infinity if it never ends.
 template <class Real>
 Real duration_of(const NoExcitation& /*excitation*/) {
   return Real(0);
@@ -79,7 +79,7 @@ Real duration_of(const BasicRecord<Real>& record) {
   return record.step * Real(record.values.size() - 1);
 }
 
-/// Through the excitation, or until p tau = `end` where that is earlier; the load there.
+/// Through the excitation, or until p tau = `end` if that is earlier; returns the load there.
 template <class Real, class Watcher, class Law>
 Load<Real> excite(ForcedRun<Real, Watcher, Law>& /*run*/, const NoExcitation& /*excitation*/,
                   const ExactSum<Real>& /*end*/) {
@@ -123,7 +123,7 @@ Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicRecord<Real>& r
   return RecordRun<Real, Watcher, Law>(run, record).through(end);
 }
 
-/// Of any kind, for Transmitted. It refers to the excitation.
+/// For any kind of excitation, for Transmitted. It refers to the excitation.
 template <class Real, class... Kinds>
 auto largest_load_of(const std::variant<Kinds...>& excitation, const Real& p) {
   return [&excitation, p](const ExactSum<Real>& from, const ExactSum<Real>& until) {
@@ -174,7 +174,7 @@ void to_free_turn(ForcedRun<Real, Watcher, Law>& run, const Load<Real>& load) {
   decide_jump(run, load, nothing.load());
   run.event(EventKind::excitation_end);
   if constexpr (Law::in_zones) {
-    slide_to_rest(run, nothing);  // no half-cycle map serves zones
+    slide_to_rest(run, nothing);  // there is no half-cycle map for zones
   } else {
     run.slide_to_turn(nothing);
     run.settle();

@@ -15,7 +15,7 @@
 //
 // A drive (drives.hpp) is a stretch of the excitation without a kink. `through` takes the motion
 // through one; kinks are where the next begins. A watcher sees every event and every piece. A law
-// (constant_friction.hpp, zoned_friction.hpp) says what friction there is at a place.
+// (constant_friction.hpp, zoned_friction.hpp) gives the friction at a position.
 
 #include "kernel/constant_friction.hpp"
 #include "kernel/drives.hpp"
@@ -69,7 +69,7 @@ class ForcedRun {
   /// More half-cycles throw TooManyHalfCycles.
   void allow_half_cycles(double most) { most_passages_ = static_cast<std::int64_t>(most) - 1; }
 
-  /// Follows the motion for `length` under one drive; `for_ever` says that no other drive follows.
+  /// Follows the motion for `length` under one drive; `for_ever`: no other drive follows.
   template <class Drive>
   void through(Drive& drive, const ExactSum<Real>& length, bool for_ever) {
     std::optional<Crossing<Drive, Real>> last;
@@ -126,7 +126,7 @@ class ForcedRun {
     }
   }
 
-  /// Under a load for good that does not hold the mass where it rests.
+  /// Under a permanent load that does not hold the mass where it rests.
   template <class Drive>
   void set_off_under(Drive& drive) {
     ExactSum<Real> left(Real(1));

@@ -27,7 +27,7 @@ enum class ForcedMode {
   over,     ///< at rest for ever, or told to end
 };
 
-/// Everything of a forced run, in the units above.
+/// The whole state of a forced run, in the units above.
 template <class Real>
 struct ForcedState {
   ForcedMode mode{ForcedMode::resting};
@@ -54,7 +54,7 @@ struct ForcedState {
   TippingMargin<Real> margin;
 };
 
-/// Asks every so many pieces whether to go on; without a question, never.
+/// Asks go_on every n-th piece; never, if there is none.
 class Patience {
  public:
   Patience() = default;

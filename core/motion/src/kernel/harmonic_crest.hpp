@@ -56,8 +56,8 @@ class HarmonicCrest {
     return falls && h <= 2 && magnitude(point.y) >= 2 * magnitude(point.v) + 3 * push_;
   }
 
-  /// The largest |x''| up to h after a point so near to its crest that a polynomial reaches there;
-  /// 0 where it does not, or where (F24) does not decide.
+  /// The largest |x''| up to h after a point so close to its crest that a polynomial reaches it; 0
+  /// if it does not, or if (F24) does not decide.
   [[nodiscard]] Real near_crest(const Point& point, const Real& h) const {
     const HarmonicTaylor<Real> taylor(point, flow_.r());
     const Real longest = std::min(h, Real(eighth_root_of_epsilon<Real>() * flow_.time_scale()));
@@ -191,7 +191,7 @@ class HarmonicCrest {
       const Real d = magnitude(next - h);
       at = d < longest ? shifted(at, flow_.r(), Real(next - h)) : lifted(flow_.at(next));
       h = next;
-      // |x''| is stationary here, so that half the digits of the time give all of its digits: it
+      // |x''| is stationary here, so half the digits of the time give all of its digits: it
       // lies v^2/(2 |a|) below its crest.
       const Real quarter = std::numeric_limits<Real>::epsilon() / 4;
       if (is_crest(at.v, Real(at.a * at.y)) ||

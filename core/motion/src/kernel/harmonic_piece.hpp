@@ -3,7 +3,7 @@
 
 // The first event of a sliding piece under W = k sin(lambda tau + phase): docs/forced.md section 4.
 // A candidate is found fast and without proof; then v > 0 up to it is proved from the states at
-// both ends, by halving where that is not enough. An interval halved below the resolution of time
+// both ends, by halving if that is not enough. An interval halved below the resolution of time
 // is a graze, not an event. Symbols as in harmonic_point.hpp.
 
 #include "kernel/functions.hpp"
@@ -78,7 +78,7 @@ class HarmonicPiece {
 
  private:
   /// Within more turns of the forcing than this a guess is not worth its cost. Also the number of
-  /// them after which times are counted anew, so that they are not rounded.
+  /// turns after which times are counted anew, so that they are not rounded.
   static Real few_turns() { return Real(16); }
 
   [[nodiscard]] bool worth_guessing(bool want_arrival) const {

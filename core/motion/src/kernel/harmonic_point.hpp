@@ -175,9 +175,9 @@ HarmonicPoint<Real> nudged(const HarmonicPoint<Real>& point, const HarmonicTaylo
           point.q - (point.w * sine + point.q * versine)};
 }
 
-/// (F11): the zero of c[0] + c[1] d + ... + c[7] d^7 next to d = 0, to all digits where it is no
-/// farther than `short_step`, else to some. Infinite where it does not settle. A zero of the
-/// polynomial is not yet one of the motion: the caller looks. The series alone is enough where the
+/// (F11): the zero of c[0] + c[1] d + ... + c[7] d^7 next to d = 0, to all digits if it is no
+/// farther than `short_step`, else to some. Infinite if it does not converge. A zero of the
+/// polynomial is not yet one of the motion: the caller checks. The series alone is enough where the
 /// zero of the tangent is within `share` of short_step and its terms as small.
 template <class Real>
 Real polynomial_root(const std::array<Real, 8>& c, const Real& short_step,

@@ -47,9 +47,10 @@ class HarmonicZeros {
     return eighth_root_of_epsilon<Real>() * std::min(h, flow_.time_scale());
   }
 
-  /// Newton's method on `series` of the state from h on until it settles; the closed form anew
-  /// after every long step, and after one back towards the start, where the state is small and
-  /// would keep the larger one's errors. The zero goes to `end`; false where it does not settle.
+  /// Newton's method on `series` of the state from h on until it converges; the closed form is
+  /// evaluated anew after every long step, and after one back towards the start, where the state is
+  /// small and would keep the larger one's errors. The zero goes to `end`; false if it does not
+  /// converge.
   template <class Series>
   [[nodiscard]] bool improved(Real h, const Real& horizon, Series series, End& end) const {
     const Real longest = flow_.time_scale() / 8;

@@ -4,7 +4,7 @@
 // Whether friction holds the mass at rest: |W + p^2 x| <= f, docs/forced.md section 1, rule 2. In
 // the units of forced_run.hpp that is |w + u| <= phi, but w = W / p and phi = f / p are rounded
 // separately, so for a load that equals f exactly, such as a plateau of a record, rounding would
-// decide whether it is held. Where they are too close to tell, W, p u and f themselves decide.
+// decide whether it is held. If they are too close to tell, W, p u and f themselves decide.
 
 #include "kernel/exact_sum.hpp"
 
@@ -38,13 +38,13 @@ class Hold {
         h_(std::move(h)) {}
 
   [[nodiscard]] const Real& u() const { return u_; }
-  /// What is held of a load in the direction `sign`.
+  /// The load that is held in the direction `sign`.
   [[nodiscard]] const Real& phi(int /*sign*/) const { return phi_; }
 
   /// The direction of the load with the spring, +1 or -1.
   [[nodiscard]] int sign(const Load<Real>& load) const { return load.w + u_ > 0 ? 1 : -1; }
 
-  /// The scale of a load: its error is some epsilon of this.
+  /// The scale of a load: its error is a few epsilon of this.
   [[nodiscard]] Real size(const Real& w) const {
     using std::abs;
     return abs(u_) + abs(w) + phi_;
@@ -56,7 +56,7 @@ class Hold {
     return abs(difference) <= 4 * std::numeric_limits<Real>::epsilon() * size;
   }
 
-  /// Up to this |w + u| is held for certain: it is no tie, since |w| <= |w + u| + |u| there.
+  /// Up to this, |w + u| is certainly held: it is not a tie, since |w| <= |w + u| + |u| there.
   [[nodiscard]] Real held_for_certain() const {
     using std::abs;
     return phi_ - 16 * std::numeric_limits<Real>::epsilon() * (phi_ + abs(u_));

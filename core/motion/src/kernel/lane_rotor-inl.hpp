@@ -2,7 +2,7 @@
 
 // rotor.hpp in lanes: the same operations in the same order.
 
-// Read once for each instruction set, as Highway asks of its headers.
+// Read once for each instruction set, as Highway requires.
 #if defined(STILLPOINT_LANE_ROTOR_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef STILLPOINT_LANE_ROTOR_INL
 #undef STILLPOINT_LANE_ROTOR_INL

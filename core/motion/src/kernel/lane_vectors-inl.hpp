@@ -2,7 +2,7 @@
 
 // Vectors of doubles for free_lanes.cpp, with short names.
 
-// Read once for each instruction set, as Highway asks of its headers.
+// Read once for each instruction set, as Highway requires.
 #if defined(STILLPOINT_LANE_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef STILLPOINT_LANE_VECTORS_INL
 #undef STILLPOINT_LANE_VECTORS_INL
@@ -48,7 +48,7 @@ HWY_INLINE void put(V v, double* data) {
   hn::StoreU(v, D(), data);
 }
 
-/// Numbers in a row.
+/// Consecutive numbers.
 template <Index count, class Number = double>
 struct Column {
   HWY_ALIGN std::array<Number, static_cast<std::size_t>(count)> numbers{};
@@ -93,7 +93,7 @@ inline constexpr auto chosen_first = [] {
 }();
 
 /// Brings the lanes of the mask to the front. Highway's Compress does the same, but copies its
-/// table at each call where GCC 12 compiles it.
+/// table at each call when compiled by GCC 12.
 HWY_INLINE Order to_front(M mask) {
   const Bits bits;
   std::array<std::uint8_t, 8> number{};

@@ -197,7 +197,7 @@ class LinearPiece {
         return turn;
       }
     }
-    // No piece is so long that the rounding of its time matters.
+    // No piece is long enough for the rounding of its time to matter.
     const Real h = std::min(limit, Real(2 * pi<Real>()));
     return {PieceEvent::none, h, at(h)};
   }
@@ -209,7 +209,7 @@ class LinearPiece {
     return abs(square) <= -2 * rate_ * rounding();
   }
 
-  /// What v may be wrong by. Friction is at most load + |y| + |a|.
+  /// The possible error of v. Friction is at most load + |y| + |a|.
   [[nodiscard]] Real rounding() const {
     using std::abs;
     const Point& s = start_;
@@ -314,7 +314,7 @@ class LinearPiece {
     }
   }
 
-  /// A step so short changes a by its first order and y by less than rounding.
+  /// So short a step changes a by its first order and y by less than rounding.
   static constexpr double first_order = std::is_same_v<Real, double> ? 0x1p-28 : 0;
 
   Point start_;

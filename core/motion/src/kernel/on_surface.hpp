@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A run of its own kind for a surface that is not the paper's, so that no other motion pays for it.
+// A separate kind of run for a surface that is not the paper's, so that other motions do not pay
+// for it.
 
 #include "kernel/forced_run.hpp"
 #include "kernel/zoned_friction.hpp"
@@ -12,7 +13,7 @@
 
 namespace stillpoint {
 
-/// What `follow` returns for the run in zones, which stands at its start.
+/// What `follow` returns for the run in zones, which is at its start.
 template <class Real, class Watcher, class Follow>
 auto in_zones(const BasicOscillator<Real>& oscillator, const BasicSurface<Real>& surface,
               const BasicStart<Real>& start, Watcher& watcher, Patience patience,

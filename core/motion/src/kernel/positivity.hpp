@@ -75,7 +75,7 @@ bool positive_between(const HarmonicPoint<Real>& left, const HarmonicPoint<Real>
       return true;
     }
   }
-  // From the slower end only, which is mostly enough: the sine of (F12) then grows almost all the
+  // From the slower end only, which is usually enough: the sine of (F12) then grows almost all the
   // way. Next to a release the proof from the other end would fail by rounding.
   if (h < Real(5) / 2 && (left.v > right.v ? stays_positive(reversed(right), r, k, h)
                                            : stays_positive(left, r, k, h))) {

@@ -26,7 +26,7 @@ struct IntervalTerms {
   Real pull{0};     ///< sin h / h
   Real fall{0};     ///< -h / 8
   Real cosine{0};   ///< cos(h/2), or less: between samples |a| is at most that at them over this
-  Real least_v{0};  ///< what v must exceed at both ends anyway; no v does where h is too long
+  Real least_v{0};  ///< what v must exceed at both ends anyway; no v does if h is too long
 
   IntervalTerms() = default;
   explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
@@ -56,7 +56,7 @@ class RecordTimes {
                                  : ExactSum<Real>::product(p_, record_.times[i]);
   }
 
-  /// The last sample that is not after p tau = `when`; the first at the earliest.
+  /// The last sample that is not after p tau = `when`, or the first.
   [[nodiscard]] std::size_t latest(const ExactSum<Real>& when) const {
     std::size_t low = 0;
     std::size_t high = record_.values.size() - 1;

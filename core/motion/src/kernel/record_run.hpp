@@ -67,8 +67,8 @@ class RecordRun {
     return held(i, hold, hold.held_for_certain());
   }
 
-  /// Looks at a crest of the load at sample i; `crest` is the largest load of this rest so far,
-  /// since only what is larger can matter to the margin. At first -1.
+  /// Checks a crest of the load at sample i; `crest` is the largest load of this rest so far, since
+  /// only a larger one can matter to the margin. Initially -1.
   template <class AnyHold>
   void look_at_crest(std::size_t i, const AnyHold& hold, Real& crest) {
     if (const Real size = Run::magnitude(Real(hold.u() + sample(i))); size > crest) {
@@ -158,7 +158,8 @@ class RecordRun {
     decide_hold(i, hold, sign);
   }
 
-  /// How near the load came to what is held, at a sample where it was largest; whether it was.
+  /// How close the load came to what is held, at a sample where it was largest; returns whether it
+  /// was.
   template <class AnyHold>
   bool decide_held_crest(std::size_t i, const AnyHold& hold) {
     const int sign = sample(i) + hold.u() > 0 ? 1 : -1;
@@ -224,7 +225,7 @@ class RecordRun {
         break;
       }
       // By (F16) a does not need y, so v and a wait only for each other. Now and then a is computed
-      // from y again, so that rounding errors do not let the two drift apart.
+      // from y again, so that rounding errors cannot make the two drift apart.
       const Real next_a = i % afresh == 0 ? Real(-(next_y + phi + next_w))
                                           : Real((a - a_versine) - (v_sine + rise * t.pull));
       const auto piece = [&] { return LinearPiece<Real>({y, v, a}, Real(rise / t.h)); };
@@ -342,7 +343,7 @@ Real largest_load(const BasicRecord<Real>& record, const Real& p, const ExactSum
     return Real(record.values[i] + (record.values[i + 1] - record.values[i]) * part);
   };
   const Real largest = max(Real(abs(load(begin))), Real(abs(load(until))));
-  std::array<Real, 8> most{};  // several, which need not wait for each other
+  std::array<Real, 8> most{};  // several, which do not wait for each other
   most.fill(largest);
   const std::size_t end = times.latest(until) + 1;
   std::size_t i = times.latest(begin) + 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Decisions of a forced run that depend on where a load jumps, ends or just holds the mass:
+// Decisions of a forced run that depend on where a load jumps, ends or only just holds the mass:
 // docs/forced.md section 7. Symbols as in forced_run.hpp.
 
 #include "kernel/forced_state.hpp"

@@ -22,7 +22,7 @@ struct Transmitted {
   Real slid{0};    ///< while it slid, over p
   Real held{0};    ///< while it was held, where that may be more than it felt before: (F29)
   Real locked{0};  ///< while the notch holds it to the end of the run; 0 if no load follows
-  /// The largest |W| from one p tau to another; empty where nobody asks for these metrics.
+  /// The largest |W| from one p tau to another; empty if these metrics are not needed.
   std::function<Real(const ExactSum<Real>&, const ExactSum<Real>&)> largest_load;
 
   /// (F28): at both ends of a slide. y is the place in its direction.
@@ -57,7 +57,7 @@ void is_held(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
   }
 }
 
-/// At the end of the run; a mass at rest for ever stays there up to `end`.
+/// At the end of the run; a mass that rests for ever stays there up to `end`.
 template <class Real, class Law>
 void feel_the_end(ForcedState<Real>& s, const Law& law, const ExactSum<Real>& end) {
   if (s.v != 0) {
@@ -91,8 +91,8 @@ Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& fro
   return abs(k) * max(begin, Real(abs(psi.sin_cos().sine)));
 }
 
-// (F30): the largest |W| from `from` until `until`, which is later and not behind the end of the
-// excitation. That of a record is in record_run.hpp.
+// (F30): the largest |W| from `from` until `until`, which is later and not after the end of the
+// excitation. For a record it is in record_run.hpp.
 
 template <class Real>
 Real largest_load(const NoExcitation& /*none*/, const Real& /*p*/, const ExactSum<Real>& /*from*/,

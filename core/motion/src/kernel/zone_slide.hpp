@@ -42,6 +42,28 @@ void reach_edge(Run& run) {
   }
 }
 
+/// A near edge is reached after about the time that it takes at this acceleration, a far one after
+/// that of the last far one: a drive that guesses keeps the two apart.
+template <class Drive, class Piece, class Real>
+auto first_event_in_zone(Drive& drive, Piece& piece, const Sliding<Real>& from, const Real& limit,
+                         bool edge_ahead) {
+  if constexpr (requires { drive.expects_arrival_after(Real()); }) {
+    using std::sqrt;
+    const Real square = from.v * from.v - 2 * from.a * from.y;
+    if (edge_ahead && from.v > 0 && square > 0) {
+      const Real expected = -2 * from.y / (from.v + sqrt(square));
+      const Real near(0.25);  // of 1/p: there the acceleration has hardly changed
+      if (expected < near) {
+        const Real far = drive.expects_arrival_after(expected);
+        const auto end = drive.first_event(piece, limit, edge_ahead);
+        drive.expects_arrival_after(far);
+        return end;
+      }
+    }
+  }
+  return drive.first_event(piece, limit, edge_ahead);
+}
+
 template <class Run, class Drive, class Real>
 void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
   ForcedState<Real>& s = run.state();
@@ -53,7 +75,7 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left) {
     from.y -= edge;
   }
   auto piece = drive.piece(from);
-  auto end = drive.first_event(piece, left.value(), edge_ahead);
+  auto end = first_event_in_zone(drive, piece, from, left.value(), edge_ahead);
   if (end.event == PieceEvent::none && !(end.at.v > 0)) {
     end.event = PieceEvent::turn;  // within rounding of the end of the drive
   }

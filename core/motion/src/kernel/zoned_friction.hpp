@@ -2,10 +2,10 @@
 #pragma once
 
 // Friction that steps with |x|, and a notch of finite width as a step of its own: docs/notches.md.
-// What a forced run asks of a law is as in constant_friction.hpp. In the units of forced_run.hpp;
-// the zones between the edges 0 = e_0 < e_1 < ... have the frictions phi_0, phi_1, ..., the last
-// one without end. y is the place in the direction of the motion, so that a zone is entered at
-// -e_(i+1) or e_i.
+// What a forced run requires of a law is as in constant_friction.hpp. In the units of
+// forced_run.hpp; the zones between the edges 0 = e_0 < e_1 < ... have the frictions phi_0, phi_1,
+// ..., the last one without end. y is the place in the direction of the motion, so that a zone is
+// entered at -e_(i+1) or e_i.
 
 #include "kernel/hold.hpp"
 
@@ -118,7 +118,7 @@ class ZonedFriction {
     return least;
   }
 
-  /// The notch takes hold of a mass that has left it, or has turned before: rule 3.
+  /// The notch acts on a mass that has left it, or has turned before: rule 3.
   void rest() { leaving_ = false; }
   void reach(const Real& edge) { leaving_ = leaving_ && edge < half_width_; }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All of stillpoint::design; it includes what it uses of stillpoint::core.
+// All of stillpoint::design, with what it uses from stillpoint::core and the error it throws.
 
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/box_shape.hpp>
 #include <stillpoint/design/built_notch.hpp>
 #include <stillpoint/design/catalogue.hpp>

@@ -9,7 +9,7 @@
 
 namespace stillpoint::design {
 
-/// Where the function changes its sign; the end at which it is 0, or `from`, where it does not.
+/// Where the function changes its sign; the end at which it is 0, or `from` if it does not.
 template <class Function>
 double bracketed_root(const Function& function, double from, double to) {
   const double at_from = function(from);

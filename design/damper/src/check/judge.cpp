@@ -12,7 +12,7 @@ namespace stillpoint::design {
 namespace {
 
 /// (31): an error e of the arrival energy moves the stop phase by about e phi / w for phi >> w, and
-/// by sqrt(e) where w vanishes. Of a later arrival (53).
+/// by sqrt(e) where w vanishes. For a later arrival, (53).
 double grazing_factor(const Prediction& prediction, const Problem& problem, double f, double delta,
                       double tolerance) {
   const double d = delta / problem.v0 / problem.v0;
@@ -53,7 +53,7 @@ void judge(CheckMethod& method, const Quality& quality, const Prediction& predic
          {acceleration, error_of(method.stop_time, prediction.stop_time),
           std::abs(method.arrival_speed - prediction.arrival_speed) / problem.v0,
           std::abs(method.stop_position - prediction.stop_position) / prediction.peak_amplitude}) {
-      // Not std::max: that may pass over a NaN.
+      // Not std::max: that may ignore a NaN.
       if (std::isnan(error) || error > method.relative_error) {
         method.relative_error = error;
       }
@@ -63,12 +63,7 @@ void judge(CheckMethod& method, const Quality& quality, const Prediction& predic
 }
 
 void take(CheckMethod& method, const IntegratedMotion& motion) {
-  method.peak_amplitude = motion.peak_amplitude;
-  method.peak_acceleration = motion.peak_acceleration;
-  method.stop_time = motion.stop_time;
-  method.arrival_speed = motion.arrival_speed;
-  method.half_cycles = static_cast<double>(motion.half_cycles);
-  method.stop_position = motion.stop_position;
+  static_cast<MotionFigures&>(method) = motion;
 }
 
 }  // namespace stillpoint::design

@@ -12,7 +12,7 @@
 
 namespace stillpoint::design {
 
-/// How exact a method is. Below the decision margin `resolution` its own errors may change a
+/// How accurate a method is. Below the decision margin `resolution` its own errors may change a
 /// decision.
 struct Quality {
   std::string_view name;
@@ -21,12 +21,12 @@ struct Quality {
   bool acceleration{true};  ///< compared as well
 };
 
-/// Completes a method whose figures are already there; `margin` is the decision margin of the
+/// Completes a method whose figures are already computed; `margin` is the decision margin of the
 /// predicted motion.
 void judge(CheckMethod& method, const Quality& quality, const Prediction& prediction,
            const Problem& problem, double f, double delta, double margin);
 
-/// Takes over the figures of a motion.
+/// Copies the figures of a motion.
 void take(CheckMethod& method, const IntegratedMotion& motion);
 
 /// Runs it and returns how long that took, in seconds.

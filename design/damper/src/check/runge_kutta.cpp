@@ -11,14 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace stillpoint::design {
 
 namespace {
 
-constexpr double first_kutta_step = 1e-3;  // of 1 / p; the controller mends a poor choice at once
+constexpr double first_kutta_step =
+    1e-3;  // of 1 / p; the controller corrects a poor choice at once
 
 /// From rest at a turn or with a speed at x = 0, to the next of them.
 class Slides {
@@ -41,7 +41,7 @@ class Slides {
 }  // namespace
 
 IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, double tolerance,
-                                       std::int64_t max_half_cycles) {
+                                       double max_half_cycles) {
   require_valid(oscillator, {0, v0});
   require_within("v0", v0, smallest_speed, largest_speed);
   require_within("tolerance", tolerance, std::numeric_limits<double>::epsilon(), 1e-2);
@@ -52,6 +52,7 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   }
   const Slides slides(a, tolerance);
   IntegratedMotion motion;
+  motion.half_cycles = 0;
   double peak = 0;
   double acceleration = 0;
   MonotonePiece now{0, {0, 1}, 1};
@@ -59,7 +60,7 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
     motion.stopped = true;
     motion.stop_position = position * v0 / oscillator.p;
   };
-  // As the region compares it: scaled by v0 first, an exact tie could round to the other side.
+  // Compared as in the region: if scaled by v0 first, an exact tie could round to the other side.
   if (2 * oscillator.delta > v0 * v0) {
     stop(0);
     return motion;

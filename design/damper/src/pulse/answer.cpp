@@ -13,7 +13,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// As that of tolerance.hpp. The largest tolerance looked for says nothing of a larger one.
+/// As in tolerance.hpp. The largest tolerance searched does not exclude a larger one.
 std::optional<DesignPoint> most_tolerant(const PulseRegion& region, const PulseProblem& problem,
                                          Limits limits) {
   const double asked = std::min(limits.tolerance, widest_tolerance);
@@ -35,16 +35,17 @@ void judge(RegionAnswer& answer, const PulseRequest& request, const PulseRegion&
   if (!*answer.admissible) {
     return;
   }
-  // A point on an edge keeps every requirement and has no tolerance.
+  // A point on an edge meets every requirement and has no tolerance.
   const double widest = region.tolerance_of(unit_f, delta / region.delta_unit()).value_or(0);
   answer.tolerance = even_tolerance(request, region, {f, delta, widest}, unit_f);
-  // By so much of f an edge of the region lies inside of that of the requirement, on either side.
+  // By this fraction of f an edge of the region lies inside that of the requirement, on either
+  // side.
   constexpr double edge = 1e-12;
   answer.admissible = limits.tolerance <= widest + edge;
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const Oscillator oscillator{shown.p, f, delta};
   answer.practice = practice(oscillator, forced_response(oscillator, {}, excitation(shown.pulse)),
-                             limits.acceleration_max);
+                             limits.acceleration_max, SetOff::load);
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ RegionAnswer answer_under_pulse(const RegionRequest& asked) {
   const auto& [problem, limits, options] = request;
   require_valid(problem, limits);
   const PulseRegion region(problem, limits);
-  // Of several intervals the region is the one with the most tolerant damper.
+  // Of several intervals, the region is the one with the most tolerant damper.
   RegionAnswer answer{around(search(region, options), request, region)};
   if (!asked.f) {
     return answer;

@@ -21,7 +21,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// A part with what its whole box asks for, in the units of the request. No limit is in it.
+/// A part with what its whole box requires, in the units of the request, without the limits.
 struct TriedPart {
   RatedPart rated;
   FirstReturn motion;  ///< of the part itself
@@ -75,7 +75,7 @@ class Trial {
            now.acceleration <= limits.acceleration_max.value_or(HUGE_VAL) * inside;
   }
 
-  /// As the edges of the region keep from the limits, so that what fits has a tolerance.
+  /// Kept away from the limits like the edges of the region, so that whatever fits has a tolerance.
   static constexpr double inside = 1 - 2e-13;
 
  private:
@@ -99,8 +99,8 @@ double cost_under_pulse(const Trial& trial, const PulseRequest& request, const R
   return objective_of(objective, trial.region().at(rated.part.f / trial.region().f_unit()));
 }
 
-/// A limit bounds one figure of a box, and the least such figure of the parts that keep all the
-/// other limits is the least change of it.
+/// A limit bounds one figure of a box, and its least change is the smallest such figure among the
+/// parts that meet all the other limits.
 std::vector<Mend> mends_of_parts(const PulseRequest& request, const std::vector<TriedPart>& parts) {
   const auto& [problem, limits, options] = request;
   std::vector<Mend> list;
@@ -161,7 +161,7 @@ Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> par
   for (const Part& part : parts) {
     rated.push_back(tried.emplace_back(trial.tried(part)).rated);
   }
-  // Of several intervals the one with the most tolerant damper, as `region` has it.
+  // Of several intervals, the one with the most tolerant damper, as in `region`.
   const auto most_tolerant = search(region, {});
   Choice choice{
       without_finding(request, region,

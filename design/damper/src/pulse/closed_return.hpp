@@ -13,8 +13,8 @@
 namespace stillpoint::design {
 
 /// The motion under the unit pulse with friction f < 1; empty for a full sine that is very short,
-/// whose speed is a small difference. Good to a few roundings, but for what f hardly below 1
-/// magnifies.
+/// whose speed is a small difference. Accurate to a few roundings, except for what an f barely
+/// below 1 amplifies.
 [[nodiscard]] std::optional<FirstReturn> closed_return(const Pulse& pulse, double f);
 
 }  // namespace stillpoint::design

@@ -39,7 +39,7 @@ void add_finding(DesignResult& result, const PulseRequest& request, const PulseR
   const FirstReturn worst = region.at(unit_f);
   const PulseProblem shown = region.profile()->largest_peak(problem, unit_f);
   const FirstReturn motion = first_return(shown.pulse, shown.p, unit_f);
-  result.request = reduced(request, shown.pulse, found.point.f);
+  result.reduced_v0 = reduced_v0(shown.pulse, found.point.f);
   result.finding = finding_under_pulse(shown, limits, found, motion);
   result.finding->constraints = constraints_of(request, found.point, worst, region);
   result.finding->pulse->even_tolerance = even_tolerance(request, region, found.point, unit_f);

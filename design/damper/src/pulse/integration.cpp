@@ -24,7 +24,7 @@ struct Load {
   double ends;
   bool flat;
 
-  /// While the pulse lasts; smooth beyond its end, where a step may look.
+  /// While the pulse lasts; smooth beyond its end, because a step may reach there.
   [[nodiscard]] double during(double t) const {
     return flat ? 1 : elementary::sin_cos(lambda * t).sine;
   }
@@ -46,7 +46,7 @@ class Run {
   double peak{0};
   double acceleration{0};
 
-  /// At rest until the load exceeds friction; false where it never does.
+  /// At rest until the load exceeds friction; false if it never does.
   bool released() {
     const auto excess = [this](double t) { return std::abs(load_.during(t) + state[0]) - f_; };
     constexpr int looks = 4000;  // over the whole pulse; a crest between two of them is missed
@@ -79,7 +79,7 @@ class Run {
       motion(now, rate, t);
       acceleration = std::max(acceleration, std::abs(rate[1]));
     };
-    constexpr double part = 1e-4;  // of the pulse, or of 1 / p; the controller mends it at once
+    constexpr double part = 1e-4;  // of the pulse, or of 1 / p; the controller corrects it at once
     MonotonePiece piece{time, state, direction};
     const PieceEnd end = follow(piece, motion, tolerance_, part * std::min(1.0, load_.ends),
                                 loaded ? load_.ends : HUGE_VAL, look);

@@ -14,16 +14,16 @@ namespace stillpoint::design {
 
 namespace {
 
-/// No mend makes a pulse longer than p / lambda = 10, unless it is already: where the mass swings
-/// many times before it returns, a region costs too much to ask for a hundred of them.
+/// No mend makes a pulse longer than p / lambda = 10, unless it is already: when the mass swings
+/// many times before it returns, a region is too expensive to compute a hundred of them.
 constexpr double slowest_mended = 10;
-/// Six decades of any input are more than any design can use, and keep it valid.
+/// Six decades of any input are more than any design needs, and keep it valid.
 constexpr double far = 1e6;
 
 struct PulseCase {
   PulseProblem problem;
   Limits limits;
-  /// Of lambda, p and the ranges alone, in units of k.
+  /// Only of lambda, p and the ranges, in units of k.
   std::shared_ptr<const WorstReturn> profile;
 
   void set(const PulseProblem& changed) {
@@ -60,8 +60,8 @@ bool fits(const PulseCase& now) {
   return PulseRegion(now.profile, now.problem, now.limits).feasible();
 }
 
-/// Where an input does not always help or always harm: the nearest value on either side that fits,
-/// of those that steps of growing size find.
+/// For an input that does not always help or always harm: the nearest value on either side that
+/// fits, among those found by steps of growing size.
 std::optional<double> nearest_either_way(const PulseCase& base, double from, double least,
                                          double most, void (*set)(PulseCase&, double)) {
   constexpr double first_step = 1.02;
@@ -72,7 +72,7 @@ std::optional<double> nearest_either_way(const PulseCase& base, double from, dou
     return fits(changed);
   };
   double step = first_step;
-  double inner = 1;  // the factors up to here are looked at
+  double inner = 1;  // factors up to this are tried
   while (from * inner < most || from / inner > least) {
     const double outer = inner * step;
     step = 1 + (step - 1) * growth;

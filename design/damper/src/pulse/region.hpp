@@ -11,6 +11,7 @@
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/search.hpp>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -18,16 +19,10 @@
 
 namespace stillpoint::design {
 
-/// An interval of admissible f, in units of k; no tolerance is looked at.
+/// An interval of admissible f, in units of k, regardless of the tolerance.
 struct Island {
   double low{0};
   double high{0};
-};
-
-/// The low end of a box of f, and the part of delta_max that it needs.
-struct FrictionBox {
-  double low{0};
-  double use{0};
 };
 
 /// In the units of WorstReturn.
@@ -41,13 +36,13 @@ class PulseRegion {
   [[nodiscard]] const std::shared_ptr<const WorstReturn>& profile() const { return profile_; }
   [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
   [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
-  /// The largest need of a box, over what delta_max leaves for it: at most 1 where it fits.
+  /// The largest need of a box, over what delta_max leaves for it: at most 1 if it fits.
   [[nodiscard]] double use_of_delta(double low, double high, double tolerance) const;
-  /// The box of that tolerance that needs the least Delta; empty where none fits in f.
-  [[nodiscard]] std::optional<FrictionBox> cheapest_box(const Island& island,
-                                                        double tolerance) const;
-  /// Its low end, where the need is within delta_max.
-  [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance) const;
+  /// The highest low end of a box of that tolerance whose need is within that part of delta_max.
+  [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance,
+                                             double use = 1) const;
+  /// What the widest interval has beyond such a box, as a part of it; negative where none fits.
+  [[nodiscard]] double room_for(const Island& island, double tolerance, double use) const;
   /// The tolerance of f, as far as delta_max allows.
   [[nodiscard]] double widest_box(const Island& island, double f) const {
     return widest(island, f, HUGE_VAL);
@@ -77,18 +72,29 @@ class PulseRegion {
   [[nodiscard]] double middle_of(double low, double tolerance) const {
     return low / (1 - shape_.f_low * tolerance);
   }
-  /// The f whose boxes of the tolerance asked for lie in the island: nothing, where low > high.
+  /// The f whose boxes of the tolerance asked for lie in the island: none if low > high.
   [[nodiscard]] Island middles(const Island& island) const {
     return {middle_of(island.low, asked_), island.high / (1 + shape_.f_high * asked_)};
   }
   [[nodiscard]] const BoxShape& shape() const { return shape_; }
-  /// The largest tolerance that is looked for.
+  /// The largest tolerance that is searched for.
   [[nodiscard]] double most_tolerance() const;
 
  private:
+  using Rooms = std::array<double, 3>;
+  [[nodiscard]] Rooms rooms(const FirstReturn& motion) const;
   [[nodiscard]] double room(const FirstReturn& motion) const;
   [[nodiscard]] bool holds(const FirstReturn& motion) const { return room(motion) >= 0; }
   void find_islands();
+  void add_overlaps(std::vector<FirstReturn>& points) const;
+  template <class Figure>
+  void add_minima(std::vector<FirstReturn>& points, const Figure& figure, double limit) const;
+  template <class Room>
+  [[nodiscard]] std::vector<Island> where(const std::vector<FirstReturn>& points,
+                                          const Room& room) const;
+  /// The intervals of an island whose need is within what a box of that tolerance leaves of it.
+  [[nodiscard]] std::vector<Island> left_by_delta(const Island& island, double tolerance,
+                                                  double use) const;
   [[nodiscard]] double widest(const Island& island, double f, double delta_free) const;
 
   std::shared_ptr<const WorstReturn> profile_;
@@ -104,9 +110,9 @@ class PulseRegion {
   BoxShape shape_;
 };
 
-/// Nothing bounds Delta from above but delta_max, so that an interval of f that begins at 0 would
-/// have any tolerance below 1, with a Delta that grows beyond all bounds. No more than this is
-/// looked for, unless it is asked for.
+/// Nothing bounds Delta from above but delta_max, so an interval of f that begins at 0 would have
+/// any tolerance below 1, with a Delta that grows beyond all bounds. The search ends here, unless
+/// more is asked for.
 inline constexpr double widest_tolerance = 0.995;
 
 /// Like mends() of mends.hpp, with k and lambda instead of v0.

@@ -23,9 +23,9 @@ namespace stillpoint::design {
 
 namespace {
 
-/// One island, kept a relative 1e-9 from its edges and from delta_max where there is room for that:
-/// an edge is a graze, or a peak that is beta to the last digit, and a need that is delta_max to
-/// the last digit may be beyond it in a run of other roundings.
+/// One island, kept a relative 1e-9 from its edges and from delta_max if there is room for that:
+/// an edge is a graze, or a peak that is beta to the last digit, and a need equal to delta_max to
+/// the last digit may exceed it in a run that rounds differently.
 struct PulseTask {
   const PulseRegion& region;
   Objective objective;
@@ -39,8 +39,7 @@ struct PulseTask {
     if (inner.low < inner.high && region.box_in(inner, region.asked())) {
       island = inner;
     }
-    const auto cheapest = region.cheapest_box(island, region.asked());
-    if (cheapest && cheapest->use <= 1 - inset) {
+    if (region.box_in(island, region.asked(), 1 - inset)) {
       most_use = 1 - inset;
     }
   }
@@ -49,9 +48,9 @@ struct PulseTask {
     return objective == Objective::robust ? -region.widest_box(island, f)
                                           : objective_of(objective, region.at(f));
   }
-  /// The tolerance asked for is there.
+  /// The tolerance asked for is reached.
   [[nodiscard]] bool fits(double f) const { return room(f) >= 0; }
-  /// What the box of that tolerance leaves of the island, else of delta_max, as a part of it.
+  /// The fraction of the island, else of delta_max, that the box of that tolerance leaves.
   [[nodiscard]] double room(double f) const {
     const double tolerance = region.asked();
     const double low = region.low_of(f, tolerance);
@@ -93,13 +92,12 @@ double middle_of_largest_box(const PulseTask& task) {
   const double most = std::min(by_edges, region.most_tolerance());
   constexpr double rounding = 1e-15;
   double tolerance = std::max(region.asked(), most * (1 - rounding));
-  if (tolerance > region.asked() && !region.box_in(island, tolerance)) {
-    tolerance = last_not_negative(region.asked(), tolerance, [&](double now) {
-      const auto box = region.cheapest_box(island, now);
-      return box ? 1 - box->use : -1;
-    });
+  const auto room = [&](double now) { return region.room_for(island, now, task.most_use); };
+  if (tolerance > region.asked() && room(tolerance) < 0) {
+    tolerance = last_not_negative(region.asked(), tolerance, room);
   }
-  return region.middle_of(region.box_in(island, tolerance).value_or(island.low), tolerance);
+  return region.middle_of(region.box_in(island, tolerance, task.most_use).value_or(island.low),
+                          tolerance);
 }
 
 /// The samples between two f, with both ends, and with more where they are few.
@@ -125,7 +123,7 @@ std::vector<FirstReturn> looks_between(const PulseTask& task, double low, double
 PulseBest bracketed(const PulseTask& task) {
   PulseBest best;
   const double tolerance = task.region.asked();
-  const auto box = task.region.box_in(task.island, tolerance);
+  const auto box = task.region.box_in(task.island, tolerance, task.most_use);
   if (task.objective == Objective::robust) {
     if (box) {
       best.consider(task, task.region.middle_of(*box, tolerance));
@@ -169,7 +167,7 @@ PulseBest bracketed(const PulseTask& task) {
 }
 
 /// The best f of the samples and of the ends, a start for NLopt; the middle for `robust`, and some
-/// f that fits where that does not.
+/// f that fits if that does not.
 double start_of(const PulseTask& task) {
   PulseBest best;
   if (task.objective != Objective::robust) {
@@ -190,7 +188,7 @@ double start_of(const PulseTask& task) {
   return box ? task.region.middle_of(*box, task.region.asked()) : middle;
 }
 
-/// By the difference to a value nearby, above where that is within.
+/// By the difference to a value nearby, above it if that is within bounds.
 template <class Value>
 double slope(const Value& value, double at, const Island& within) {
   constexpr double part = 1e-7;
@@ -273,7 +271,7 @@ NloptProblem constrained(const PulseTask& task, double scale,
   return posed;
 }
 
-/// For algorithms that know only bounds: what does not fit costs more than all that does.
+/// For algorithms that take only bounds: a point that does not fit costs more than any that does.
 NloptProblem penalised(const PulseTask& task, double scale,
                        const std::function<void(double)>& visit) {
   const double asked = task.region.asked();
@@ -336,7 +334,7 @@ std::optional<PulseOptimum> search(const PulseRegion& region, const SearchOption
     const PulseBest by_nlopt = searched(task, scale, options, record);
     searched_least = std::min(searched_least, by_nlopt.cost);
     bracketed_least = std::min(bracketed_least, along.cost);
-    // Of equal tolerances the one along f has the largest f, and so the least peak and Delta.
+    // Of equal tolerances, the one along f has the largest f, and so the least peak and Delta.
     constexpr double better_by = 1e-12;
     const PulseBest& better =
         by_nlopt.cost < along.cost - better_by * std::abs(along.cost) ? by_nlopt : along;

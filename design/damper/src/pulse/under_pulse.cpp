@@ -15,11 +15,11 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Where both are below, the reduction is good to about 2 % in the peak.
+/// If both are below, the reduction is accurate to about 2 % in the peak.
 constexpr double short_pulse = 0.2;
 constexpr double small_friction = 0.2;
 
-/// The rounding of a run in other units, over some ten pieces.
+/// The rounding of a run in other units, over about ten pieces.
 constexpr double map_tolerance = 1e-12;
 constexpr double kutta_tolerance = 1e-12;
 constexpr double runge_kutta_tolerance = 1e-9;
@@ -37,7 +37,7 @@ std::vector<PulseWarning> warnings(const PulseCheck& check) {
   return list;
 }
 
-/// How far the motion that starts with the equivalent velocity is off.
+/// The error of the motion that starts with the equivalent velocity.
 void add_reduction(PulseCheck& check, const PulseProblem& problem, double f) {
   check.start = equivalent_start(problem.pulse, f);
   if (!check.start) {
@@ -58,7 +58,7 @@ void add_reduction(PulseCheck& check, const PulseProblem& problem, double f) {
 }
 
 /// Completes a method. An error e of the arrival's energy moves the stop by sqrt(e) where the
-/// arrival grazes, (31) of docs/theory.md; f hardly below k magnifies errors by 1/(1 - f/k).
+/// arrival grazes, (31) of docs/theory.md; f barely below k amplifies errors by 1/(1 - f/k).
 void compare(CheckMethod& method, double tolerance, double resolution, const FirstReturn& expected,
              const PulseProblem& problem, double margin) {
   const double length = peak_load(problem.pulse) / problem.p / problem.p;
@@ -125,7 +125,7 @@ Finding finding_under_pulse(const PulseProblem& problem, const Limits& limits,
   add_reduction(check, problem, f);
   check.warnings = warnings(check);
   finding.response = response;
-  finding.practice = practice(oscillator, response, limits.acceleration_max);
+  finding.practice = practice(oscillator, response, limits.acceleration_max, SetOff::load);
   finding.cross_check = {forced.passed && integrated.passed, {forced, integrated}};
   finding.pulse = std::move(check);
   return finding;

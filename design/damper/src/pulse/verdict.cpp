@@ -19,7 +19,7 @@ FirstReturn last_return(const PulseRegion& region) {
   return last;
 }
 
-/// A task with some of its requirements alone.
+/// A task with only some of its requirements.
 bool leaves_any(const PulseRegion& region, PulseProblem problem, const Limits& limits, bool beta) {
   if (!beta) {
     problem.beta = HUGE_VAL;
@@ -41,7 +41,7 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
     }
   }
   edges.f1 = problem.beta * problem.p * problem.p;
-  // What returns up to there does so up to k, and moves as little as you like.
+  // What returns up to there does so up to k, and moves arbitrarily little.
   const bool up_to_k = last.f >= nearest_to_k;
   edges.f3 = (up_to_k ? 1 : last.f) * region.f_unit();
   edges.beta_min = up_to_k ? 0 : least_peak * region.length_unit();
@@ -94,17 +94,17 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
     case Conflict::amplitude_against_return:
       if (amplitude.islands().empty()) {
         return fmt::format(
-            "amplitude and return exclude each other: coming back to x = 0 needs f <= {:.6g}, and "
-            "with that the peak is {:.6g} at least, beyond beta = {:.6g}",
+            "amplitude and return conflict: coming back to x = 0 needs f <= {:.6g}, and "
+            "then the peak is at least {:.6g}, beyond beta = {:.6g}",
             last.f * k, last.peak * region.length_unit(), problem.beta);
       }
       return fmt::format(
-          "amplitude and return exclude each other: a peak within beta needs f >= {:.6g}, coming "
+          "amplitude and return conflict: a peak within beta needs f >= {:.6g}, coming "
           "back to x = 0 needs f <= {:.6g}{}",
           amplitude.islands().front().low * k, amplitude.islands().back().high * k, box);
     case Conflict::amplitude_against_f_max:
       return fmt::format(
-          "amplitude and f_max exclude each other: a peak within beta needs f >= {:.6g}, f_max is "
+          "amplitude and f_max conflict: a peak within beta needs f >= {:.6g}, f_max is "
           "{:.6g}{}",
           amplitude.islands().front().low * k, *limits.f_max, box);
     case Conflict::acceleration_alone:
@@ -112,18 +112,18 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
                          *limits.acceleration_max, box);
     case Conflict::amplitude_against_acceleration:
       return fmt::format(
-          "amplitude and acceleration exclude each other: no f that returns keeps both the peak "
+          "amplitude and acceleration conflict: no f that returns keeps both the peak "
           "within beta and the transmitted acceleration within {:.6g} g{}",
           *limits.acceleration_max, box);
     default:
       return fmt::format(
-          "stop and delta_max exclude each other: no f that meets the other requirements arrives "
+          "stop and delta_max conflict: no f that meets the other requirements arrives "
           "slowly enough for delta <= {:.6g}{}",
           *limits.delta_max, box);
   }
 }
 
-/// Of an f between two intervals that return the nearer end of either.
+/// For an f between two intervals that return, the nearer end of either.
 Constraint return_of(const PulseRegion& region, const FirstReturn& motion, double f) {
   const double last = last_return(region).f * region.f_unit();
   Constraint back{"return", "f", "<=", f, last, last - f, motion.returns};
@@ -152,22 +152,22 @@ Constraint return_of(const PulseRegion& region, const FirstReturn& motion, doubl
 
 }  // namespace
 
-DesignRequest reduced(const PulseRequest& request, const Pulse& shown, double f) {
-  const auto& [problem, limits, options] = request;
-  const auto start = equivalent_start(shown, f);
-  DesignRequest reduced{{start ? start->speed : 0, problem.p, problem.beta, problem.criterion},
-                        limits,
-                        options,
-                        problem.pulse,
-                        problem.ranges};
-  reduced.problem.p_high = problem.p_high;
-  return reduced;
+std::optional<double> reduced_v0(const Pulse& pulse, double f) {
+  const auto start = equivalent_start(pulse, f);
+  return start ? std::optional(start->speed) : std::nullopt;
 }
 
 DesignResult without_finding(const PulseRequest& request, const PulseRegion& region,
                              const std::optional<Island>& within) {
   const auto& [problem, limits, options] = request;
-  DesignResult result{{edges_of(region, problem, within)}, reduced(request, problem.pulse, 0)};
+  const Problem task{.p = problem.p,
+                     .beta = problem.beta,
+                     .criterion = problem.criterion,
+                     .p_high = problem.p_high};
+  DesignResult result{{edges_of(region, problem, within)},
+                      {task, limits, options, problem.pulse, problem.ranges},
+                      {},
+                      reduced_v0(problem.pulse, 0)};
   result.intervals.emplace();
   result.intervals->reserve(region.islands().size());
   for (const Island& island : region.islands()) {

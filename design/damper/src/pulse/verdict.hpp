@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What an answer says of the region of a pulse, and of a damper in it.
+// What an answer says about the region of a pulse, and about a damper in it.
 
 #include "pulse/region.hpp"
 #include "pulse/search.hpp"
@@ -13,31 +13,30 @@
 
 namespace stillpoint::design {
 
-/// The request as the forced motion has it: v0 is the velocity to which the motion shown reduces,
-/// if there is one.
-[[nodiscard]] DesignRequest reduced(const PulseRequest& request, const Pulse& shown, double f);
+/// The velocity to which a pulse reduces; empty if it leaves none.
+[[nodiscard]] std::optional<double> reduced_v0(const Pulse& pulse, double f);
 
-/// The region, and where it is empty why. `within` is an island with a box of the tolerance asked
+/// The region, and if it is empty, why. `within` is an island with a box of the tolerance asked
 /// for, empty if there is none.
 [[nodiscard]] DesignResult without_finding(const PulseRequest& request, const PulseRegion& region,
                                            const std::optional<Island>& within);
 
-/// The same around an optimum; where there is none with what would help.
+/// The same around an optimum; without one, with what would help.
 [[nodiscard]] DesignResult around(const std::optional<PulseOptimum>& optimum,
                                   const PulseRequest& request, const PulseRegion& region);
 
-/// The worst motion of the ranges, with f in the units of the region. An f >= k moves nothing.
+/// The worst motion of the ranges, with f in the units of the region. With f >= k nothing moves.
 [[nodiscard]] FirstReturn motion_at(const PulseRegion& region, double unit_f);
 
-/// Of that motion. What never starts has no return and no acceleration of its own, and what does
-/// not come back no stop.
+/// The constraints of that motion. A mass that never starts has no return and no acceleration, and
+/// one that does not come back has no stop.
 [[nodiscard]] std::vector<Constraint> constraints_of(const PulseRequest& request,
                                                      const DesignPoint& point,
                                                      const FirstReturn& motion,
                                                      const PulseRegion& region);
 
-/// The largest R of f and delta at once, whatever the shape of the box, of a point whose tolerance
-/// is known for that shape.
+/// The largest R of f and delta at once, for any shape of the box, at a point whose tolerance is
+/// known for that shape.
 [[nodiscard]] double even_tolerance(const PulseRequest& request, const PulseRegion& region,
                                     const DesignPoint& point, double unit_f);
 

@@ -12,7 +12,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// What grows with k and falls with p, and what else is bounded from above.
+/// The quantities that grow with k and fall with p, and others bounded from above.
 constexpr std::array bounded_figures{&FirstReturn::peak,       &FirstReturn::speed,
                                      &FirstReturn::time,       &FirstReturn::acceleration,
                                      &FirstReturn::exact_need, &FirstReturn::published_need};
@@ -51,13 +51,13 @@ Pulse with_wave(Pulse pulse, double k, double lambda) {
   return pulse;
 }
 
-/// A value at a place.
+/// A value and its position.
 struct Placed {
   double at;
   double value;
 };
 
-/// The top of the parabola through three values, where it is between them; else the largest.
+/// The top of the parabola through three values, if it is between them; else the largest.
 double top_of(const Placed& before, const Placed& now, const Placed& after) {
   const double largest = std::max({before.value, now.value, after.value});
   const double left = now.at - before.at;
@@ -183,7 +183,8 @@ FirstReturn WorstReturn::found_at(double f) const {
     each.push_back(worst_of(cases_[i], f));
     take_worse(worst, each.back());
   }
-  // Between the cases it may be more. What the parabola has more than its three is counted twice.
+  // Between the cases it may be larger. The excess of the parabola over its three values is counted
+  // twice.
   const auto placed = [&](std::size_t i, const auto figure) {
     return Placed{elementary::log(cases_[i].lambda / cases_[i].p), each[i].*figure};
   };
@@ -230,26 +231,12 @@ double WorstReturn::need_between(double low, double high, Criterion criterion) c
   return most_near(high, criterion) <= known ? known : std::max(known, at(high).need(criterion));
 }
 
-bool WorstReturn::need_falls(double low, double high, Criterion criterion) const {
-  const auto from = std::ranges::lower_bound(samples_, low, {}, &FirstReturn::f);
-  const auto to = std::ranges::upper_bound(samples_, high, {}, &FirstReturn::f);
-  const auto needs_more = [criterion](const FirstReturn& one, const FirstReturn& other) {
-    return one.need(criterion) > other.need(criterion);
-  };
-  return is_single() && std::is_sorted(from, to, needs_more);
-}
-
 /// No need at f is larger: of one pulse and spring the samples have the local maxima.
 double WorstReturn::most_near(double f, Criterion criterion) const {
   const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
   return is_single() && after != samples_.begin() && after != samples_.end()
              ? std::max((after - 1)->need(criterion), after->need(criterion))
              : HUGE_VAL;
-}
-
-double WorstReturn::rough_need_between(double low, double high, Criterion criterion) const {
-  return std::max({need_near(low, criterion), need_near(high, criterion),
-                   need_of_samples(low, high, criterion)});
 }
 
 double WorstReturn::need_of_samples(double low, double high, Criterion criterion) const {
@@ -259,19 +246,6 @@ double WorstReturn::need_of_samples(double low, double high, Criterion criterion
     most = std::max(most, now->need(criterion));
   }
   return most;
-}
-
-double WorstReturn::need_near(double f, Criterion criterion) const {
-  const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
-  if (after == samples_.end()) {
-    return samples_.back().need(criterion);
-  }
-  if (after == samples_.begin()) {
-    return after->need(criterion);
-  }
-  const FirstReturn& before = *(after - 1);
-  const double part = (f - before.f) / (after->f - before.f);
-  return before.need(criterion) + part * (after->need(criterion) - before.need(criterion));
 }
 
 }  // namespace stillpoint::design

@@ -16,22 +16,18 @@ namespace stillpoint::design {
 
 /// For one pulse and one spring it is their PulseProfile. Over ranges every figure of a motion is
 /// the largest of any pulse with any spring, and it returns if all do. Searches ask for the same f
-/// again and again, so the last motions are kept: not for two threads at once.
+/// again and again, so the last motions are kept; not thread-safe.
 class WorstReturn {
  public:
   explicit WorstReturn(const PulseProblem& problem);
 
   [[nodiscard]] FirstReturn at(double f) const;
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
-  /// The worst from low to high, as far as both ends and the samples between them know.
+  /// The worst from low to high, according to both ends and the samples between them.
   [[nodiscard]] FirstReturn between(double low, double high) const;
   /// The largest need from low to high: of both ends and of the samples between them, which have
   /// the local maxima.
   [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;
-  /// The same with the ends linear between samples, without a run.
-  [[nodiscard]] double rough_need_between(double low, double high, Criterion criterion) const;
-  /// The samples from low to high need less and less: so does every box that begins higher up.
-  [[nodiscard]] bool need_falls(double low, double high, Criterion criterion) const;
   /// Of the problem that this is of, the one pulse and spring with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 
@@ -51,12 +47,11 @@ class WorstReturn {
   [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
   [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
   [[nodiscard]] double most_near(double f, Criterion criterion) const;
-  [[nodiscard]] double need_near(double f, Criterion criterion) const;
 
   Criterion criterion_;  ///< whose largest need the samples have
   double weakest_{1};    ///< k_low / k
   std::vector<Case> cases_;
-  std::size_t corner_{0};  ///< the case where p has reached its low end and lambda sets out
+  std::size_t corner_{0};  ///< the case where p has reached its low end and lambda starts to grow
   std::vector<FirstReturn> samples_;
   mutable std::array<FirstReturn, 8> recent_;
   mutable std::size_t oldest_{0};

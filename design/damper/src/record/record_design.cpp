@@ -23,10 +23,10 @@ namespace stillpoint::design {
 namespace {
 
 /// A limit alone that was relaxed is this much above the least that was found, so that a search
-/// with it, which is no more exact than that, finds a damper as well.
+/// with it, which is no more accurate than that, finds a damper as well.
 constexpr double relaxed_by = 1e-3;
 
-/// Beside the corners of the box of tolerance.
+/// Besides the corners of the tolerance box.
 constexpr int random_samples = 60;
 constexpr std::uint64_t sampling_seed = 20'081;
 
@@ -45,7 +45,7 @@ void require_range(const char* field, const SearchRange& range, double low, doub
   require_within(field, range.high, low, high);
   if (range.high < range.low) {
     throw InputError(field, fmt::format("{}:{}", range.low, range.high),
-                     "must have the low end first");
+                     "must have its low end first");
   }
 }
 
@@ -65,7 +65,7 @@ void require_valid(const RecordDesignRequest& request) {
   require_within("scan_points", static_cast<double>(request.scan_points), 1, 1e8);
 }
 
-/// No further than what can be manufactured.
+/// No farther than what can be manufactured.
 void keep_below(std::optional<SearchRange>& range, const std::optional<double>& most,
                 const char* field) {
   if (!most) {
@@ -75,12 +75,12 @@ void keep_below(std::optional<SearchRange>& range, const std::optional<double>& 
   range = range.value_or(SearchRange{0, *most});
   if (range->low > *most) {
     throw InputError(field, *most,
-                     fmt::format("must be at least {}, where its search begins", range->low));
+                     fmt::format("must be at least {}, where the search begins", range->low));
   }
   range->high = std::min(range->high, *most);
 }
 
-/// With the ranges and the combination that the request leaves open.
+/// Fills in the ranges and the combination that the request leaves open.
 RecordDesignRequest completed(RecordDesignRequest request) {
   request.combine = request.combine.value_or(default_combine(request.records.size()));
   keep_below(request.f, request.f_max, "f-max");
@@ -173,7 +173,7 @@ SuiteCheck check(const Suite& suite, const SuiteDamper& damper,
   return check;
 }
 
-/// What each limit would have to be, the others as they are.
+/// What each limit would have to be, with the others unchanged.
 std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
                                        const SuiteScan& scan, const RecordDesignRequest& request,
                                        const SuiteFigures& nearest, std::int64_t& evaluations,
@@ -199,7 +199,7 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
   return list;
 }
 
-/// With the figures of a scan, where there are some.
+/// With the figures of a scan, if there are any.
 RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>* scanned,
                     const RecordWatch& ask) {
   require_valid(request);
@@ -217,7 +217,7 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   const auto evaluated = std::ssize(scan.figures);
   if (scanned != nullptr && evaluated != all) {
     throw InputError("scanned", fmt::format("{} dampers", evaluated),
-                     fmt::format("must be {}, as the scan has", all));
+                     fmt::format("must be {}, the number of the scan", all));
   }
   SuiteFigures unknown;
   unknown.settled = false;

@@ -18,8 +18,8 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Of a motion that is followed no further than to its peak, which comes at the latest half a
-/// period after the load: friction only takes energy from then on.
+/// For a motion followed only to its peak, which comes at most half a period after the load:
+/// friction only takes energy from then on.
 SpectrumFigures figures_to_the_peak(const Oscillator& oscillator, const Excitation& load,
                                     const Surface& surface) {
   ForcedOptions options;

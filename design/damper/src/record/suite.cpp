@@ -12,7 +12,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Of a damper that never rests: worse than any that does. Finite, because NLopt sees it.
+/// For a damper that never rests: worse than any that does. Finite, because NLopt sees it.
 constexpr double never_rests = 1e9;
 
 }  // namespace
@@ -139,7 +139,7 @@ SuiteRank rank(const SuiteFigures& figures, SuiteObjective objective, const Suit
     const std::optional<double>& limit = limits.*member;
     const double value = value_of(figures, which);
     if (limit && value > *limit) {
-      // Of the limit, or where no residual is allowed of the peak.
+      // Relative to the limit, or if no residual is allowed, to the peak.
       off += (value - *limit) / (*limit > 0 ? *limit : figures.peak);
     }
   }

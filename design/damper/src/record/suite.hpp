@@ -14,38 +14,38 @@
 
 namespace stillpoint::design {
 
-/// A motion with more is not followed to its rest: at a period of 3 s that takes four hours.
+/// A motion with more is not followed to its rest: at a period of 3 s it would last four hours.
 inline constexpr double most_suite_half_cycles = 10'000;
 
-/// Whether a motion that comes to rest does so within these. The kernel sees to that where it
-/// steps, not after the record with a single friction: that is a closed form, of any length.
+/// Whether a motion that comes to rest does so within these. The kernel checks this while it steps,
+/// but not after the record with a single friction, which is a closed form of any length.
 [[nodiscard]] constexpr bool rests_in_time(double half_cycles) {
   return half_cycles <= most_suite_half_cycles;
 }
 
-/// Codes ask for the largest of few records and for the mean of seven or more.
+/// Codes require the largest of few records and the mean of seven or more.
 [[nodiscard]] constexpr Combine default_combine(std::size_t records) {
   return records < 7 ? Combine::max : Combine::mean;
 }
 
-/// Throws InputError for no record and for a wrong one.
+/// Throws InputError if there is no record or a wrong one.
 void require_valid(const std::vector<SuiteRecord>& records);
 
 /// Of valid records.
 [[nodiscard]] std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records);
 
-/// The records of a request as loads, and what a damper does under them.
+/// The records of a request as loads, and the figures of a damper under them.
 class Suite {
  public:
-  /// Of a request with its combination. Throws InputError for a wrong record.
+  /// For a request with its combination. Throws InputError for a wrong record.
   explicit Suite(const RecordDesignRequest& request);
 
   /// Throws InputError for a wrong damper, but not for one that never rests.
   [[nodiscard]] SuiteFigures figures(const SuiteDamper& damper) const;
-  /// The same of many, in their order, many at once; `threads` as in record_batch.
+  /// The same for many, in their order, computed in parallel; `threads` as in record_batch.
   [[nodiscard]] std::vector<SuiteFigures> figures(std::span<const SuiteDamper> dampers,
                                                   int threads) const;
-  /// Of one, with each motion.
+  /// For one damper, with each motion.
   [[nodiscard]] std::vector<ForcedResponse> responses(const SuiteDamper& damper) const;
 
   [[nodiscard]] const std::vector<Excitation>& loads() const { return loads_; }
@@ -55,7 +55,7 @@ class Suite {
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
  private:
-  /// What one record adds.
+  /// The contribution of one record.
   struct Motion {
     double peak;
     double acceleration;
@@ -63,7 +63,7 @@ class Suite {
     double margin;
   };
   void add(SuiteFigures& all, const Motion& one) const;
-  /// Of all records; nothing where one of them does not settle.
+  /// For all records; empty if one of them does not settle.
   void combine(SuiteFigures& all) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const Excitation& load) const;
 
@@ -81,11 +81,11 @@ inline constexpr std::array<std::pair<SuiteObjective, std::optional<double> Suit
         {SuiteObjective::residual, &SuiteLimits::residual},
     }};
 
-/// How good a damper is: the less, the better. Any that is admissible is better than any other.
+/// The rank of a damper: the less, the better. Any admissible one is better than any other.
 struct SuiteRank {
   double off{0};    ///< 0: admissible; else how far it is from that
   double value{0};  ///< of the objective
-  double peak{0};   ///< where the objective is the same, as under a load that the notch holds
+  double peak{0};   ///< if the objective is the same, as under a load that the notch holds
 
   [[nodiscard]] auto operator<=>(const SuiteRank&) const = default;
 };

@@ -16,23 +16,23 @@ namespace stillpoint::design {
 namespace {
 
 /// Of the phase p t. The error of a step is (p h)^5/120 of the motion, so 5e-16 for each radian:
-/// narrow decisions make up to a millionfold of it. A slip as short as a step is off by
+/// close decisions amplify it up to a millionfold. A slip as short as a step is off by
 /// (p h)^2/20 of itself, so 1e-8.
 constexpr double phase_step = 1.0 / 2000;
 /// Twice the half-cycles that a suite allows, with the pieces between the edges of a notch.
 constexpr std::int64_t most_pieces_after_the_record = 80'000;
-/// Of a step: it leaves 1e-15 of it.
+/// Per step: it leaves 1e-15 of it.
 constexpr int halvings = 50;
 
-/// |c| - phi <= 1e-13 of what makes up both: a load that is as much as the friction holds the mass.
+/// |c| - phi <= 1e-13 of their terms: a load equal to the friction holds the mass.
 constexpr double load_rounding = 1e-13;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
 using State = std::array<double, 2>;  // x, x'
 
-/// W between two samples, or 0 outside of them. Times count from the begin of the stretch: counted
-/// from that of the record, their rounding would be the largest error.
+/// W between two samples, or 0 outside them. Times count from the start of the stretch: if counted
+/// from the start of the record, their rounding would be the largest error.
 struct Stretch {
   double length{never};
   double from{0};
@@ -107,7 +107,7 @@ class Integration {
     }
   }
 
-  /// What the mass is held against when pushed in the direction `push`.
+  /// The load that the mass is held against when pushed in the direction `push`.
   [[nodiscard]] double capacity(double push) const {
     const bool in_notch = notch_ > 0 && state_[0] == 0 && hold_;
     return friction(push < 0 ? -1 : 1) + (in_notch ? *hold_ : 0);
@@ -118,7 +118,7 @@ class Integration {
         std::max({result_.acceleration, std::abs(stretch.load(from)), std::abs(stretch.load(to))});
   }
 
-  /// Until the load exceeds what holds the mass; it is linear, so that this is a division.
+  /// Until the load exceeds what holds the mass; it is linear, so this is a division.
   void rest(const Stretch& stretch) {
     const double now = stretch.load(t_) + stiffness_ * state_[0];
     const double size = std::abs(stretch.load(t_)) + std::abs(now) + capacity(-now);
@@ -195,7 +195,7 @@ class Integration {
       double h = whole;
       State next = stepped(stretch, phi, h);
       // Where the mass slows down and speeds up again, it may have turned in between; not where it
-      // sets off, when its acceleration may be less than 0 by rounding.
+      // sets off, when rounding may make its acceleration negative.
       if (s * state_[1] > 0 && s * next[1] >= 0 && s * acceleration(stretch, phi, t_, state_) < 0 &&
           s * acceleration(stretch, phi, t_ + h, next) > 0) {
         const double slowest = last(h, [&](double part) {

@@ -9,13 +9,13 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Steps of all lengths are as likely, from an eighth of the box down to a thousandth of that.
+/// All step lengths are equally likely, from an eighth of the box down to a thousandth of that.
 constexpr int longest = -3;
 constexpr int lengths = 10;
-/// Of the points that stay near one; the others are differences.
+/// The share of points that stay near one; the others are differences.
 constexpr double near_share = 0.3;
 /// A difference is taken 1/16 to 4 times, each doubling as likely: a population that only shortens
-/// them crowds before it has come to the end of its ridge.
+/// them collapses before it reaches the end of its ridge.
 constexpr int least_factor = -4;
 constexpr int factors = 6;
 

@@ -7,19 +7,19 @@
 
 namespace stillpoint::design {
 
-/// New points of the unit box from the best of those that were tried. A thin curved ridge between
-/// limits, where neither a grid nor a descent gets on, is followed by their differences: these
-/// point along it.
+/// New points of the unit box from the best of those that were tried. On a thin curved ridge
+/// between limits, where neither a grid nor a descent makes progress, their differences point along
+/// the ridge.
 class SuiteOffspring {
  public:
   using Point = std::vector<double>;
 
-  /// Each population is another one.
+  /// Each population is different.
   explicit SuiteOffspring(std::uint64_t population) : random_(20'081 + population) {}
 
-  /// About the best of them.
+  /// Around the best of them.
   [[nodiscard]] std::vector<Point> about(const Point& best, std::size_t count);
-  /// Of differences of two of `kept` from a third, and about each of them.
+  /// From differences of two of `kept` added to a third, and around each of them.
   [[nodiscard]] std::vector<Point> of(const std::vector<Point>& kept, std::size_t count);
 
  private:

@@ -11,7 +11,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// Dampers of a scan between two looks at whether it goes on: under seven records a fifth of a
+/// Dampers of a scan between two checks of whether to go on: with seven records, a fifth of a
 /// second.
 constexpr std::int64_t scan_block = 1000;
 

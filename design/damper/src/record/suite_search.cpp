@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 
-// The objective jumps where a motion rests elsewhere, and has dozens of local minima, so that a
-// search from one start fails: a scan, then local searches from its best valleys, and a global one
-// as a second opinion. The scan is too coarse for thin islands, so that slices through the best
-// points, where all variables but one vary, and ever smaller boxes about the best are scanned as
-// well. With three variables the best points then breed: SuiteOffspring.
+// The objective jumps where a motion rests elsewhere, and has dozens of local minima, so a search
+// from one start fails: a scan, then local searches from its best valleys, and a global one
+// as a second opinion. The scan is too coarse for thin islands, so slices through the best points,
+// with one variable fixed, and ever smaller boxes around the best are scanned as well. With three
+// variables the best points then breed: SuiteOffspring.
 
 #include "record/suite_search.hpp"
 
 #include "record/suite_offspring.hpp"
+#include "record/suite_valleys.hpp"
 
 #include "search/nlopt_fence.hpp"
 
@@ -26,18 +27,19 @@ namespace stillpoint::design {
 namespace {
 
 constexpr std::size_t most_starts = 10;
-/// With none to three variables: the middle of what the suites of docs/records-design.md take.
+/// For zero to three variables: the median of what the suites of docs/records-design.md take.
 constexpr std::array<std::int64_t, 4> usual{0, 12'000, 35'000, 110'000};
-/// SBPLX stops by itself after some 300 of two variables; a jump can keep it busy.
+/// SBPLX stops by itself after about 300 with two variables; a jump can keep it busy.
 constexpr int local_evaluations = 1000;
 constexpr int global_evaluations = 10'000;
-/// Slices go through so many points that are further apart than this in a coordinate.
+/// Slices go through this many points, farther apart than this in some coordinate.
 constexpr std::size_t sliced_points = 2;
 constexpr double apart = 0.05;
 constexpr std::int64_t slice_points = 2304;  ///< a line, or 48 by 48
 constexpr std::size_t slice_starts = 3;
 constexpr int most_slice_rounds = 4;
-/// About the best: so many points to a side, from a reach in each coordinate to a 64th of it.
+/// Around the best: this many points per side, from a reach in each coordinate down to a 64th of
+/// it.
 constexpr std::int64_t zoom_side_of_two = 36;
 constexpr std::int64_t zoom_side_of_three = 11;
 constexpr double first_reach = 0.04;
@@ -59,10 +61,10 @@ constexpr std::int64_t fine_side = 1000;  ///< whose cell is the first step of t
 /// no more than a millionth worse without it.
 constexpr double vanishing = 1e-3;
 constexpr double no_difference = 1e-6;
-/// No time ends a search, so that the result depends on no machine.
+/// No time limit ends a search, so the result does not depend on the machine.
 constexpr double no_time_limit = 1e9;
 
-/// A point with its rank. Of equal ones the first stays.
+/// A point with its rank. Of equal ones the first is kept.
 struct Ranked {
   std::vector<double> unit;
   SuiteFigures figures;
@@ -74,43 +76,7 @@ double merit(const SuiteRank& rank) {
   return rank.off > 0 ? 1 + rank.off : rank.value / (1 + rank.value);
 }
 
-/// The points of a grid that no neighbour betters, best first; at most `most`.
-std::vector<std::size_t> valleys(std::int64_t points, std::size_t variables,
-                                 const std::vector<SuiteRank>& ranks, std::size_t most) {
-  const auto side = static_cast<std::size_t>(points);
-  std::size_t around = 1;
-  for (std::size_t i = 0; i < variables; ++i) {
-    around *= 3;
-  }
-  const auto is_valley = [&](std::size_t index) {
-    for (std::size_t step = 0; step < around; ++step) {
-      std::size_t neighbour = 0;
-      std::size_t stride = 1;
-      bool inside = true;
-      for (std::size_t i = 0, left = index, move = step; i < variables;
-           ++i, left /= side, move /= 3, stride *= side) {
-        const std::size_t place = left % side + move % 3;  // one more than the neighbour's
-        inside = inside && place >= 1 && place <= side;
-        neighbour += (place - 1) * stride;
-      }
-      if (inside && std::pair(ranks[neighbour], neighbour) < std::pair(ranks[index], index)) {
-        return false;
-      }
-    }
-    return true;
-  };
-  std::vector<std::size_t> list;
-  for (std::size_t i = 0; i < ranks.size(); ++i) {
-    if (is_valley(i)) {
-      list.push_back(i);
-    }
-  }
-  std::ranges::sort(list, {}, [&](std::size_t i) { return std::pair(ranks[i], i); });
-  list.resize(std::min(list.size(), most));
-  return list;
-}
-
-/// Leaves NLopt where the user has had enough.
+/// Leaves NLopt if the user has stopped the search.
 struct Stopped {};
 
 class Search {
@@ -199,8 +165,8 @@ class Search {
     }
   }
 
-  /// From each start, of a grid with so many points to a side; where asked, first a global search,
-  /// which takes longest, and a descent from its best. What each ends with.
+  /// From each start of a grid with this many points per side; if asked, first a global search,
+  /// which takes longest, and a descent from its best. Returns where each ends.
   std::vector<Ranked> descend(const std::vector<Ranked>& starts, std::int64_t side, bool global) {
     const std::size_t before = global ? 1 : 0;
     std::vector<Ranked> ends(starts.size() + before, starts.front());
@@ -257,8 +223,18 @@ class Search {
     return figures;
   }
 
-  /// Scans boxes about the best point, where a local search is caught between limits: about a
-  /// better one again, else a smaller box.
+  std::vector<Ranked> all_ranked(const std::vector<std::vector<double>>& units) {
+    const std::vector<SuiteFigures> figures = figures_at(units);
+    std::vector<Ranked> list;
+    list.reserve(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      list.push_back({units[i], figures[i], rank_of(figures[i])});
+    }
+    return list;
+  }
+
+  /// Scans boxes around the best point, where a local search is caught between limits: if it finds
+  /// a better one, around that, else a smaller box.
   void zoom() {
     SuiteScan grid;
     grid.side = box_.variables() == 3 ? zoom_side_of_three : zoom_side_of_two;
@@ -276,10 +252,9 @@ class Search {
         }
         units.push_back(std::move(unit));
       }
-      const std::vector<SuiteFigures> figures = figures_at(units);
       const SuiteRank before = best_.rank;
-      for (std::size_t index = 0; index < size; ++index) {
-        keep({units[index], figures[index], rank_of(figures[index])});
+      for (const Ranked& now : all_ranked(units)) {
+        keep(now);
       }
       if (!is_better(before)) {
         reach *= shrinkage;
@@ -302,7 +277,7 @@ class Search {
                                                       : rank.value <= best.value * same);
   }
 
-  /// The best of `found` that are apart.
+  /// The best of `found` that are far enough apart.
   static std::vector<Ranked> apart_of(std::vector<Ranked> found) {
     std::ranges::stable_sort(found, {}, &Ranked::rank);
     std::vector<Ranked> list;
@@ -322,7 +297,7 @@ class Search {
     return list;
   }
 
-  /// Until the slices through the best points show no better one.
+  /// Until the slices through the best points find no better one.
   void slice(std::vector<Ranked>& found) {
     for (int round = 0; round < most_slice_rounds; ++round) {
       std::vector<Ranked> starts;
@@ -367,10 +342,7 @@ class Search {
   }
 
   void add_generation(std::vector<Ranked>& kept, const std::vector<std::vector<double>>& units) {
-    const std::vector<SuiteFigures> figures = figures_at(units);
-    for (std::size_t k = 0; k < units.size(); ++k) {
-      kept.push_back({units[k], figures[k], rank_of(figures[k])});
-    }
+    std::ranges::move(all_ranked(units), std::back_inserter(kept));
     std::ranges::stable_sort(kept, {}, &Ranked::rank);
     kept.resize(std::min(kept.size(), kept_points));
   }
@@ -384,7 +356,7 @@ class Search {
     return units;
   }
 
-  /// If it is better: from a scan, not from NLopt.
+  /// Keeps it if it is better: from a scan, not from NLopt.
   void keep(const Ranked& now) {
     if (now.rank < best_.rank) {
       best_ = now;
@@ -393,8 +365,8 @@ class Search {
     }
   }
 
-  /// A search creeps towards a friction of 0 and never arrives. Two more dampers at most, so that
-  /// this is done after a stop as well.
+  /// A search creeps towards a friction of 0 and never reaches it. This takes at most two more
+  /// dampers, so it is done after a stop as well.
   void leave_out_what_vanishes() {
     for (std::size_t i = 0; i < best_.unit.size(); ++i) {
       if (box_.may_vanish(i) && best_.unit[i] > 0 && best_.unit[i] < vanishing) {

@@ -11,9 +11,9 @@
 
 namespace stillpoint::design {
 
-/// The box of a search in coordinates from 0 to 1. f and delta go with their square, because what
-/// matters of delta is the speed sqrt(2 delta), and because small frictions need a fine scan; p
-/// goes with the period 1/p. A range of one value is no variable.
+/// The box of a search in coordinates from 0 to 1. f and delta vary as their squares, because delta
+/// matters through the speed sqrt(2 delta), and because small frictions need a fine scan; p varies
+/// as the period 1/p. A range of one value is not a variable.
 class SuiteBox {
  public:
   explicit SuiteBox(const RecordDesignRequest& request);
@@ -34,8 +34,8 @@ class SuiteBox {
   std::vector<Variable> variables_;
 };
 
-/// A grid over the box, and the figures of each of its points; of those that were not evaluated
-/// none settles.
+/// A grid over the box, and the figures of each of its points; those that were not evaluated do not
+/// settle.
 struct SuiteScan {
   std::int64_t side{1};  ///< points along each variable
   std::vector<SuiteFigures> figures;

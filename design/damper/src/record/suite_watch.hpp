@@ -12,16 +12,17 @@
 namespace stillpoint::design {
 
 /// Counts what a search evaluates, keeps the best so far for its user, and knows when the user has
-/// had enough.
+/// stopped it.
 class SuiteWatch {
  public:
   SuiteWatch(const RecordDesignRequest& request, const RecordWatch& ask)
       : objective_(request.objective), limits_(request.limits), ask_(ask) {}
 
-  /// About so many dampers will be evaluated beside those expected so far.
+  /// About this many more dampers will be evaluated than expected so far.
   void expect(std::int64_t more) { progress_.expected += more; }
 
-  /// Each damper with its figures, then one look at whether to go on. By several threads at once.
+  /// Adds each damper with its figures, then checks whether to go on. Called by several threads at
+  /// once.
   void evaluated(std::span<const SuiteDamper> dampers, std::span<const SuiteFigures> figures) {
     if (!ask_) {
       return;

@@ -48,7 +48,7 @@ Constraint compared(std::string_view name, std::string_view variable, std::strin
   return {name, variable, relation, value, limit, slack, strict ? slack > 0 : slack >= 0};
 }
 
-/// `return` and `stop` of a later arrival, as constraints.hpp has them.
+/// `return` and `stop` of a later arrival, as in constraints.hpp.
 void compare_hits(std::array<Constraint, 5>& list, const Problem& problem, double f, double delta) {
   const int n = deciding_arrival(problem, f, delta).n;
   if (n > 1) {

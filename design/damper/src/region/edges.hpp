@@ -7,7 +7,7 @@
 
 namespace stillpoint::design {
 
-/// The edges as doubles that lie on or inside of them: computed in long double, f2 rounded up and
+/// The edges as doubles that lie on or inside them: computed in long double, f2 rounded up and
 /// f3 down. At beta = V0/(sqrt(2) p) they meet, and one ulp of beta moves f2 by three, which
 /// rounding to nearest could hide.
 struct Edges {

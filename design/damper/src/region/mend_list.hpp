@@ -18,7 +18,7 @@
 
 namespace stillpoint::design {
 
-/// An input that helps more, the nearer it is to `to`.
+/// An input that helps more the closer it is to `to`.
 template <class Case>
 struct Input {
   std::string_view field;
@@ -69,11 +69,11 @@ void add_mend(std::vector<Mend>& list, const Case& base, const Fits& fits,
   }
 }
 
-/// More arrivals are not offered: looking for them would take seconds where there are none.
+/// More arrivals are not suggested: searching for them would take seconds when there are none.
 inline constexpr std::int64_t most_arrivals_offered = 100;
 
-/// The least number of arrivals above that of the task that suffices alone. With more of them
-/// nothing is lost, so that `fits`, a function of the number, holds from there on.
+/// The least number of arrivals above that of the task that suffices alone. More arrivals never
+/// hurt, so `fits`, a function of the number, holds from there on.
 template <class Fits>
 std::optional<Mend> arrivals_mend(const Problem& problem, const Fits& fits) {
   std::int64_t too_few = problem.arrivals;
@@ -119,7 +119,7 @@ std::optional<JointMend> joint_mend_of(const Case& base, const Fits& fits,
     }
     least = factor;
     // One of them may have gone farther than necessary. At the largest possible tolerance rounding
-    // decides, so the other is sought a little inside of it.
+    // decides, so the other is sought slightly inside it.
     const double most = tolerance.moved(*factor) * (1 - nearer);
     const double value =
         *nearest_fit(other.from, other.moved(*factor), [&](double now) { return with(now, most); });

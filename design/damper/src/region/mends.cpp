@@ -63,6 +63,11 @@ Input<Case> beta_of(const Problem& problem) {
           [](Case& now, double value) { now.problem.beta = value; }};
 }
 
+Case with_p(Case now, double p) {
+  now.problem.p = p;
+  return now;
+}
+
 /// The p at which a box has the most room between f2 and f4, the root of (34).
 double roomiest_p(const Case& now) {
   const double v0 = now.problem.v0;
@@ -72,16 +77,12 @@ double roomiest_p(const Case& now) {
   return f4 < most ? std::sqrt((most - f4) / v0) * std::sqrt((most + f4) / v0) : 0;
 }
 
-/// What asks for more p and what asks for less, and both.
+/// The conditions that need more p, those that need less, and both.
 template <class Amplitude, class Strip, class All>
 std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, const Strip& strip,
                                const All& all) {
   const auto [least, most] = valid_p(base.problem);
-  const auto with = [&](double p) {
-    Case changed = base;
-    changed.problem.p = p;
-    return changed;
-  };
+  const auto with = [&](double p) { return with_p(base, p); };
   // More p helps the amplitude and can only harm the stop, so both are tested one after the other.
   // With a limit of the acceleration the p that fit are one interval; if it is not empty, the p
   // with the most room is in it, as far as the other conditions let it.
@@ -104,7 +105,7 @@ std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, con
 }
 
 /// The same for a later arrival, whose strip in a = f/(V0 p) does not depend on p. That is a root,
-/// so the last bits are left to the points themselves.
+/// so the last bits are decided by the points themselves.
 std::optional<double> mended_p(const Case& base, int n) {
   const double tolerance = base.limits.tolerance;
   const auto in_strip = [&](const Case& now) { return Way(now.problem, now.limits, n); };
@@ -138,23 +139,15 @@ std::optional<double> mended_p(const Case& base, int n) {
   }
   constexpr double inside = 1e-9;
   return nearest_fit(base.problem.p, *p * (*p > base.problem.p ? 1 + inside : 1 - inside),
-                     [&](double value) {
-                       Case changed = base;
-                       changed.problem.p = value;
-                       return all(changed);
-                     });
+                     [&](double value) { return all(with_p(base, value)); });
 }
 
 /// The p that is nearest in either direction. More p helps the peak and the return and harms the
-/// stop, so it is looked for in steps.
+/// stop, so it is searched for in steps.
 std::optional<double> stepped_p(const Case& base) {
   constexpr double step = 1.02;
   constexpr int most_steps = 700;  // a factor of a million
-  const auto fits = [&](double p) {
-    Case changed = base;
-    changed.problem.p = p;
-    return has_damper(changed);
-  };
+  const auto fits = [&](double p) { return has_damper(with_p(base, p)); };
   for (double factor = step; factor < elementary::pow(step, most_steps); factor *= step) {
     for (const double p : {base.problem.p * factor, base.problem.p / factor}) {
       const auto [least, most] = valid_p(base.problem);
@@ -166,7 +159,7 @@ std::optional<double> stepped_p(const Case& base) {
   return std::nullopt;
 }
 
-/// Of ranges each end by itself, as far as the other end.
+/// For ranges, each end by itself, as far as the other end.
 std::vector<Mend> mends_of_ranges(const Case& base) {
   const Problem& problem = base.problem;
   std::vector<Mend> list;
@@ -221,7 +214,7 @@ std::optional<Mend> more_arrivals(const Case& base) {
       return has_damper(more);
     });
   }
-  // A strip is the same whatever later ones are allowed, so the first that has a box is looked for.
+  // A strip is the same whatever later ones are allowed, so the first that has a box is sought.
   more.problem.arrivals = most_arrivals_offered;
   int enough = 0;
   for_each_way(more.problem, more.limits, [&](const Way& way) {
@@ -264,7 +257,7 @@ std::optional<JointMend> joint_mend(const Problem& problem, const Limits& limits
   if (has_damper(base) || !mends(problem, limits).empty()) {
     return std::nullopt;
   }
-  // More p does no better than more beta: p beta / v0 is the same, and f_max comes nearer.
+  // More p does no better than more beta: p beta / v0 is the same, and f_max comes closer.
   return joint_mend_of(base, has_damper, {beta_of(problem), v0_of(problem)});
 }
 

@@ -12,7 +12,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// What no damper does.
+/// The requirement that no damper meets.
 std::string no_way(const Problem& problem, const std::string& box) {
   const bool ranges = problem.v0_low || problem.p_high;
   return fmt::format(
@@ -35,9 +35,8 @@ std::pair<std::string, std::string> told_apart(double a, double b, const std::st
 std::string too_much_friction(const Region& region, double most, std::string_view rival,
                               std::string_view what, const std::string& box) {
   const auto [least, allowed] = told_apart(region.f2, most);
-  return fmt::format(
-      "amplitude and {} exclude each other: a peak within beta needs f >= f2 = {}, {} {}{}", rival,
-      least, what, allowed, box);
+  return fmt::format("amplitude and {} conflict: a peak within beta needs f >= f2 = {}, {} {}{}",
+                     rival, least, what, allowed, box);
 }
 
 std::string acceleration_alone(const Problem& problem, const Limits& limits) {
@@ -47,7 +46,7 @@ std::string acceleration_alone(const Problem& problem, const Limits& limits) {
       least, most);
 }
 
-/// Of one hit and one spring.
+/// For one hit and one spring.
 std::string no_arrival(const Problem& problem, const Limits& limits, const ReasonUnits& units,
                        const std::string& box) {
   const Edges edge = edges(problem, limits);
@@ -59,8 +58,8 @@ std::string no_arrival(const Problem& problem, const Limits& limits, const Reaso
       told_apart(problem.v0 * units.velocity, pass * units.velocity, units.velocity_unit);
   return problem.v0 >= pass
              ? fmt::format(
-                   "even with the largest friction allowed the mass passes x = 0 {} times: v0 = "
-                   "{}, it would have to be below {}{}",
+                   "even with the largest friction allowed the mass passes x = 0 {} times: v0 = {} "
+                   "would have to be below {}{}",
                    last, least, most, box)
              : fmt::format(
                    "no damper stops the mass at any of its first {} arrivals within the limits{}",
@@ -76,7 +75,7 @@ std::string too_fast(const Problem& problem, const Limits& limits, const ReasonU
       told_apart(delta1(problem, f * (1 - limits.tolerance)).value_or(0) * units.delta,
                  edge.delta_cap * units.delta, units.delta_unit);
   return fmt::format(
-      "stop and {} exclude each other: even at the largest f, {:.6g}, stopping needs delta > {}, "
+      "stop and {} conflict: even at the largest f, {:.6g}, stopping needs delta > {}, "
       "{} {}{}",
       rival, f, least, what, most, box);
 }
@@ -107,8 +106,7 @@ std::string reason(const Region& region, const Problem& problem, const Limits& l
     case Conflict::acceleration_alone:
       return acceleration_alone(problem, limits);
     case Conflict::narrower_than_rounding:
-      return "what the constraints leave lies between neighbouring doubles: no damper is that "
-             "exact";
+      return "the constraints leave a region narrower than rounding: no damper is that exact";
     case Conflict::no_arrival:
       return is_plain(problem, limits) ? no_arrival(problem, limits, units, box)
                                        : no_way(problem, box);

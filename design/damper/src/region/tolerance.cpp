@@ -57,6 +57,23 @@ std::optional<double> largest_tolerance(const Problem& problem, const Limits& li
   return largest;
 }
 
+std::optional<double> any_f_up_to(const Problem& problem, Limits limits, double delta,
+                                  double tolerance) {
+  constexpr double almost_all = 1 - 1e-9;  // of f: a box reaches down to nearly no friction
+  limits.tolerance = almost_all;
+  limits.shape = {1, 1, tolerance / almost_all, tolerance / almost_all};
+  const auto works = [&](double largest) {
+    return admissible(problem, limits, largest / (1 + almost_all), delta);
+  };
+  constexpr double close = 1e-6;
+  const double top = largest_f(problem);
+  double found = 0;
+  for (double step = top / 2; step > close * top; step /= 2) {
+    found += works(found + step) ? step : 0;
+  }
+  return found > 0 ? std::optional(found) : std::nullopt;
+}
+
 std::optional<DesignPoint> most_tolerant(const Problem& problem, const Limits& limits) {
   require_valid(problem, limits);
   if (!(limits.tolerance > 0)) {

@@ -64,8 +64,8 @@ Wide highest_p(const HitDamper& damper, Wide v0) {
   return acceleration ? std::min(stop, root_of_difference(*acceleration, f) / v0) : stop;
 }
 
-/// The edge as the last double that fits, seen from `nominal`, which does. The edge is good to an
-/// ulp of its own; what fits is decided by edges in f and Delta that are rounded inwards, a few
+/// The edge as the last double that fits, seen from `nominal`, which does. The edge is accurate to
+/// an ulp; what fits is decided by edges in f and Delta that are rounded inwards, a few
 /// ulps of it.
 template <class Fits>
 double last_fit(double edge, double nominal, const Fits& fits) {
@@ -78,8 +78,8 @@ double last_fit(double edge, double nominal, const Fits& fits) {
   return *nearest_fit(fits(outer) ? edge : outer, passed || !fits(inner) ? nominal : inner, fits);
 }
 
-/// Of a damper that stops at a later arrival: the intervals of its way alone. Between the strips
-/// the mass rests off centre, so no interval goes on into another one.
+/// For a damper that stops at a later arrival: only the intervals of its way. Between the strips
+/// the mass rests off centre, so no interval continues into another one.
 WorksFor works_for(const Way& way, double f, double delta) {
   const auto holds = [&](double v0, double p) {
     Problem changed = way.problem;
@@ -106,7 +106,7 @@ WorksFor works_for(const Way& way, double f, double delta) {
   return served;
 }
 
-/// The ranges grown as far as the damper serves them, one end after the other.
+/// The ranges, extended as far as the damper serves them, one end after the other.
 WorksFor served_ranges(const Problem& problem, const Limits& limits, double f, double delta) {
   const auto grown = [&](double from, double to, const auto& set) {
     return *nearest_fit(from, to, [&](double value) {

@@ -50,7 +50,7 @@ double soonest_at(const Way& way, double f) {
 }
 
 /// The same over all f. It jumps where such a Delta becomes small enough to be allowed, which it
-/// does as f grows; between two jumps the least is looked for.
+/// does as f grows; between two jumps the minimum is sought.
 double soonest(const Way& way, const unit::Ends& f) {
   double least = HUGE_VAL;
   const auto between = [&](double low, double high) {
@@ -104,7 +104,7 @@ std::optional<double> optimum_along_f(const Problem& problem, const Limits& limi
   require_valid(problem, limits);
   const bool robust = objective == Objective::robust;
   double least = robust ? 0 : HUGE_VAL;
-  if (robust && problem.residual.value_or(0) > 0) {  // mostly the best: it spares the others
+  if (robust && problem.residual.value_or(0) > 0) {  // usually the best: it saves the others
     least = -tolerance_above(Way(problem, limits, 0), 0);
   }
   for_each_way(problem, limits, [&](const Way& way) {

@@ -17,7 +17,7 @@ namespace stillpoint::design {
 namespace {
 
 // The stopping rules of NloptBudget. Larger ones would show in the digits of a report; smaller ones
-// ask for steps that rounding swallows, and SLSQP then ends in roundoff instead of convergence.
+// require steps that rounding swallows, and SLSQP then ends in roundoff instead of convergence.
 constexpr double xtol_rel = 1e-10;
 constexpr double xtol_abs = 1e-11;
 /// Anything above 0 lets NLopt end outside the region, where the project's own check refuses it.

@@ -18,7 +18,7 @@ using Function = std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd&
 struct NloptProblem {
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
-  Eigen::VectorXd start;              ///< moved into the bounds where it is outside
+  Eigen::VectorXd start;              ///< moved into the bounds if it is outside
   Function objective;                 ///< to be minimised
   std::vector<Function> constraints;  ///< each to be <= 0; only for algorithms that take them
   double first_step{0};               ///< of a local algorithm, in each x; 0: NLopt's own

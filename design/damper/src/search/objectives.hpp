@@ -15,9 +15,9 @@ namespace stillpoint::design {
 /// its variable is the tolerance of the box. `time` is that of a stop at the first arrival.
 [[nodiscard]] double objective_value(Objective objective, double given);
 [[nodiscard]] double objective_slope(Objective objective, double given);
-/// What a value of one is in tau and g; of `robust` -1, since a search minimises.
+/// The value of one in tau and g; -1 for `robust`, since a search minimises.
 [[nodiscard]] double objective_unit(Objective objective, const Problem& problem);
-/// The objective of a motion under a pulse, not of `robust`.
+/// The objective of a motion under a pulse; not for `robust`.
 [[nodiscard]] double objective_of(Objective objective, const FirstReturn& motion);
 
 }  // namespace stillpoint::design

@@ -25,11 +25,12 @@ namespace stillpoint::design {
 
 namespace {
 
-/// As far as a design stays inside of its edges, a later way is no better than an earlier one.
+/// Within the distance that a design keeps from its edges, a later way is no better than an earlier
+/// one.
 constexpr double clearly_better = 1e-8;
 
 /// The least p T / pi of the first half-cycle for a from `low` to `high`. The time of a return to
-/// x = 0 grows with a up to a3; where the mass rests before, beyond it, that falls: (5), (6).
+/// x = 0 grows with a up to a3; if the mass rests before, beyond a3, that falls: (5), (6).
 double first_half_turn(double low, double high) {
   const double swings_back_below = 1 / std::numbers::sqrt3;
   const double before = elementary::atan2(1.0, high);
@@ -77,7 +78,7 @@ class Best {
   Best(const Way& way, Objective objective) : way_(way), objective_(objective) {}
 
   void consider(double f) {
-    if (!(f > 0)) {  // not a number is SLSQP's answer where its subproblem is degenerate
+    if (!(f > 0)) {  // SLSQP returns NaN if its subproblem is degenerate
       return;
     }
     f = std::min(f, way_.f_top);
@@ -112,7 +113,8 @@ class Best {
   }
 
  private:
-  /// Of the largest tolerances, decided without them: the room for Delta falls with the tolerance.
+  /// Compares largest tolerances without computing them: the room for Delta falls with the
+  /// tolerance.
   [[nodiscard]] bool may_be_better(double f) const {
     return objective_ != Objective::robust ||
            (tolerance_of_f(way_, f) > -cost_ && room(way_, way_.scaled(f), -cost_) > 0);
@@ -151,7 +153,7 @@ void consider_stops(const Way& way, const unit::Ends& ends, Best& best) {
   }
 }
 
-/// Where to begin. Not the middle: where f alone binds, that is the answer of `robust`, and SLSQP
+/// Where to begin. Not the middle: if only f binds, that is the answer of `robust`, and SLSQP
 /// ends there in roundoff instead of convergence. A stop time that jumps where the number of
 /// half-cycles does begins with the best of a grid.
 DesignPoint start_of(const Way& way, Objective objective, const DesignRange& range) {
@@ -203,7 +205,7 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
   const NloptProblem posed = way_posed(algorithm.constraints, way, objective, start, tried);
   SearchOptions budget = options;
   if (objective == Objective::time && way.q > 0 && algorithm.name.starts_with("LD_")) {
-    // With slopes alone it may follow a jump of the time for thousands of steps.
+    // With gradients alone it may follow a jump of the time for thousands of steps.
     constexpr int enough = 25;
     budget.max_evaluations = std::min(enough, budget.max_evaluations);
   }
@@ -221,13 +223,13 @@ std::optional<WayResult> search_way(const Way& way, const SearchOptions& options
     consider(tried.best[0]);
   }
   // NLopt returns the best point that met all constraints to the last bit, which may be its start;
-  // the last ones that it tried are those that it came to.
+  // the last ones that it tried are those that it reached.
   constexpr std::size_t last = 3;
   for (const double x : std::span(tried.x).last(std::min(last, tried.x.size()))) {
     consider(x);
   }
-  // Where an objective is flat to rounding NLopt rests anywhere; the ends of the interval are where
-  // a monotone one is best, and all there is of a degenerate one.
+  // If an objective is flat to rounding, NLopt stops anywhere; a monotone one is best at the ends
+  // of the interval, and a degenerate interval has only its ends.
   best.consider(low);
   best.consider(high);
   if (objective == Objective::robust) {
@@ -266,7 +268,7 @@ std::optional<SearchResult> search(const Problem& problem, const Limits& limits,
     return true;
   };
   if (robust && problem.residual) {
-    // The most tolerant way is mostly the last one, then the first: each spares the search of
+    // The most tolerant way is usually the last one, then the first: each saves the search of
     // others.
     std::vector<Way> ways;
     for_each_way(problem, limits, [&](const Way& way) {

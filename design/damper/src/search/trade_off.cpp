@@ -5,6 +5,8 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/region.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -44,7 +46,7 @@ struct AtF {
     return -miss;
   }
 
-  /// The Delta of the span that is worth most; the middle of those where f alone binds.
+  /// The best Delta of the span; if only f binds, the middle of those that are equally good.
   [[nodiscard]] double best_in(Span span) const {
     const auto [low, high] = span;
     constexpr double golden = std::numbers::phi - 1;
@@ -70,7 +72,7 @@ struct AtF {
     const double most = worth(best);
     // Far above the rounding of a tolerance, far below what can be built.
     constexpr double equal = 1e-12;
-    constexpr int bisections = 20;  // which Delta of equals is no matter of digits
+    constexpr int bisections = 20;  // which of several equal Delta is taken need not be exact
     const auto end_towards = [&](double out) {
       double in = best;
       for (int i = 0; i < bisections; ++i) {
@@ -101,7 +103,7 @@ std::optional<DesignPoint> best_with(const AtF& task) {
   };
   consider(0, problem.v0 * problem.v0 / 2);
   for (std::int64_t n = 1; problem.arrivals > 1 && n <= problem.arrivals; ++n) {
-    // No damper of the n-th arrival, and so of none behind it, has a tolerance of 1/(2n - 1).
+    // No damper of the n-th arrival, and so none of a later one, has a tolerance of 1/(2n - 1).
     if (best && n > 1 && best->tolerance * static_cast<double>(2 * n - 1) >= 1) {
       break;
     }
@@ -134,7 +136,7 @@ std::vector<Span> feasible_spans(const Problem& problem, const Limits& limits,
       spans.back().high != *region.f_upper) {
     spans.assign(1, {*region.f_lower, *region.f_upper});  // the strips are not all there is
   }
-  // As a design does, it stays off the edges, which rounding may put on either side.
+  // Like a design, it stays off the edges, which rounding may put on either side.
   constexpr double inset = 1e-9;
   for (auto& [low, high] : spans) {
     const double least = std::max(low, inset * problem.v0 * problem.p);
@@ -163,13 +165,16 @@ double f_at(const std::vector<Span>& spans, std::int64_t place, std::int64_t cou
   return std::min(spans[k].low + at, spans[k].high);
 }
 
-}  // namespace
-
+/// Throws InputError unless least_trade_offs <= count <= most_trade_offs.
 void require_trade_offs(std::int64_t count) {
-  if (count < 2 || count > most_trade_offs) {
-    throw InputError("trade_off", std::to_string(count), "must be a whole number from 2 to 1000");
+  if (count < least_trade_offs || count > most_trade_offs) {
+    throw InputError(
+        "trade_off", std::to_string(count),
+        fmt::format("must be a whole number from {} to {}", least_trade_offs, most_trade_offs));
   }
 }
+
+}  // namespace
 
 std::optional<DesignPoint> trade_off_at(const Problem& problem, const Limits& limits,
                                         std::int64_t count, std::int64_t place) {

@@ -45,7 +45,7 @@ std::optional<std::int64_t> arrival_of(const Problem& problem, double f, double 
   require_valid(problem);
   require_within("f", f, 0, largest_square);
   require_within("delta", delta, 0, largest_square);
-  // Of ranges, that of the motion shown; in a way that is admissible the model itself decides.
+  // For ranges, that of the motion shown; in an admissible way the model itself decides.
   const Problem shown = is_plain(problem, {}) ? problem : strongest_hit(problem);
   const auto [n, stops] = deciding_arrival(shown, f, delta);
   return stops ? std::optional<std::int64_t>(n) : std::nullopt;

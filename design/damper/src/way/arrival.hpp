@@ -7,7 +7,7 @@
 
 namespace stillpoint::design {
 
-/// The task of the motion shown alone, by the model itself.
+/// The task of only the motion shown, by the model itself.
 [[nodiscard]] Problem strongest_hit(Problem problem);
 
 /// The arrival that decides about a damper: that at which it stops the mass, or else the first one

@@ -40,14 +40,14 @@ double off_the_tip(const Way& way, double high) {
                                : high;
 }
 
-/// What of it is looked at: not the open end at 0, and not the tip.
+/// The part that is searched: not the open end at 0, and not the tip.
 Ends scanned_f(const Way& way, const Ends& all) {
   const double low = std::max(all.low, least_f(way, all.high));
   const double high = off_the_tip(way, all.high);
   return low <= high ? Ends{low, high} : all;
 }
 
-/// No f between these two has any room; shown of each of its parts.
+/// No f between these two has any room; shown for each part.
 bool no_room_in_parts(const Way& way, double a_low, double a_high, int deeper) {
   if (no_room_between(way, a_low, a_high, way.limits.tolerance)) {
     return true;
@@ -90,7 +90,7 @@ std::optional<WayPoint> any_point(const Way& way) {
   }
   const double f = roomiest_f(way, scanned_f(way, *all));
   const WayPoint roomiest{f, best_delta(way, f, BestDelta::middle)};
-  // Where the tolerance is only just allowed, the corner of the caps is all there is.
+  // If the tolerance is only just allowed, only the corner of the caps is left.
   const WayPoint corner{all->high, highest_centre(way.delta_cap, t * way.limits.shape.delta_high)};
   for (const WayPoint& point : {roomiest, corner}) {
     if (admissible(way, point.f, point.delta)) {

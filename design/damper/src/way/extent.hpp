@@ -18,7 +18,7 @@ struct WayPoint {
 };
 [[nodiscard]] std::optional<WayPoint> any_point(const Way& way);
 
-/// No box fits, as the edges at a few f show; where false there may be none all the same. Much
+/// True if the edges at a few f show that no box fits; if false there may still be none. Much
 /// cheaper than any_point.
 [[nodiscard]] bool clearly_empty(const Way& way);
 
@@ -32,7 +32,7 @@ struct DesignRange {
 };
 [[nodiscard]] std::optional<DesignRange> design_range(const Way& way);
 
-/// The point of the way with the largest tolerance, which is 0 where none has any.
+/// The point of the way with the largest tolerance, which is 0 if none has any.
 [[nodiscard]] DesignPoint most_tolerant(const Way& way);
 
 }  // namespace stillpoint::design

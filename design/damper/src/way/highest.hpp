@@ -33,11 +33,11 @@ class HighestSearch {
   }
   [[nodiscard]] Highest found() const { return {f_at(best_.at), best_.value}; }
 
-  /// True where it is enough.
+  /// True if it is enough.
   bool consider(double at) { return consider(at, value_at(at)); }
 
-  /// Considers some places from above: there are the designs that have some constant friction.
-  /// Empty where one is enough, else the neighbours of the best.
+  /// Tries some values from above, where the designs with some constant friction are. Empty if one
+  /// is enough, else the neighbours of the best.
   std::optional<unit::Ends> scan() {
     const auto places = scanned();
     for (const double at : places) {
@@ -122,7 +122,7 @@ class HighestSearch {
 };
 
 /// The largest value of a function of log f that first rises and then falls, or the first that is
-/// `enough`. It stops at once where `nowhere` says of two f that no value between them is positive.
+/// `enough`. It stops at once if `nowhere` says that no value between two f is positive.
 template <class F, class Nowhere>
 Highest highest(const F& function, unit::Ends f, double enough, const Nowhere& nowhere) {
   HighestSearch search(function, f, enough);

@@ -20,7 +20,7 @@ double side_room(double room, double value, double part) {
 }
 
 /// The d for which V0^2 on an edge is `square`; 0 where V0^2 is above it anyway. One step can be
-/// taken back; more by Newton's method in y = sqrt(2 d): V0^2 is convex in y, docs/theory.md
+/// inverted; more need Newton's method in y = sqrt(2 d): V0^2 is convex in y, docs/theory.md
 /// section 13, so it comes down from the right.
 double d_on_edge(const EdgeStart& start, int steps, double square) {
   if (steps == 1) {
@@ -31,8 +31,8 @@ double d_on_edge(const EdgeStart& start, int steps, double square) {
   if (steps == 0 || (without - start.phi) * (without + start.phi) >= square) {
     return 0;
   }
-  // Every passage takes 2 d at least. Each step doubles the right digits, so that a short one is
-  // the last.
+  // Every passage takes at least 2 d. Each step doubles the correct digits, so a short one is the
+  // last.
   constexpr double short_step = 1e-9;
   double y = std::sqrt(square / steps);
   for (double step = y; y > 0 && step > short_step * y;) {
@@ -75,7 +75,7 @@ double d_that_moves(const Way& way, double a) {
   return way.n > 0 && way.v_low == 0 ? returning_notch(way, a).square / 2 : 0;
 }
 
-/// Of the d at the low corner the least, of that at the high one the largest.
+/// At the low corner the least d, at the high one the largest.
 Ends edges_at(const Way& way, double a, const Sides& box) {
   const double a_high = a * box.f_high;
   return {std::max(d_that_stops(way, a * box.f_low), d_that_moves(way, a_high)),
@@ -169,7 +169,7 @@ std::optional<double> largest_tolerance(const Way& way, double f, double delta) 
     tolerance = up_to(reaches, tolerance);
   }
   tolerance = up_to(stops, tolerance);
-  // The root is off by a few roundings for each arrival; steps that double bring the box in.
+  // The root is off by a few roundings for each arrival; doubling steps bring the box inside.
   for (double step = std::numeric_limits<double>::epsilon(); tolerance > 0 && !fits(tolerance);
        step *= 2) {
     tolerance = std::max(0.0, tolerance - step);
@@ -191,7 +191,7 @@ double best_delta(const Way& way, double f, BestDelta choice) {
     return settled(low + (high - low) / 2);
   }
   auto range = centre_range(way, f, t);
-  // A box that is asked for and does not fit by more than rounding has no Delta.
+  // A requested box that fails to fit by more than rounding has no Delta.
   const bool may_fit = range || most_tolerant || centre_range(way, f, std::max(0.0, t - way_inset));
   // As in largest_tolerance.
   for (double step = std::numeric_limits<double>::epsilon(); may_fit && !range && t > 0;

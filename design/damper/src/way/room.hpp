@@ -20,8 +20,8 @@ namespace stillpoint::design {
 /// The least Delta over V0^2 with which one hit stops at the n-th arrival at the latest.
 [[nodiscard]] double d_that_stops_at(int n, double a);
 
-/// The tolerance of Delta alone that the room for Delta leaves beside a box of f with that
-/// tolerance, negative where there is none. In [-1, 1].
+/// The tolerance of Delta alone that the room for Delta leaves with a box of f of that tolerance,
+/// negative if there is none. In [-1, 1].
 [[nodiscard]] double room(const Way& way, double a, double tolerance);
 /// No f between these two has any room: no edge of Delta grows with f but that of (57), so their
 /// values at the two ends bound those between.
@@ -29,19 +29,19 @@ namespace stillpoint::design {
 
 /// The largest tolerance that f alone leaves.
 [[nodiscard]] double tolerance_of_f(const Way& way, double f);
-/// The largest tolerance of any Delta for a; negative where there is none, by how much.
+/// The largest tolerance of any Delta for a; negative if there is none, by how much.
 [[nodiscard]] double tolerance_at(const Way& way, double a);
 /// The largest tolerance of the point; empty if it is not admissible itself.
 [[nodiscard]] std::optional<double> largest_tolerance(const Way& way, double f, double delta);
 
-/// The Delta that goes best with an f: with the most tolerance, or of those that fit the box asked
-/// for the least, the middle or the largest one.
+/// The best Delta for an f: with the most tolerance, or of those that fit the box asked for, the
+/// least, the middle or the largest.
 enum class BestDelta { most_tolerant, least, middle, largest };
 [[nodiscard]] double best_delta(const Way& way, double f, BestDelta choice);
 /// The most tolerant one.
 [[nodiscard]] DesignPoint with_best_delta(const Way& way, double f);
 
-/// Where a falling function is 0.
+/// The zero of a decreasing function.
 template <class F>
 double falling_root(const F& function, double low, double high, double at_low, double at_high) {
   std::uintmax_t most_evaluations = 100;

@@ -20,7 +20,7 @@ constexpr double almost_all = 1 - 1e-6;
 /// x stays above it: at a = 0 the slopes of a half-cycle without any speed have no limit.
 constexpr double least_x = 1e-12;
 
-/// In (a, d, t) at (x, y, t), with the slopes as NLopt wants them.
+/// In (a, d, t) at (x, y, t), with the gradients in NLopt's form.
 struct Scaled {
   double a_cap;
   double d_cap;
@@ -190,8 +190,8 @@ NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective obje
   posed.lower = Eigen::Vector3d(least_x, 0, scale.tolerance).head(size);
   posed.upper = Eigen::Vector3d(1, 1, std::max(almost_all, scale.tolerance)).head(size);
   posed.start = from.head(size);
-  // S grows with f, so f stands for it: it keeps its slope towards 0, where SLSQP would lose its
-  // way.
+  // S grows with f, so f replaces it: it keeps its slope towards 0, where SLSQP would otherwise get
+  // lost.
   const auto cost = [&way, &tried, scale, objective](const Eigen::VectorXd& at,
                                                      Eigen::VectorXd& gradient) {
     const double a = at[0] * scale.a_cap;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A way as NLopt sees it, docs/theory.md section 8, in the units of unit_problem.hpp:
+// A way in NLopt's variables, docs/theory.md section 8, in the units of unit_problem.hpp:
 //
 //   x = a / a_cap,  y = d / d_cap,  t = tolerance of the box (a variable for `robust` alone)
 //
@@ -26,15 +26,15 @@ namespace stillpoint::design {
 /// What the objective minimises, for the motion of the largest peak; of order one, -R for `robust`.
 [[nodiscard]] double way_cost(const Way& way, Objective objective, const DesignPoint& point);
 
-/// What an algorithm has tried: every x, and of one without constraints the best point.
+/// What an algorithm has tried: every x, and for one without constraints the best point.
 struct Tried {
   std::vector<double> x;
   double value;
   Eigen::Vector2d best;
 };
 
-/// Starts at `start`; `tried` is told of every point. For an algorithm that takes no constraints
-/// the objective is, outside of them, their violation, raised above every value inside.
+/// Starts at `start`; `tried` sees every point. For an algorithm that takes no constraints
+/// the objective outside them is their violation, raised above every value inside.
 [[nodiscard]] NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective objective,
                                      const DesignPoint& start, Tried& tried);
 

@@ -41,7 +41,7 @@ struct Course {
 };
 
 /// A half-cycle that does not come back counts as one that only just does. `error` is the absolute
-/// one of (w / V0)^2 that (53) asks about.
+/// error of (w / V0)^2 in (53).
 [[nodiscard]] Course course(int n, double a, double d, double error = 1e-16);
 
 }  // namespace stillpoint::design::unit

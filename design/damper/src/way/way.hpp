@@ -54,8 +54,8 @@ struct Way {
   [[nodiscard]] bool delta_hinders_return() const { return n > 1 && v_low > 0; }
 };
 
-/// How far a design stays inside of its edges, relative: far above rounding, so that no edge is a
-/// matter of the last digits, and far below what can be built.
+/// How far a design stays inside its edges, relative: far above rounding, so that no edge depends
+/// on the last digits, and far below manufacturing accuracy.
 inline constexpr double way_inset = 1e-9;
 
 /// The box of a tolerance, its sides as parts of its centre.
@@ -100,12 +100,12 @@ struct WaySpeeds {
 [[nodiscard]] double largest_f(const Problem& problem);
 /// The least beta of any damper of the way, whatever the limits are.
 [[nodiscard]] double least_beta(const Way& way);
-/// A rest beyond beta is none within it, whatever residual is allowed.
+/// A rest beyond beta does not count, whatever residual is allowed.
 [[nodiscard]] double residual_of(const Problem& problem);
 /// phi at the start of the stop edge: 1 or, by the published criterion, 0.
 [[nodiscard]] double stop_radius(const Problem& problem);
 
-/// The way that a point takes, at the tolerance of the limits; empty where it takes none.
+/// The way that a point takes, at the tolerance of the limits; empty if it takes none.
 [[nodiscard]] std::optional<int> way_of(const Problem& problem, const Limits& limits, double f,
                                         double delta);
 

@@ -109,7 +109,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
 
 int write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   const std::string next = path + ".new";
-  // A file of our own, even if somebody has put a link under its name.
+  // Our own file, even if somebody has put a link under its name.
   ::unlink(next.c_str());
   const int descriptor = ::open(next.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) {

@@ -28,8 +28,8 @@ void lock(const OpenPart& files) {
   }
 }
 
-/// False if there is none. The lock of a sweep that is alive is checked before anything else is
-/// said about its file; it ends with that sweep, however that ends. FILE.part is never a link.
+/// False if there is none. The lock of a running sweep is checked before anything else about its
+/// file; it ends with that sweep, however that ends. FILE.part is never a link.
 bool open_existing(OpenPart& files) {
   files.descriptor = Descriptor(::open(files.part().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
   if (files.descriptor.is_open()) {
@@ -52,10 +52,10 @@ void create(OpenPart& files) {
       Descriptor(::open(files.part().c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
   if (!files.descriptor.is_open()) {
     if (errno == EEXIST && open_existing(files)) {
-      throw LeftoverError(
-          fmt::format("output {}: {} is left of an interrupted sweep: resume it with --resume, or "
-                      "remove it to start again",
-                      files.target, files.part()));
+      throw LeftoverError(fmt::format(
+          "output {}: {} is left from an interrupted sweep: resume it with --resume, or "
+          "remove it to start again",
+          files.target, files.part()));
     }
     refuse_writing("output", files.target, errno);
   }
@@ -69,7 +69,7 @@ void create(OpenPart& files) {
   }
 }
 
-/// Cuts off what came after the last checkpoint.
+/// Cuts off what was written after the last checkpoint.
 void cut_back(OpenPart& files, bool checkpoint_exists) {
   struct stat status {};
   if (::fstat(files.descriptor.number(), &status) != 0) {
@@ -77,7 +77,7 @@ void cut_back(OpenPart& files, bool checkpoint_exists) {
   }
   if (status.st_size > 0 && !checkpoint_exists) {
     throw LeftoverError(fmt::format(
-        "resume {}: {}, which says how far it is, is missing: remove the file to start again",
+        "resume {}: {}, which says how far it got, is missing: remove the file to start again",
         files.part(), files.checkpoint()));
   }
   const std::int64_t bytes = files.saved.bytes;
@@ -126,10 +126,11 @@ OpenPart resume_part(const std::string& path, std::string task) {
       return files;
     }
   } else if (!differs.empty()) {
-    throw LeftoverError(fmt::format(
-        "resume {}: was begun with other options, {}: give the same, or remove the file to start "
-        "again",
-        files.part(), differs));
+    throw LeftoverError(
+        fmt::format("resume {}: was started with other options, {}: give the same ones, or remove "
+                    "the file to start "
+                    "again",
+                    files.part(), differs));
   }
   const bool checkpoint_exists = left.has_value();
   if (left) {

@@ -20,7 +20,7 @@ int write_and_close(int descriptor, std::string_view text) {
   return ::close(descriptor) != 0 && error == 0 ? errno : error;
 }
 
-/// What a new file would be allowed: mkstemp makes it readable by its owner alone.
+/// The mode of a new file: mkstemp makes it readable only by its owner.
 mode_t permissions_for_new_files() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
@@ -43,7 +43,7 @@ void Output::write_file(std::string_view field, const std::string& path, std::st
     direct_.push_back({std::string(field), path, std::string(text), standard});
     return;
   }
-  // A link stays a link: what it points to is replaced.
+  // A link stays a link: its target is replaced.
   stage(field, behind_links(path), text);
 }
 

@@ -93,7 +93,7 @@ bool is_special_file(const std::string& path) {
 }
 
 std::filesystem::path behind_links(std::filesystem::path path) {
-  constexpr int longest_chain = 40;  // as Linux follows
+  constexpr int longest_chain = 40;  // as many as Linux follows
   std::error_code none;
   for (int i = 0; i < longest_chain && std::filesystem::is_symlink(path, none); ++i) {
     path = path.parent_path() / std::filesystem::read_symlink(path, none);

@@ -12,7 +12,7 @@
 
 namespace stillpoint::sweep {
 
-/// What a file beside FILE.part says about it.
+/// The contents of the file beside FILE.part.
 struct Checkpoint {
   std::string task;  ///< SweepSpec::identity
   SweepState state;
@@ -71,11 +71,11 @@ struct OpenPart {
 /// Both make the files ready for the rows that are still to come, and throw as open_rows does.
 /// `task` is the identity of the sweep.
 [[nodiscard]] OpenPart begin_part(const std::string& path, std::string task);
-/// Begins if there is nothing to resume.
+/// Starts from the beginning if there is nothing to resume.
 [[nodiscard]] OpenPart resume_part(const std::string& path, std::string task);
 
-/// The file that parts of a sweep are joined into, or a device or a pipe. Of what an interrupted
-/// merge with the same task left, nothing is kept.
+/// The file that parts of a sweep are joined into, or a device or a pipe. Nothing that an
+/// interrupted merge with the same task left is kept.
 [[nodiscard]] std::unique_ptr<RowSink> open_whole(const std::string& output,
                                                   const std::string& task);
 

@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(that_never_ends) {
   check_refused(*this, {"design /dev/zero", {"/dev/zero", "too large", "1048576 bytes"}});
 }
 
-/// Such a value would take the stack with it, and its text the screen.
+/// Such a value would overflow the stack, and its text would fill the screen.
 BOOST_AUTO_TEST_CASE(that_is_nested_deeper_than_any) {
   for (const int levels : {17, 50'000, 100'000, 500'000}) {
     const auto count = static_cast<std::size_t>(levels);
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(that_is_nested_deeper_than_any) {
   check_refused(*this, {"sweep -", {"nested deeper than 16"}, objects + "1"});
 }
 
-/// A message holds so much of what it quotes as one reads.
+/// A message quotes only as much as one can read.
 BOOST_AUTO_TEST_CASE(whose_text_is_long_is_quoted_in_part) {
   const std::string text(100'000, 'x');
   const std::string quoted = "\"" + text + "\"";
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(file_that_is_a_directory) {
 }
 
 BOOST_AUTO_TEST_CASE(file_in_a_directory_that_takes_none) {
-  // Not even root may create files there.
+  // Not even root can create files there.
   if (fs::exists("/proc/self")) {
     check_refused(*this, {design("--output /proc/report.json"), {"/proc/report.json"}});
   }

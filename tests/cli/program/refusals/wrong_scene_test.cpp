@@ -46,14 +46,15 @@ const std::vector<Wrong> scenes{
      "{\"v0\": 1, \"p\": 1, \"f\": 0.1, \"delta\": 0.1,\n \"friction_zones\": [{\"to\": 0.1, "
      "\"f\": -0.1}]}"},
     scene("{" + good + R"(, "arrivals": 1e9})", {"arrivals = 1000000000", "from 1 to 1000"}),
-    scene("{" + good + R"(, "arrivals": 2.5})", {"arrivals = 2.5", "a whole number"}),
+    scene("{" + good + R"(, "arrivals": 2.5})",
+          {"arrivals = 2.5: must be a whole number from 1 to 1000"}),
     scene("{" + good + R"(, "f_max": 1, "f-max": 1})", {"f", "max", "twice"}),
     scene(R"({"v0": "1", "p": 1, "beta": 1})", {"v0 = \"1\"", "a number"}),
     scene(R"({"v0": null, "p": 1, "beta": 1})", {"v0 = null", "a number"}),
     scene(R"({"v0": true, "p": 1, "beta": 1})", {"v0 = true", "a number"}),
     scene(R"({"v0": {"low": 1}, "p": 1, "beta": 1})", {"a number, or a range [LOW, HIGH]"}),
     scene(R"({"v0": [1], "p": 1, "beta": 1})", {"v0 = [1]", "a number"}),
-    scene("{" + good + R"(, "objective": 1})", {"objective = 1", "a text"}),
+    scene("{" + good + R"(, "objective": 1})", {"objective = 1", "a string"}),
     scene("{" + good + R"(, "json": "yes"})", {"json = \"yes\"", "true or false"}),
     scene("{" + good + R"(, "samples": 2.5})", {"samples = 2.5", "a whole number"}),
     scene(R"({"v0": NaN, "p": 1, "beta": 1})", {"v0", "not valid JSON"}),
@@ -64,9 +65,9 @@ const std::vector<Wrong> scenes{
     scene(R"({"v0": 1, "p": 1, "beta": 1e400})",
           {"line 1, column 27: beta = 1e400: must have a magnitude up to 1.8e308"}),
     scene(R"({"v0": 1, "p": 1, "beta": -1})", {"beta = -1", "from 1e-300"}),
-    scene("{" + good + R"(, "velocity": 1})", {"v0 and velocity", "exclude"}),
+    scene("{" + good + R"(, "velocity": 1})", {"v0 and velocity", "cannot be combined"}),
     scene(R"({"v0": 1, "p": 1})", {"beta is missing"}),
-    // Where a value stands in its file: of a wrong type, out of range, within the excitation, one
+    // The place of a value in its file: of a wrong type, out of range, within the excitation, one
     // end of a range, and one that makes another value wrong.
     scene("{\n  // the stroke\n  \"v0\": 1, \"p\": 1,\n  \"beta\": \"x\"\n}",
           {"scene from standard input, line 4, column 3: beta = \"x\": must be a number"}),
@@ -86,7 +87,7 @@ const std::vector<Wrong> scenes{
      {"samples = 18446744073709551615", "whole number"},
      R"({"v0": 1, "p": 1, "f": 0.1, "delta": 0.1, "trajectory": "t.csv",
          "samples": 18446744073709551615})"},
-    {"design - --velocity 1", {"p and velocity", "exclude each other"}, "{" + good + "}"},
+    {"design - --velocity 1", {"p and velocity", "cannot be combined"}, "{" + good + "}"},
 };
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace stillpoint::answers {
 
-/// What a command found, for whoever is not the program. Its report is made when someone looks.
+/// What a command found, for users other than the program. Its report is made when it is read.
 class Answer {
  public:
   Answer() = default;
@@ -27,7 +27,7 @@ class Answer {
   [[nodiscard]] virtual figures::HtmlPage page() const = 0;
 };
 
-/// Of a report that has json() and document(), and page() where there is something to draw.
+/// For a report that has json() and document(), and page() if there is something to draw.
 template <class Report>
 class AnswerOf : public Answer {
  public:

@@ -16,9 +16,9 @@ enum ExitCode : int {
   exit_interrupted = 130,  ///< the shells' code for SIGINT
 };
 
-/// 3 without an admissible design, 4 where the cross-check failed, else 0.
+/// 3 without an admissible design, 4 if the cross-check failed, else 0.
 [[nodiscard]] ExitCode exit_code(const report::DesignReport& report);
-/// The same; 130 of a search that was interrupted.
+/// The same; 130 for a search that was interrupted.
 [[nodiscard]] ExitCode exit_code(const report::RecordDesignReport& report);
 [[nodiscard]] ExitCode exit_code(const report::RegionReport& report);
 [[nodiscard]] ExitCode exit_code(const report::MotionReport& report);

@@ -23,12 +23,12 @@ struct PartsOfFile {
   std::vector<design::Part> parts;
 };
 
-/// `physical` where the task was given in metres and seconds.
+/// `physical` if the task was given in metres and seconds.
 struct DesignTask {
   design::DesignRequest request;
   std::optional<design::PhysicalInput> physical{};
   std::optional<PartsOfFile> catalogue{};
-  std::optional<design::NotchShape> notch{};  ///< that is to be built
+  std::optional<design::NotchShape> notch{};  ///< the notch that will be built
   std::optional<std::int64_t> trade_offs{};   ///< points of the front; not with a pulse
 };
 

@@ -37,7 +37,7 @@ struct FigureCurve {
 /// A box lies on top of curves, and has an edge.
 enum class AreaLook { filled, hatched, box };
 
-/// A polygon. It is named inside where there is room, else in the legend.
+/// A polygon. It is named inside if there is room, else in the legend.
 struct FigureArea {
   std::string name;
   std::vector<FigurePoint> outline;
@@ -45,7 +45,7 @@ struct FigureArea {
   AreaLook look{AreaLook::filled};
 };
 
-/// A shaded span of the horizontal axis, named as an area is.
+/// A shaded span of the horizontal axis, named like an area.
 struct FigureBand {
   std::string name;
   double from{0};
@@ -99,22 +99,22 @@ struct FigureAxis {
   double most{1};
   Scale scale{Scale::linear};
 
-  /// The place of a value: 0 at the least, 1 at the most; -1 for a value without a logarithm on a
-  /// logarithmic axis.
+  /// The place of a value: 0 at the least, 1 at the most; -1 for a value that has no logarithm, on
+  /// a logarithmic axis.
   [[nodiscard]] double position(double value) const;
   /// The value at that place.
   [[nodiscard]] double value(double position) const;
 };
 
-/// Round values within the axis, about as many as wanted: from 3 to 8 of 6.
+/// Round values within the axis, about as many as wanted: 3 to 8 if 6 are wanted.
 [[nodiscard]] std::vector<double> ticks(const FigureAxis& axis, int wanted = 6);
-/// With as many digits as tell them apart.
+/// With as many digits as are needed to tell them apart.
 [[nodiscard]] std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 
-/// An axis from the least to the largest value and a little beyond; its length is never 0.
+/// An axis from the least to the largest value and slightly beyond; its length is never 0.
 [[nodiscard]] FigureAxis axis_around(std::string label, double least, double most);
 
-/// A part of the plane, drawn larger in a corner.
+/// A part of the plane, enlarged in a corner.
 struct FigureInset {
   FigureAxis x;
   FigureAxis y;
@@ -127,7 +127,7 @@ struct Figure {
   std::string description;  ///< for readers who cannot see it
   std::string caption;      ///< a sentence below it
   double height{270};       ///< of the plot, in pixels of a figure 450 wide
-  bool below{false};        ///< belongs below the figure before, on the same horizontal axis
+  bool below{false};        ///< belongs below the previous figure, on the same horizontal axis
   FigureAxis x;
   FigureAxis y;
   FigureMap map;
@@ -149,11 +149,11 @@ struct FigureSheet {
 };
 
 /// The figure as SVG with its title, description and legend. Alone it is a file in light colours,
-/// otherwise it takes the colours of a page with figure_style(). The plot begins at `left` or
-/// further right, where its ticks end.
+/// otherwise it takes the colours of a page with figure_style(). The plot begins at `left`, or
+/// farther right if its tick labels need the room.
 enum class Frame { alone, in_page };
 [[nodiscard]] std::string svg(const Figure& figure, Frame frame, double left = 0);
-/// Where its plot begins at the least.
+/// The least `left` of its plot.
 [[nodiscard]] double plot_left(const Figure& figure);
 
 /// A file that follows the reader's choice of light or dark.
@@ -165,7 +165,7 @@ enum class Frame { alone, in_page };
 
 /// Text with the special characters of XML escaped.
 [[nodiscard]] std::string escaped(std::string_view text);
-/// The same for HTML, where no line ends between a number and its unit.
+/// The same for HTML, without line breaks between a number and its unit.
 [[nodiscard]] std::string prose(std::string_view text);
 
 }  // namespace stillpoint::figures

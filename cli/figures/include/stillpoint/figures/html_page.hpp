@@ -21,7 +21,7 @@ struct HtmlPage {
   std::string footer;  ///< which program wrote it
 };
 
-/// One file that needs no other.
+/// One self-contained file.
 [[nodiscard]] std::string html(const HtmlPage& page);
 
 /// The script that shows values under the pointer and zooms.

@@ -15,14 +15,14 @@ class BrowserError : public std::runtime_error {
 };
 
 /// What opens a page: $BROWSER, whose first command is taken, else xdg-open, else open. The words
-/// of its command line, in which %s stands for the page. Throws BrowserError where there is none.
+/// of its command line, in which %s stands for the page. Throws BrowserError if there is none.
 [[nodiscard]] std::vector<std::string> browser();
 
-/// A name for a page that nobody asked for by name, in a new directory for temporary files. The
-/// directory goes if no page was written.
+/// A name for a temporary page, in a new temporary directory. The directory is removed if no page
+/// was written.
 class TemporaryPage {
  public:
-  /// Throws BrowserError where there can be none.
+  /// Throws BrowserError if it cannot be created.
   TemporaryPage();
   TemporaryPage(const TemporaryPage&) = delete;
   TemporaryPage& operator=(const TemporaryPage&) = delete;
@@ -36,7 +36,7 @@ class TemporaryPage {
   std::filesystem::path folder_;
 };
 
-/// Starts the browser with a page and does not wait for it. Throws BrowserError where that fails.
+/// Starts the browser with a page and does not wait for it. Throws BrowserError if that fails.
 void open_page(std::vector<std::string> browser, const std::string& path);
 
 }  // namespace stillpoint::report

@@ -15,15 +15,18 @@ namespace stillpoint::report {
 [[nodiscard]] std::string digits(const std::optional<double>& value);
 /// Five digits, the unit and the prefix that fits: "12.1 mm", "3.46 kN"; lengths in m or mm.
 [[nodiscard]] std::string with_unit(double value, std::string_view unit);
-/// "0.0158739 to 0.0323606" by `digits`, with more where both ends would read the same.
+/// low <= 1e-6 high: of two sizes, where the lower end is less than anyone can build or measure.
+[[nodiscard]] bool begins_at_nothing(double low, double high);
+/// "0.0158739 to 0.0323606" by `digits`, with more if both ends would look the same; "up to
+/// 0.0323606" if it begins at nothing.
 [[nodiscard]] std::string range_digits(double low, double high);
-/// Those of a limit to be met by an input that is copied from a report.
+/// The digits of a limit that an input copied from a report must meet.
 inline constexpr int every_digit = 10;
-/// So many digits, rounded up or down so that an input set to them meets the limit.
+/// That many digits, rounded up or down so that an input set to them meets the limit.
 [[nodiscard]] std::string limit_digits(double value, bool upwards, int shown = every_digit);
 /// "0.340 to 0.429": three digits, or as many as hold both ends to 1 % of the width.
 [[nodiscard]] std::string interval_digits(double low, double high);
-/// A count: every digit up to 2^53, six of a larger one; or "none".
+/// A count: every digit up to 2^53, six for larger ones; or "none".
 [[nodiscard]] std::string whole(const std::optional<double>& count);
 /// "1 turning point", "2 turning points".
 [[nodiscard]] std::string plural(const std::optional<double>& count, std::string_view one);

@@ -15,7 +15,7 @@ namespace stillpoint::report {
 enum class Tone { plain, heading, good, bad, faint };
 
 struct Row {
-  std::string label;  ///< empty: goes on from the row above
+  std::string label;  ///< empty: continues the row above
   std::string text;
   Tone tone{Tone::plain};
 };
@@ -47,7 +47,7 @@ struct Section {
 
 struct Document {
   std::string title;
-  std::string verdict;     ///< what the reader wants to know, in a sentence or two
+  std::string verdict;     ///< the answer, in a sentence or two
   Tone tone{Tone::plain};  ///< of the verdict
   Section answer{};        ///< the rest of the answer, without a heading
   std::vector<Section> sections{};
@@ -57,20 +57,20 @@ struct Document {
   Section& detail(std::string heading);
 };
 
-/// How much of a document the text has: the answer without details, or everything.
+/// How much of a document the text shows: the answer without details, or everything.
 enum class Verbosity { normal, full };
 
 struct TextOptions {
-  std::string title{};   ///< the scene's own, behind that of the document
+  std::string title{};   ///< the scene's own, after that of the document
   bool coloured{false};  ///< for a terminal
   Verbosity verbosity{Verbosity::normal};
 };
 
-/// For a terminal or a file, at most 80 columns wide where its words allow it: the answer, then
+/// For a terminal or a file, at most 80 columns wide if its words allow it: the answer, then
 /// headed sections of aligned columns. Control characters in the title are spelled out.
 [[nodiscard]] std::string text(const Document& document, const TextOptions& options = {});
 
-/// The sections behind the answer as HTML, without a page around them.
+/// The sections after the answer as HTML, without a page around them.
 [[nodiscard]] std::string html(const Document& document);
 /// One of them, or the answer, without its heading.
 [[nodiscard]] std::string html(const Section& section);

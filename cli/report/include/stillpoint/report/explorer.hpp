@@ -8,7 +8,7 @@
 
 namespace stillpoint::report {
 
-/// The file of the page with the program in it, where it is installed beside this program.
+/// The file of the page with the program in it, if it is installed with this program.
 [[nodiscard]] std::optional<std::string> installed_explorer();
 
 /// That, or the one that ./dev explorer made in the folder where this program was built.

@@ -9,11 +9,11 @@
 
 namespace stillpoint::report {
 
-/// What a page has beside the answer.
+/// What a page has besides the answer.
 struct PageFrame {
   std::string title;         ///< the user's own, may be empty
   std::string_view command;  ///< that made it
-  std::string scene;         ///< its input, which makes the page again
+  std::string scene;         ///< its input, from which the page can be made again
 };
 
 /// Adds the frame and the version of the program.

@@ -5,7 +5,7 @@
 
 namespace stillpoint::report {
 
-/// "tau 3 of 10, 30 %"; `end` 0 where that is not known.
+/// "tau 3 of 10, 30 %"; `end` is 0 if that is not known.
 [[nodiscard]] std::string progress_in_tau(double tau, double end);
 
 /// ", 0:50 left"

@@ -28,14 +28,14 @@ struct RecordDesignReport {
   std::optional<design::PhysicalInput> physical{};
 };
 
-/// Why there is no damper, in one sentence; empty where there is one.
+/// Why there is no damper, in one sentence; empty if there is one.
 [[nodiscard]] std::string shortfall_sentence(const RecordDesignReport& report);
 
-/// How far a search is, in some 80 characters.
+/// How far a search is, in about 80 characters.
 [[nodiscard]] std::string progress_words(const design::RecordProgress& progress,
                                          const std::optional<design::PhysicalInput>& physical);
 
-/// "locked: under 1 of 2 records ..."; empty where no record locks the damper.
+/// "locked: under 1 of 2 records ..."; empty if no record locks the damper.
 [[nodiscard]] std::string lock_sentence(const RecordDesignReport& report);
 
 [[nodiscard]] Document document(const RecordDesignReport& report);
@@ -46,7 +46,7 @@ struct RecordDesignReport {
 [[nodiscard]] figures::HtmlPage page(const RecordDesignReport& report);
 
 inline constexpr std::size_t most_drawn_records = 11;
-/// The ids of the figures that the page may have, beside those of a spectrum.
+/// The ids of the figures that the page may have, besides those of a spectrum.
 inline constexpr std::array<std::string_view, 3 + most_drawn_records> record_design_figures{
     "map",      "worst",    "worst-load", "record-1", "record-2", "record-3",  "record-4",
     "record-5", "record-6", "record-7",   "record-8", "record-9", "record-10", "record-11"};

@@ -14,8 +14,8 @@
 
 namespace stillpoint::report {
 
-/// A part of the scan of a design under records: what a search, which sees all of them, begins
-/// with. The entries are the dampers of the scan.
+/// A part of the scan of a design under records, with which the search begins; the search needs all
+/// parts. The entries are the dampers of the scan.
 struct RecordScan {
   sweep::PartLabel label;
   std::vector<design::SuiteFigures> figures;
@@ -26,7 +26,10 @@ struct RecordScan {
 /// Reads back to the same numbers.
 [[nodiscard]] nlohmann::ordered_json json(const RecordScan& scan);
 
-/// Throws records::FileError if the file is not a whole part.
+/// Whether the file begins as such a part does.
+[[nodiscard]] bool is_record_scan(const std::string& path);
+
+/// Throws records::FileError if the file is not a complete part.
 [[nodiscard]] RecordScan read_record_scan(const std::string& path);
 
 /// The part `wanted`, if its file is there already. Throws LeftoverError for another part of the
@@ -38,8 +41,8 @@ struct RecordPart {
   bool computed{true};  ///< not found in its file
 };
 
-/// The part `wanted` of the scan of a design; with `resume` that of its file if it is whole. Empty
-/// where `ask` ended it. Throws InputError, and LeftoverError as above.
+/// The part `wanted` of the scan of a design; with `resume`, the one in its file if that is
+/// complete. Empty if `ask` ended it. Throws InputError, and LeftoverError as above.
 [[nodiscard]] std::optional<RecordPart> record_part(const sweep::PartLabel& wanted,
                                                     const design::RecordDesignRequest& request,
                                                     bool resume, const design::RecordWatch& ask);
@@ -47,7 +50,7 @@ struct RecordPart {
 /// What its file holds.
 [[nodiscard]] std::string text(const RecordScan& scan);
 
-/// Into its file, if it has one that does not hold it already.
+/// Writes it to its file, if it has one that does not contain it already.
 void write(const RecordPart& part, sweep::Output& output);
 
 /// The whole scan, from all its parts in any order. Throws as sweep::merge does.

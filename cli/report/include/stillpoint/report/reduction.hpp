@@ -14,7 +14,7 @@
 namespace stillpoint::report {
 
 /// What a sweep without rows found. Nothing in it depends on how it was computed, so the reports of
-/// the parts are enough to make that of the whole, to the last byte.
+/// the parts suffice to make that of the whole, to the last byte.
 struct ReductionReport {
   std::string kind;   ///< of the sweep
   bool split{false};  ///< into parts, of which this is one
@@ -33,7 +33,7 @@ struct ReductionReport {
 /// Whether the file begins as a JSON report does.
 [[nodiscard]] bool is_reduction(const std::string& path);
 
-/// Reads the JSON report of a part. Throws records::FileError if it is not whole.
+/// Reads the JSON report of a part. Throws records::FileError if it is not complete.
 [[nodiscard]] ReductionReport read_reduction(const std::string& path);
 
 /// The report of the part `wanted`, if its file is there already. Throws LeftoverError for another

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What there is to report of each answer, and the three ways to do it: a document for people, a
+// What to report for each answer, in three ways: a document for people, a
 // page of figures for a browser, JSON for programs.
 
 #include <stillpoint/core/simulation.hpp>
@@ -32,7 +32,7 @@ struct Catalogue {
   std::vector<design::RatedPart> parts;
 };
 
-/// Where an input was given in metres and seconds, `physical` has it, and reports are in both.
+/// If the input was given in metres and seconds, `physical` has it, and reports are in both.
 struct DesignReport {
   design::DesignResult result;
   std::optional<design::PhysicalInput> physical{};
@@ -84,11 +84,10 @@ struct AccuracyReport {
 [[nodiscard]] Document document(const AccuracyReport& report);
 
 /// "locked at x = 0 from 1.61 s of 20 s; the structure then feels up to 0.35 g", in tau without
-/// physical input; of a hit that the notch holds that the motion never starts; else empty.
+/// physical input; for a hit that the notch holds, that the motion never starts; else empty.
 [[nodiscard]] std::string lock_sentence(const MotionReport& report);
 
-/// The impulse per mass, |v0|, of a hit that the notch catches at the start; empty where it does
-/// not.
+/// The impulse per mass, |v0|, of a hit that the notch catches at the start; empty if it does not.
 [[nodiscard]] std::optional<double> caught_impulse(const MotionReport& report);
 
 /// As docs/reports.md describes them. Numbers carry a double's full precision; a value that does
@@ -97,12 +96,12 @@ struct AccuracyReport {
 [[nodiscard]] nlohmann::ordered_json json(const RegionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const MotionReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const AccuracyReport& report);
-/// As the program writes it: indented, with a line's end.
+/// As the program writes it: indented, with a final newline.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 /// The field `region` of a report.
 [[nodiscard]] nlohmann::ordered_json region_fields(const design::RegionVerdict& verdict);
 
-/// The figures above the document. Whoever writes the page adds title, input and footer.
+/// The figures above the document. The caller adds title, input and footer.
 [[nodiscard]] figures::HtmlPage page(const DesignReport& report);
 [[nodiscard]] figures::HtmlPage page(const RegionReport& report);
 [[nodiscard]] figures::HtmlPage page(const MotionReport& report);

@@ -18,10 +18,10 @@ namespace stillpoint::report {
 
 struct SpectrumReport {
   design::Spectrum result;
-  design::PhysicalInput physical;  ///< its period is none of the spectrum's
+  design::PhysicalInput physical;  ///< its period is not one of the spectrum's
 };
 
-/// "locked: at 3 of 9 periods ..."; empty where it locks at none.
+/// "locked: at 3 of 9 periods ..."; empty if it locks at none.
 [[nodiscard]] std::string lock_sentence(const SpectrumReport& report);
 
 [[nodiscard]] Document document(const SpectrumReport& report);
@@ -29,7 +29,8 @@ struct SpectrumReport {
 [[nodiscard]] nlohmann::ordered_json json(const SpectrumReport& report);
 [[nodiscard]] figures::HtmlPage page(const SpectrumReport& report);
 
-/// A row for each record and period. What does not exist is left out in CSV, NaN in NumPy's format.
+/// A row for each record and period. A value that does not exist is left out in CSV and NaN in
+/// NumPy's format.
 [[nodiscard]] std::string spectrum_csv(const SpectrumReport& report);
 [[nodiscard]] std::string spectrum_npy(const SpectrumReport& report);
 

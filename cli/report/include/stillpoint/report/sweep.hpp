@@ -16,7 +16,7 @@
 
 namespace stillpoint::report {
 
-/// `spec` and what came of it; of rows in a file.
+/// `spec` and its outcome, for rows in a file.
 struct SweepReport {
   sweep::SweepSpec spec;
   sweep::SweepSummary summary{};
@@ -25,11 +25,11 @@ struct SweepReport {
 
 [[nodiscard]] Document document(const SweepReport& report);
 [[nodiscard]] nlohmann::ordered_json json(const SweepReport& report);
-/// The map if there is one, and the document where the rows went to a file.
+/// The map if there is one, and the document if the rows went to a file.
 [[nodiscard]] figures::HtmlPage page(const SweepReport& report);
 
-/// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s", after `seconds` of a run that began with some
-/// rows.
+/// "4.2e+06 of 1e+08 rows, 4 %, 1.9e+06 rows/s", after `seconds` of a run that began with
+/// `begun_with` rows.
 [[nodiscard]] std::string progress_words(double rows, std::int64_t begun_with,
                                          const std::optional<std::int64_t>& total, double seconds);
 

@@ -9,11 +9,11 @@
 
 namespace stillpoint::texts {
 
-/// A file of data/help, data/shell or data/starters, which are part of the program:
+/// A file of data/help, data/shell or data/starters, which are embedded in the program:
 /// "help/design.txt".
 [[nodiscard]] std::string_view embedded(std::string_view file);
 
-/// The same with a text in place of each @name@.
+/// The same with each @name@ replaced by a text.
 [[nodiscard]] std::string embedded(std::string_view file,
                                    const std::map<std::string_view, std::string>& texts);
 

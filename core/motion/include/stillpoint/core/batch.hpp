@@ -16,16 +16,16 @@ struct BatchOptions {
   bool acceleration{false};  ///< peak_absolute_acceleration as well
   /// As in FreeOptions: if a single entry may take more half-cycles, the batch is refused.
   double half_cycle_limit{1e8};
-  int threads{0};     ///< 0: as many as the machine runs at once. No result depends on it.
-  Surface surface{};  ///< under every mass; any but the paper's runs without lanes, much slower
+  int threads{0};     ///< 0: one per hardware thread. No result depends on it.
+  Surface surface{};  ///< for every entry; any but the paper's runs without lanes, much slower
 };
 
 /// The metrics of entry i are the i-th of each array, and they are those of free_response,
 /// or on a surface those of forced_response without an excitation.
 ///
 /// An array cannot hold an empty value, so the outcome says which values exist: where outcome[i] is
-/// never_stops, half_cycles[i] and stop_time[i] are infinite and stop_position[i] is 0, and none of
-/// the three means anything.
+/// never_stops, half_cycles[i] and stop_time[i] are infinite and stop_position[i] is 0, and these
+/// three values have no meaning.
 struct BatchResult {
   Eigen::ArrayXd peak_amplitude;
   Eigen::ArrayXd half_cycles;
@@ -45,7 +45,7 @@ struct BatchResult {
 ///
 /// Throws InputError for input that free_response refuses, with the entry in the field ("f[17]"),
 /// for arrays of different lengths, and for threads < 0; TooManyHalfCycles, naming the entry, as
-/// free_response does. The first such entry is named, and `result` then holds nothing of use.
+/// free_response does. The first such entry is named, and `result` is then unusable.
 void free_batch(double v0, double p, const BatchValues& f, const BatchValues& delta,
                 const BatchOptions& options, BatchResult& result);
 

@@ -5,10 +5,10 @@
 
 /// Elementary functions with the same bits on every machine.
 ///
-/// The C library's own differ in the last digit: from one library to the next, and in glibc between
-/// processors with a fused multiply-add and without. These use +, -, *, / and sqrt alone.
+/// The C library's differ in the last digit: from one library to the next, and in glibc between
+/// processors with and without a fused multiply-add. These use only +, -, *, / and sqrt.
 /// Errors, in units in the last place of the result: sine and cosine 0.8, atan2 0.51, asin and acos
-/// 2, exp 0.6, log 0.6, hypot 1, pow some 100 at the ends of double's range
+/// 2, exp 0.6, log 0.6, hypot 1, pow about 100 at the ends of double's range
 /// (tests/core/motion/elementary_test.cpp). NaN and the infinities behave as in the C library.
 namespace stillpoint::elementary {
 
@@ -17,8 +17,8 @@ struct SinCos {
   double cosine;
 };
 
-/// Of an angle in radians. |x| > 1e6 is left to the C library: no phase of a motion is so large
-/// before it is reduced.
+/// Of an angle in radians. |x| > 1e6 is left to the C library: a motion reduces its phases before
+/// they grow so large.
 [[nodiscard]] SinCos sin_cos(double x);
 
 /// The angle of (x, y) in radians, in [-pi, pi].

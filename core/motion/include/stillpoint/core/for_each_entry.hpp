@@ -21,8 +21,8 @@ class EntryError : public std::runtime_error {
   std::exception_ptr cause_;
 };
 
-/// Calls body(i) for each i from 0 to size - 1 on several threads (0: as many as the machine runs
-/// at once). Each i is called by one thread only, so no result depends on their number.
+/// Calls body(i) for each i from 0 to size - 1 on several threads (0: one per hardware thread).
+/// Each i is called by one thread only, so no result depends on their number.
 ///
 /// `go_on`, if not empty, is called before each entry, by several threads at once; when it returns
 /// false the remaining entries are skipped. If body throws, no further entry begins, and EntryError

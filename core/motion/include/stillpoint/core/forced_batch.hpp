@@ -17,13 +17,13 @@ namespace stillpoint {
 struct ForcedBatchOptions {
   /// Of each scene. Several threads may call its go_on at once, each with the tau of its own scene.
   ForcedOptions scene;
-  int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
-  std::optional<double> hold{};  ///< of every oscillator
+  int threads{0};                ///< 0: one per hardware thread. No result depends on it.
+  std::optional<double> hold{};  ///< for every oscillator
   Surface surface{};             ///< under every mass
 };
 
 /// The motions from x = 0 with v0 of the oscillators (p, f[i], delta[i]), all under one excitation:
-/// forced_response of each, for every number of threads.
+/// each is that of forced_response, for any number of threads.
 ///
 /// Throws what forced_response throws, with the first wrong entry in the field ("f[17]") or the
 /// message, and InputError for arrays of different lengths and for threads < 0.
@@ -40,18 +40,18 @@ struct ForcedBatchOptions {
                                                        const ForcedBatchOptions& options = {});
 
 struct RecordBatchOptions {
-  std::optional<double> hold{};  ///< of every oscillator
-  Surface surface{};             ///< under every mass; any but the paper's runs without lanes
+  std::optional<double> hold{};  ///< for every oscillator
+  Surface surface{};             ///< for every entry; any but the paper's runs without lanes
   /// As in ForcedOptions, but a motion with more half-cycles is not an error: its outcome is
   /// `running`.
   double half_cycle_limit{1e8};
-  int threads{0};  ///< 0: as many as the machine runs at once. No result depends on it.
+  int threads{0};  ///< 0: one per hardware thread. No result depends on it.
 };
 
 /// The metrics of entry i are the i-th of each array, and they are those of forced_response.
 ///
 /// An array cannot hold an empty value: where the outcome is never_stops or running, nothing else
-/// means anything, and where the notch does not hold the mass locked_from is infinite.
+/// has a meaning, and where the notch does not hold the mass locked_from is infinite.
 struct RecordBatchResult {
   Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome;
   Eigen::ArrayXd peak_amplitude;
@@ -70,7 +70,7 @@ struct RecordBatchResult {
 /// through it and free to their rests. `result` is resized if its size differs.
 ///
 /// The values are bit for bit those of forced_response, for every instruction set and number of
-/// threads: docs/batch.md. Records with times of their own run without lanes.
+/// threads: docs/batch.md. Records that give their times run without lanes.
 ///
 /// Throws InputError for input that forced_response refuses, with the entry in the field ("f[17]"),
 /// for arrays of different lengths, and for threads < 0.

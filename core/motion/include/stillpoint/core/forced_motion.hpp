@@ -14,12 +14,13 @@ namespace stillpoint {
 
 struct ForcedOptions {
   /// The tau at which the run ends. Without it the run continues to the end of the free motion
-  /// after the excitation; an excitation that lasts for ever needs it.
+  /// after the excitation; it is required if the excitation never ends.
   std::optional<double> t_end{};
-  /// A motion with more half-cycles is refused, but for a closed form (a single friction). Without
-  /// it, only a free motion after the excitation has a limit, that of FreeOptions, without t_end.
+  /// A motion with more half-cycles is refused, unless it is a closed form (a single friction). If
+  /// empty, only a free motion after the excitation has a limit, that of FreeOptions, and only
+  /// without t_end.
   std::optional<double> half_cycle_limit{};
-  /// Called now and then with the tau reached; false ends the run there. Empty: never called.
+  /// Called now and then with the tau reached; returning false ends the run there.
   std::function<bool(double)> go_on{};
   int ask_every{1024};  ///< pieces between two calls; >= 1
 };
@@ -32,18 +33,20 @@ struct ForcedResponse : Response {
   std::optional<double> end_time;
   std::optional<double> final_position;
   std::optional<double> final_velocity;
-  /// Rests of positive length in which friction holds the mass for a while. One that the end of the
-  /// run cuts short counts; a final rest does not.
+  /// Rests of positive length in which friction holds the mass for a while. One cut short by the
+  /// end of the run counts; a final rest does not.
   double sticks{0};
   double stick_time{0};  ///< their total length in tau
   /// The mass left rest at x = 0 although delta > 0: the notch acts from the first return on. One
   /// with a finite hold or a width acts from the beginning, so that this is false.
   bool left_notch_from_rest{false};
   /// The tau from which the notch holds the mass at x = 0 although W goes on: since it came there,
-  /// or since the start. Empty where it does not, or W is 0 from then on; so is the next.
+  /// or since the start. Empty if it does not, or if W is 0 from then on; so is the next.
   std::optional<double> locked_from;
   std::optional<double> largest_load_while_locked;  ///< |W| in g, which the structure then feels
-  bool cancelled{false};                            ///< go_on said no
+  bool cancelled{false};                            ///< go_on returned false
+
+  [[nodiscard]] bool operator==(const ForcedResponse&) const = default;
 };
 // decision_margin here: the smallest relative distance of a compared quantity from what it was
 // compared with, at the instant of the decision. Unlike that of a free motion it does not refer to
@@ -57,7 +60,7 @@ struct ForcedResponse : Response {
                                              const ForcedOptions& options = {},
                                              const Surface& surface = {});
 
-/// As of a Response; of a motion that still goes on it says where it is.
+/// As for a Response; for a motion that has not ended it says where the mass is.
 [[nodiscard]] std::string summary(const ForcedResponse& response);
 
 /// The input of a forced run: what require_valid says of each part, and

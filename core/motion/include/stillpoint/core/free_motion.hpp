@@ -15,7 +15,7 @@ struct FreeOptions {
   bool margin{true};  ///< decision_margin: one division per half-cycle
   /// With both frictions the number of half-cycles is bounded before the run; a bound above this is
   /// refused with TooManyHalfCycles. Motions with one friction or none are closed forms and
-  /// need no limit. In [1, 1e15]; each 1e8 take a few seconds.
+  /// need no limit. In [1, 1e15]; each 1e8 takes a few seconds.
   double half_cycle_limit{1e8};
 };
 
@@ -35,11 +35,13 @@ struct Response {
   std::optional<double> stop_position;    ///< signed
   std::optional<double> arrival_speed;    ///< at the last arrival at x = 0, before the notch acts
   std::optional<double> decision_margin;  ///< docs/theory.md section 6; empty also if not asked for
-};
-// Counts are doubles that hold integers: exact below 2^53, and the closed forms go far beyond.
 
-/// The free motion (W = 0) of `oscillator` from `start`, exact except for rounding: each
-/// metric is that of inputs changed by a relative 2e-16 * (2 + half-cycles) at most, and a count or
+  [[nodiscard]] bool operator==(const Response&) const = default;
+};
+// Counts are doubles that hold integers: exact below 2^53, and the closed forms go far beyond that.
+
+/// The free motion (W = 0) of `oscillator` from `start`, exact except for rounding: each metric is
+/// exact for inputs changed by a relative 2e-16 * (2 + half-cycles) at most, and a count or
 /// outcome may differ only where decision_margin is below that. Throws InputError (oscillator.hpp
 /// says when) and TooManyHalfCycles. docs/theory.md sections 2-6.
 [[nodiscard]] Response free_response(const Oscillator& oscillator, const Start& start,

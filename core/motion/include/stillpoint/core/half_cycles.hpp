@@ -30,11 +30,13 @@ struct HalfCycle {
   /// end at x = 0, or where the notch has a width and is felt as an acceleration.
   std::optional<double> impulse;
   bool last{false};  ///< the motion ends with it
+
+  [[nodiscard]] bool operator==(const HalfCycle&) const = default;
 };
 
 /// Walks through a free motion half-cycle by half-cycle, in constant memory, times included. With
-/// only one friction each half-cycle comes from the closed form, rounded once, so that the walk
-/// ends where free_response says. Throws InputError like free_response.
+/// only one friction each half-cycle comes from the closed form, rounded once, so the walk ends
+/// where free_response says. Throws InputError like free_response.
 class HalfCycleWalk {
  public:
   HalfCycleWalk(const Oscillator& oscillator, const Start& start);
@@ -61,7 +63,7 @@ class HalfCycleWalk {
 /// The first `most` half-cycles of a forced motion up to tau = t_end: from x = 0 (or the start) to
 /// the next arrival at x = 0, the final rest or t_end. `peak` is the largest |x| at a turn, stick
 /// or end of the half-cycle, `side` the sign of x there; peak_time is when. arrival_speed is empty
-/// where the half-cycle does not end at x = 0. The run ends with the last one that is listed.
+/// where the half-cycle does not end at x = 0. The run ends with the last one listed.
 /// `go_on` as in ForcedOptions; if it returns false, the list holds the half-cycles so far. Throws
 /// InputError as forced_response does.
 [[nodiscard]] std::vector<HalfCycle> forced_half_cycles(

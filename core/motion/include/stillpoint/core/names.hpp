@@ -15,7 +15,7 @@ namespace stillpoint {
 template <class Enum>
 using Named = std::pair<Enum, std::string_view>;
 
-/// An enum that has, beside it, the table of its names, whatever the argument:
+/// An enum with the table of its names beside it; the argument only selects the enum:
 ///   std::span<const Named<Side>> enumerators(Side) noexcept;
 template <class Enum>
 concept HasNames = std::is_enum_v<Enum> && requires(Enum value) {

@@ -12,8 +12,8 @@ namespace stillpoint {
 /// `delta` are the paper's f and Delta, both >= 0; `p`^2 is its stiffness p^2, p > 0.
 ///
 /// In the paper a mass at rest in the notch stays there under any load, and `hold` is empty. A
-/// notch with a hold >= 0 lets the mass go when |W| exceeds f + hold: docs/notches.md. It takes a
-/// load to see the difference, and delta > 0.
+/// notch with a hold >= 0 lets the mass go when |W| exceeds f + hold: docs/notches.md. The
+/// difference shows only under a load, and with delta > 0.
 template <class Real>
 struct BasicOscillator {
   Real p{1};

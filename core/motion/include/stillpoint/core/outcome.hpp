@@ -17,7 +17,7 @@ enum class Outcome {
   stopped_in_notch,      ///< rests at 0 < |x| <= w/2 in a notch of width w (surface.hpp)
 };
 
-/// Their names are their own.
+/// Their names are those of the enumerators.
 [[nodiscard]] std::span<const Named<Outcome>> enumerators(Outcome) noexcept;
 
 }  // namespace stillpoint

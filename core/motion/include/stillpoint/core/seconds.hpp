@@ -5,7 +5,7 @@
 
 namespace stillpoint {
 
-/// Of a clock that only goes forward; what something took is the difference of two calls.
+/// The reading of a monotonic clock; a duration is the difference of two calls.
 [[nodiscard]] inline double seconds_now() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double>(now).count();

@@ -33,8 +33,8 @@ struct Simulation {
   std::optional<ForcedResponse> forced;  ///< if there is an excitation; response is its part
   std::vector<HalfCycle> half_cycles;
   /// States at evenly spaced instants and at every event; a passage has two, before and after the
-  /// notch. Up to t_end, otherwise to the end of the motion. A motion that never ends gets ten
-  /// periods (a forced motion ten more after the excitation).
+  /// notch. They go up to t_end, or without it to the end of the motion, or for ten periods if the
+  /// motion never ends (a forced motion: ten periods after the excitation).
   std::vector<State> trajectory;
   /// The tau where half-cycles and trajectory of a forced motion end; empty for a free one.
   std::optional<double> horizon{};
@@ -45,7 +45,7 @@ struct Simulation {
 
 /// Metrics, half-cycles and trajectory of the motion. A forced run calls `go_on` now and then, in
 /// each of its up to three passes, with the tau reached; false ends it. Throws InputError as
-/// free_response and forced_response do, and of t_end where the motion rests too late to be listed
+/// free_response and forced_response do, and about t_end if the motion rests too late to be listed
 /// up to then; TooManyHalfCycles.
 [[nodiscard]] Simulation simulate(const SimulationRequest& request,
                                   const std::function<bool(double)>& go_on = {});

@@ -20,7 +20,7 @@ enum class EventKind {
   start,
   arrival,         ///< x = 0, with the speed before the notch
   passage,         ///< the same instant, with the speed after it
-  turn,            ///< x' = 0, reached from motion; of a free motion one that goes on from there
+  turn,            ///< x' = 0, reached from motion; in a free motion, one that it goes on from
   excitation_end,  ///< W = 0 from here on
   stick,           ///< friction holds the mass for a while, or for ever
   release,         ///< the end of a stick
@@ -28,7 +28,7 @@ enum class EventKind {
   end,             ///< the end of the run, if the motion goes on
 };
 
-/// Their names are their own.
+/// Their names are those of the enumerators.
 [[nodiscard]] std::span<const Named<EventKind>> enumerators(EventKind) noexcept;
 
 struct Event {

@@ -16,12 +16,12 @@ struct BasicFrictionZone {
 };
 using FrictionZone = BasicFrictionZone<double>;
 
-/// What the mass slides on where that is not the paper's constant friction and notch without width:
+/// What the mass slides on, if not the paper's constant friction with a notch without width:
 /// docs/notches.md.
 template <class Real>
 struct BasicSurface {
-  /// The notch acts on |x| < notch_width / 2, as friction f + delta / notch_width. Empty: at x = 0
-  /// alone.
+  /// The notch acts on |x| < notch_width / 2, as friction f + delta / notch_width. Empty: only at x
+  /// = 0.
   std::optional<Real> notch_width{};
   /// In order of |x|. Beyond the last one the oscillator's own f acts.
   std::vector<BasicFrictionZone<Real>> zones{};
@@ -32,9 +32,9 @@ struct BasicSurface {
 using Surface = BasicSurface<double>;
 
 /// Throws InputError, naming the field ("notch-width", "friction-zones 2: f", ...), unless
-///   notch_width is in [1e-150, 1e150] and p times it as well, and does not stand beside a finite
-///   hold; edges grow, and they and p times them are in [1e-150, 1e150]; each friction, and that of
-///   the notch, is what f may be.
+///   notch_width is in [1e-150, 1e150] and p times it as well, and there is no finite hold beside
+///   it; edges increase, and they and p times them are in [1e-150, 1e150]; each friction, and that
+///   of the notch, is what f may be.
 void require_valid(const Oscillator& oscillator, const Surface& surface);
 
 }  // namespace stillpoint

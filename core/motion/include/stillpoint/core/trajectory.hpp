@@ -73,7 +73,7 @@ struct ForcedTrajectoryOptions {
 };
 
 /// A forced motion with its state at any instant of [0, horizon] and its events in order of time.
-/// It holds every piece: some 200 bytes for each turn, passage, rest or interval of a record.
+/// It holds every piece: about 200 bytes for each turn, passage, rest or interval of a record.
 class ForcedTrajectory {
  public:
   /// Throws InputError as forced_response does.

@@ -11,8 +11,8 @@ namespace stillpoint::records {
 
 /// Where in a file something is wrong. Lines and columns count from 1.
 struct FilePlace {
-  std::string kind;  ///< what the file is to the program: "record", "list", "scene"
-  std::string path;  ///< or where else the text comes from
+  std::string kind;  ///< what the program reads it as: "record", "list", "scene"
+  std::string path;  ///< or the source of the text
   std::optional<std::size_t> line{};
   std::optional<std::size_t> column{};  ///< in bytes; only beside a line
 };

@@ -24,9 +24,9 @@ inline constexpr std::size_t largest_record_bytes = std::size_t{64} << 20U;
 [[nodiscard]] RecordFile parse_record(std::string_view text, const std::string& path,
                                       const RecordOptions& options = {});
 
-/// Whether a text is no record, not even a wrong one: no format knows it, and neither of its first
-/// two lines, comments and blank ones aside, begins with a number. Throws FileError if it is empty
-/// or binary.
+/// Whether a text is not a record, not even a wrong one: it matches no format, and neither of its
+/// first two lines, comments and blank ones aside, begins with a number. Throws FileError if it is
+/// empty or binary.
 [[nodiscard]] bool is_plain_text(std::string_view text, const std::string& path);
 
 }  // namespace stillpoint::records

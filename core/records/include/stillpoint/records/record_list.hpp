@@ -10,13 +10,14 @@ namespace stillpoint::records {
 
 /// A line of a list of records.
 struct ListedRecord {
-  std::string path;  ///< beside the list if it is there, else from where the program runs
-  double scale{1};   ///< not 0
+  std::string
+      path;         ///< in the list's folder if it is there, else relative to the working directory
+  double scale{1};  ///< not 0
   RecordTarget target{};
 };
 
 /// CSV with the header file,scale or file,peak or file,spectrum; blank lines and those that begin
-/// with # are passed over. Throws FileError, with the line, for what is wrong.
+/// with # are skipped. Throws FileError, with the line, for what is wrong.
 [[nodiscard]] std::vector<ListedRecord> read_record_list(const std::string& path);
 
 }  // namespace stillpoint::records

@@ -24,7 +24,7 @@ enum class RecordUnits { g, m_per_s2, cm_per_s2 };
 using stillpoint::name;
 
 /// The unit of the times in a file, and which of them a motion can follow, excitation.hpp. This is
-/// asked while the file is read, so that an error can name the line.
+/// checked while the file is read, so that an error can name the line.
 struct RecordClock {
   std::string_view unit{"s"};
   double per_tau{1};  ///< how much of this unit is one tau; > 0

@@ -24,8 +24,8 @@ inline constexpr double spectrum_damping = 0.05;
 /// period 2 pi/p shorter than the mean interval, which the record does not resolve.
 [[nodiscard]] double spectral_acceleration(const Record& record, double p);
 
-/// What a record is scaled to: a peak or a value of its spectrum, in g; with neither it keeps its
-/// size.
+/// What a record is scaled to: a peak or a value of its spectrum, in g; with neither it is not
+/// scaled.
 struct RecordTarget {
   std::optional<double> peak{};
   std::optional<double> spectrum{};
@@ -42,9 +42,9 @@ struct RecordScale {
   std::optional<double> spectrum_p{};
 };
 
-/// What brings `record`, read from `path`, to the target: 1 without one. Throws InputError for a
-/// wrong target and for a period that the record does not resolve, FileError for a record that is 0
-/// throughout.
+/// The factor that scales `record`, read from `path`, to the target: 1 without one. Throws
+/// InputError for a wrong target and for a period that the record does not resolve, FileError for a
+/// record that is 0 throughout.
 [[nodiscard]] double factor_to_target(const RecordScale& scale, const Record& record,
                                       const std::string& path, const RecordClock& clock);
 

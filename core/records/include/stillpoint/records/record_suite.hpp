@@ -29,7 +29,7 @@ struct SuiteFiles {
 [[nodiscard]] std::vector<SuiteRecord> read_suite(const SuiteFiles& files, const RecordScale& scale,
                                                   const RecordOptions& options);
 
-/// The files of the folders of a suite that were taken for plain text.
+/// The files in the folders of a suite that were skipped as plain text.
 [[nodiscard]] std::vector<std::string> left_out_files(const SuiteFiles& files);
 
 }  // namespace stillpoint::records

@@ -12,7 +12,8 @@ namespace stillpoint::records {
 /// `text` without the blanks and tabs at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// Takes the first word off `text`, where words stand between blanks and tabs; "" if none is left.
+/// Removes the first word, delimited by blanks and tabs, from `text` and returns it; "" if there is
+/// none.
 std::string_view take_word(std::string_view& text);
 
 /// The parts of `text` between any of `separators`, none of them empty.
@@ -27,7 +28,7 @@ std::string_view take_word(std::string_view& text);
 
 /// How much of a wrong word a message quotes.
 inline constexpr std::size_t longest_word = 60;
-/// How much of the name of a file.
+/// How much of a file's name.
 inline constexpr std::size_t longest_path = 300;
 
 /// The first `longest` bytes of a text, followed by "..." if it is longer. A UTF-8 sequence is

@@ -7,7 +7,7 @@
 
 namespace stillpoint::records {
 
-/// What a value measures, which decides the units that it may carry.
+/// What a value measures, which decides the units that it may have.
 enum class Dimension {
   none,
   length,
@@ -27,12 +27,12 @@ struct Unit {
   int power_of_ten;
 };
 
-/// Of the positive values of anything that is built or recorded, in SI units and in g, with room to
-/// spare. What these make dimensionless is valid as well.
+/// Bounds of the positive values of anything that is built or recorded, in SI units and in g, with
+/// room to spare. The dimensionless values that follow from them are valid as well.
 inline constexpr double smallest_physical = 1e-30;
 inline constexpr double largest_physical = 1e30;
 
-/// The units of a dimension, the SI unit first; of gravities that is g. None for a plain number.
+/// The units of a dimension, the SI unit first; for gravities, g. None for a plain number.
 [[nodiscard]] std::vector<Unit> units_of(Dimension dimension);
 
 /// "m, cm or mm"; "" for a plain number.
@@ -40,8 +40,8 @@ inline constexpr double largest_physical = 1e30;
 
 /// "150mm" is 0.15 for a length: the number is scaled as decimal digits before it is rounded, so
 /// 150mm and 0.15 are the same double. A bare number is in the SI unit. Throws InputError, which
-/// names the field, the text and the units that it accepts; of a plain number it ends in
-/// `instead`, what to give with a unit.
+/// names the field, the text and the units that it accepts; for a plain number it ends in
+/// `instead`, the option to give with a unit.
 [[nodiscard]] double parse_value(std::string_view field, Dimension dimension, std::string_view text,
                                  std::string_view instead = "");
 

@@ -8,7 +8,7 @@
 
 namespace stillpoint::design {
 
-/// Why no (f, Delta) is admissible, by the two constraints that exclude each other.
+/// Why no (f, Delta) is admissible, by the two constraints that conflict.
 enum class Conflict {
   none,
   amplitude_against_return,        ///< f2 > f3, or their boxes do not fit: condition (10) fails
@@ -22,15 +22,15 @@ enum class Conflict {
 };
 
 /// The admissible region max(f2, 0) <= f <= f3, Delta1(f) < Delta <= Delta2, and its part within
-/// the limits. f1, f2, f3 and delta2 are the paper's; f2 is negative where amplitude does not bind.
+/// the limits. f1, f2, f3 and delta2 are the paper's; f2 is negative if amplitude does not bind.
 struct Region {
   bool feasible{false};
   Conflict conflict{Conflict::none};
   double f1{0};
   double f2{0};
   double f3{0};
-  /// f <= f4 keeps S = sqrt(f^2 + p^2 V0^2) within acceleration_max; negative where p V0 alone is
-  /// above that. Empty without the limit.
+  /// f <= f4 keeps S = sqrt(f^2 + p^2 V0^2) within acceleration_max; negative if p V0 alone exceeds
+  /// that. Empty without the limit.
   std::optional<double> f4;
   std::optional<double> delta2;  ///< empty under a pulse, which starts the mass whatever Delta is
   double beta_min{0};  ///< V0/(sqrt(2) p), condition (10); the least double that is feasible
@@ -46,7 +46,7 @@ struct Region {
 /// strips, the other edges those of the first arrival. Throws InputError (problem.hpp).
 [[nodiscard]] Region admissible_region(const Problem& problem, const Limits& limits = {});
 
-/// What the deltas and velocities of a sentence are multiplied with, and the unit behind them.
+/// The factors of the deltas and velocities in a sentence, and their units.
 struct ReasonUnits {
   double delta{1};
   std::string delta_unit{};

@@ -14,13 +14,13 @@ struct Spread {
   double above{0};
 };
 
-/// Each throws InputError, naming `field`: of R unless 0 <= R < 1, of the factors LOW:HIGH unless
+/// Each throws InputError, naming `field`: for R unless 0 <= R < 1, for the factors LOW:HIGH unless
 /// 0 < LOW <= 1 <= HIGH < 2.
 [[nodiscard]] Spread spread_of_tolerance(const std::string& field, double tolerance);
 [[nodiscard]] Spread spread_of_factors(const std::string& field, double low, double high);
 
-/// Gives the box of the limits these sides; one that is absent is as limits.tolerance. Throws
-/// InputError where all are 0.
+/// Sets the sides of the limits' box; an absent one is limits.tolerance. Throws InputError if all
+/// are 0.
 void shape_box(Limits& limits, const std::optional<Spread>& of_f,
                const std::optional<Spread>& of_delta);
 

@@ -19,8 +19,8 @@ namespace stillpoint::design {
                                             Objective objective, std::span<const Part> parts);
 
 /// The least change of the stroke, the tolerance, a limit or the arrivals, with the others
-/// unchanged, that makes at least one of the parts admissible. None if one is, and none of v0 and
-/// p: parts are chosen for a hit.
+/// unchanged, that makes at least one of the parts admissible. None if one already is, and never of
+/// v0 or p: parts are chosen for a given hit.
 [[nodiscard]] std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
                                            std::span<const Part> parts);
 

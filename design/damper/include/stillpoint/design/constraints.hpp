@@ -21,11 +21,11 @@ namespace stillpoint::design {
 ///
 /// slack is the distance from value to limit, positive inside; the strict ones need slack > 0.
 ///
-/// Of a damper that stops at a later arrival, `return` and `stop` compare V0 with the least one
+/// For a damper that stops at a later arrival, `return` and `stop` compare V0 with the least one
 /// that reaches that arrival and the least that passes it, (47) of docs/theory.md.
 struct Constraint {
   std::string_view name;
-  std::string_view variable;  ///< f or delta, of which `value` is; v0 of a later arrival
+  std::string_view variable;  ///< what `value` is: f or delta; v0 for a later arrival
   std::string_view relation;
   double value{0};
   double limit{0};

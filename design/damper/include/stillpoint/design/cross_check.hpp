@@ -17,7 +17,7 @@ struct CrossCheck {
 /// Compares the prediction with the half-cycle map (tolerance 1e-12) and with Runge-Kutta
 /// (1e-9; integrated at 1e-12). Where the arrival grazes x = 0, the stop time loses up to half of
 /// its digits in any arithmetic; both tolerances are multiplied by (31) of docs/theory.md, which is
-/// 1 away from there; of later arrivals by (53). Throws InputError for delta = 0, which is no
+/// 1 away from there; for later arrivals by (53). Throws InputError for delta = 0, which is not a
 /// design.
 [[nodiscard]] CrossCheck cross_check(const Prediction& prediction, const Problem& problem, double f,
                                      double delta);

@@ -8,11 +8,11 @@
 
 namespace stillpoint::design {
 
-/// The largest R of f and delta at once, whatever the shape of the box.
+/// The largest R of f and delta at once, for any shape of the box.
 [[nodiscard]] double even_tolerance(const Problem& problem, const Limits& limits,
                                     const DesignPoint& point);
 
-/// The same of a result with a finding, under a pulse too.
+/// The same for a result with a finding, also under a pulse.
 [[nodiscard]] double even_tolerance(const DesignResult& result);
 
 /// The result in one line for people: the damper and its motion, or why there is none.
@@ -22,17 +22,16 @@ namespace stillpoint::design {
 /// a failed check are results.
 [[nodiscard]] DesignResult design(const DesignRequest& request);
 
-/// That of a request with a pulse. Throws InputError for what a pulse does not take.
+/// The request of a design with a pulse. Throws InputError for what a pulse does not take.
 [[nodiscard]] PulseRequest pulse_request(const DesignRequest& request);
 [[nodiscard]] PulseRequest pulse_request(const RegionRequest& request);
 
 /// The answer for a mass that a pulse moves from rest. The region is that of the forced motion
 /// itself: docs/theory.md section 8. In it f2 and f3 are the ends of the f that stay within beta
-/// and return, beta_min is the least beta without limits, delta2 is empty, since a mass that
-/// leaves from rest pays nothing at the start. The finding's `response` is the forced one, and its
-/// `pulse` says how far the reduction to a velocity is off; the request's v0 is that velocity, or 0
-/// where there is none. The mends name k and lambda instead of v0. Throws InputError for wrong
-/// input.
+/// and return, beta_min is the least beta without limits, delta2 is empty, since the notch takes
+/// nothing from a mass that starts from rest. The finding's `response` is the forced one, and its
+/// `pulse` says how far the reduction to a velocity is off; the mends name k
+/// and lambda instead of v0. Throws InputError for wrong input.
 [[nodiscard]] DesignResult design(const PulseRequest& request);
 
 }  // namespace stillpoint::design

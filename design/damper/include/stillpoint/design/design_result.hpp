@@ -18,15 +18,15 @@ struct DesignRequest {
   Problem problem;
   Limits limits{};
   SearchOptions search{};
-  std::optional<Pulse> pulse{};  ///< in place of problem.v0; see PulseRequest
+  std::optional<Pulse> pulse{};  ///< in place of problem.v0, which is then not looked at
   PulseRanges pulse_ranges{};
 };
 
 /// The design found for an admissible region.
 struct Finding {
   DesignPoint point;
-  /// The one at which it stops the mass (of ranges: after the strongest hit); empty for a rest off
-  /// centre, within the residual.
+  /// The one at which it stops the mass (with ranges: after the strongest hit); empty for a rest
+  /// off centre, within the residual.
   std::optional<std::int64_t> arrival{};
   std::vector<Constraint> constraints;
   Response response;  ///< by the half-cycle map, or under the pulse
@@ -38,11 +38,12 @@ struct Finding {
   std::optional<PulseCheck> pulse;   ///< if a pulse moves the mass
 };
 
-/// The whole answer to a request, repeated with the v0 that a pulse leaves. Without a finding the
-/// region is empty.
+/// The whole answer to a request. Without a finding the region is empty.
 struct DesignResult : RegionVerdict {
   DesignRequest request;
   std::optional<Finding> finding{};
+  /// The velocity to which a pulse reduces, of the motion shown; a full sine leaves none.
+  std::optional<double> reduced_v0{};
 };
 
 struct PulseRequest {

@@ -9,7 +9,7 @@
 
 namespace stillpoint::design {
 
-/// A value in SI units, as somebody gave it.
+/// A value in SI units, and how it was given.
 struct GivenValue {
   double value;
   bool with_unit;
@@ -18,10 +18,10 @@ struct GivenValue {
 /// By names such as velocity, max-displacement, natural-frequency.
 using GivenValues = std::map<std::string, GivenValue, std::less<>>;
 
-/// A value that is absurd beside the others, most often a number in millimetres, milliseconds or
+/// A value that makes no sense with the others, most often a number in millimetres, milliseconds or
 /// tonnes where metres, seconds or kilograms are meant.
 struct Doubt {
-  /// What was likely meant: this number, in this unit.
+  /// What was probably meant: this number, in this unit.
   struct Meant {
     std::string name;
     double value;

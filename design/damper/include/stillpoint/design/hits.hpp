@@ -16,7 +16,7 @@ enum class HitEnd {
   held,         ///< V0^2 < 2 Delta: it never starts
   centred,      ///< it stops at x = 0
   off_centre,   ///< it rests in the dead zone
-  alternating,  ///< centred and off centre by turns, not listed one by one
+  alternating,  ///< alternately centred and off centre, not listed one by one
   too_far,      ///< its peak exceeds beta, wherever it ends
   never_stops,  ///< there is no friction
 };
@@ -25,23 +25,23 @@ enum class HitEnd {
 [[nodiscard]] std::span<const Named<HitEnd>> enumerators(HitEnd) noexcept;
 using stillpoint::name;
 
-/// The V0 between two edges, all of which end alike. The edges themselves belong to `centred`, and
-/// else to the segment below for too_far and to the one above for held.
+/// The V0 between two edges, all of which end alike. The edges themselves belong to `centred`;
+/// otherwise to the segment below for too_far and to the one above for held.
 struct Hits {
   double from{0};
   double to{0};
   HitEnd end{HitEnd::held};
-  /// Arrivals at x = 0, the stop included; of `alternating` the least. Empty for held, too_far and
-  /// never_stops.
+  /// Arrivals at x = 0, the stop included; for `alternating`, the least. Empty for held, too_far
+  /// and never_stops.
   std::optional<double> arrivals;
-  /// Of `off_centre`, the position of rest that is farthest from x = 0, with its sign for V0 > 0.
+  /// For `off_centre`, the position of rest that is farthest from x = 0, with its sign for V0 > 0.
   std::optional<double> rest;
 };
 
 /// Every V0 from 0 to `v0_most`, in order and without gaps, for a start at x = 0. With little
 /// friction there are many segments: once this many are listed, the others up to the limit of the
-/// peak become one, `alternating`. A single V0 that ends otherwise than both of its neighbours
-/// (with one friction alone) is not a segment.
+/// peak become one, `alternating`. A single V0 that ends differently from both of its neighbours
+/// (with only one friction) is not a segment.
 inline constexpr int most_hit_segments = 100;
 
 /// Edges in closed form, docs/theory.md (39) to (42). Throws InputError for a wrong oscillator,

@@ -22,8 +22,8 @@ enum class Objective {
 [[nodiscard]] std::span<const Named<Objective>> enumerators(Objective) noexcept;
 using stillpoint::name;
 
-/// The objective's value of a motion; empty for `robust`, which is none of a motion, and for the
-/// stop time of one that never stops.
+/// The objective's value for a motion; empty for `robust`, which a motion does not have, and for
+/// the stop time of one that never stops.
 [[nodiscard]] std::optional<double> objective_of(Objective objective, const Response& motion);
 
 }  // namespace stillpoint::design

@@ -22,7 +22,7 @@ struct Part {
 /// A box around it stays within what f and Delta may be.
 inline constexpr double largest_part_value = 1e299;
 
-/// How a part stands against a task.
+/// How well a part fits a task.
 struct RatedPart {
   Part part;
   bool admissible{false};           ///< with the tolerance asked for
@@ -32,8 +32,8 @@ struct RatedPart {
 };
 
 struct Choice {
-  /// Of the best part, without a search; without a finding if no part is admissible, which `reason`
-  /// says, with `mends` of the parts.
+  /// The design with the best part, without a search. If no part is admissible there is no finding;
+  /// `reason` says so, and `mends` are those of the parts.
   DesignResult result;
   std::vector<RatedPart> parts;  ///< all of them, best first
 };

@@ -47,7 +47,7 @@ struct PhysicalIsolator {
 };
 
 /// Scales with H = reference_velocity / omega. Throws InputError, naming the field, for a value
-/// that is not positive and finite and for too few or too many of them.
+/// that is not positive and finite, and for too few or too many values.
 [[nodiscard]] Scales physical_scales(const PhysicalIsolator& isolator, double reference_velocity);
 
 /// The scales, and what was given in metres and seconds: for a report in both.
@@ -68,11 +68,11 @@ struct PhysicalInput {
 /// Intervals of velocity and period, the ends moved inwards by the rounding of the conversion.
 struct PhysicalWorksFor {
   ServedInterval velocity_m_per_s;
-  ServedInterval period_s;  ///< the longest is always there; a `low` of 0 where no p is too large
+  ServedInterval period_s;  ///< the longest always exists; `low` is 0 if no p is too large
 };
 [[nodiscard]] PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served);
 
-/// The physical value of a mended input, by the name under which it was given; H, a mere unit of
+/// The physical value of a mended input, by the name under which it was given; H, only a unit of
 /// length, stays.
 struct PhysicalMend {
   std::string_view name;
@@ -82,7 +82,7 @@ struct PhysicalMend {
 };
 
 /// Empty for an input without a unit: f_max, the tolerance and k. lambda is the duration of its
-/// pulse, where that is given.
+/// pulse, if that is given.
 [[nodiscard]] std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical,
                                                         const Mend& mend,
                                                         const std::optional<Pulse>& pulse = {});

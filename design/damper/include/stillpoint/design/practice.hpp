@@ -8,9 +8,9 @@
 
 namespace stillpoint::design {
 
-/// What engineers ask of an isolator, of a free motion from x = 0 with the peak A; dimensionless:
-/// forces over the weight, energies over m g H. docs/theory.md section 11. What does not exist
-/// (without friction, without a stop at x = 0) is empty, as is what no double holds.
+/// What engineers want to know about an isolator, for a free motion from x = 0 with the peak A;
+/// dimensionless: forces over the weight, energies over m g H. docs/theory.md section 11. What does
+/// not exist (without friction, without a stop at x = 0) is empty, as is what a double cannot hold.
 struct Practice {
   std::optional<double> secant_stiffness;    ///< (f + p^2 A)/A; p^2 is the spring's
   std::optional<double> equivalent_damping;  ///< of a full cycle of amplitude A, (43)
@@ -23,19 +23,26 @@ struct Practice {
   std::optional<double> impulse_largest;
   double notch_capacity{0};          ///< Delta, the energy that a whole passage takes
   std::optional<double> notch_used;  ///< energy of the arrival that stops, over the capacity
-  /// least_notch_width for the limit that was asked for.
+  /// least_notch_width for the limit that was asked for, with the spring where it is felt.
   std::optional<double> notch_width_min;
 };
 
-/// Of a motion with that response. Empty if nothing moves.
+/// What sets the mass off: a hit, which leaves the notch freely, or a load, which moves it from
+/// rest.
+enum class SetOff { hit, load };
+
+/// For a motion with that response. Empty if nothing moves.
 [[nodiscard]] std::optional<Practice> practice(const Oscillator& oscillator,
                                                const Response& response,
-                                               const std::optional<double>& acceleration_max);
+                                               const std::optional<double>& acceleration_max,
+                                               SetOff set_off = SetOff::hit);
 
-/// f + Delta/w: what the mass feels inside a notch of width w > 0, away from the spring, which adds
-/// p^2 w/2 at most.
-[[nodiscard]] double notch_acceleration(double f, double delta, double width);
-/// The least width that keeps that at or below `limit`; empty where even f alone is not below it.
-[[nodiscard]] std::optional<double> least_notch_width(double f, double delta, double limit);
+/// f + Delta/w + p^2 w/2, the most that the mass feels inside a notch of width w > 0: friction and,
+/// at the edge by which it leaves, the spring. p = 0 leaves the spring out: a mass that comes to
+/// rest before x = 0, which it does for notch_used <= 1/2, feels less than the friction.
+[[nodiscard]] double notch_acceleration(double f, double delta, double width, double p = 0);
+/// The least width that keeps that at or below `limit`; empty if none does.
+[[nodiscard]] std::optional<double> least_notch_width(double f, double delta, double limit,
+                                                      double p = 0);
 
 }  // namespace stillpoint::design

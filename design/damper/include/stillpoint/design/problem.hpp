@@ -16,12 +16,12 @@ enum class Criterion {
   exact,      ///< the speed at x = 0 itself: sharp
 };
 
-/// Of the arrivals at x = 0. The tolerance of a damper that stops at the n-th is below 1/(2n - 1),
-/// for the last of these 0.05 %, and every arrival costs a step of the map.
+/// The most arrivals at x = 0. The tolerance of a damper that stops at the n-th is below 1/(2n -
+/// 1), 0.05 % for the last of these, and every arrival costs a step of the map.
 inline constexpr std::int64_t most_arrivals = 1000;
 
-/// What the damper must do, dimensionless: stop at x = 0 after the initial velocity v0, at the
-/// latest at that arrival (1 is the paper's task), with no displacement beyond beta. All positive;
+/// What the damper must do, dimensionless: stop at x = 0 after the initial velocity v0, by that
+/// arrival (1 is the paper's task), with no displacement beyond beta. All positive;
 /// p is the paper's p.
 struct Problem {
   double v0{1};
@@ -34,10 +34,10 @@ struct Problem {
   /// that the notch holds need not move.
   std::optional<double> v0_low{};
   std::optional<double> p_high{};
-  /// A rest with |x| <= residual is admissible as well, after `arrivals` half-cycles at the latest.
+  /// A rest with |x| <= residual is admissible as well, after at most `arrivals` half-cycles.
   std::optional<double> residual{};
 
-  /// The weakest hit that has to move the mass.
+  /// The weakest hit that must move the mass.
   [[nodiscard]] double starting_v0() const { return v0_low.value_or(0) > 0 ? *v0_low : v0; }
   [[nodiscard]] double stiffest_p() const { return p_high.value_or(p); }
 };
@@ -59,7 +59,8 @@ struct Limits {
   std::optional<double> f_max{};
   std::optional<double> delta_max{};
   double tolerance{0};  ///< in [0, 1)
-  /// In g, of what the mass feels outside the notch: S = sqrt(f^2 + p^2 V0^2) at most.
+  /// In g: the largest acceleration that the mass may feel outside the notch, S = sqrt(f^2 + p^2
+  /// V0^2).
   std::optional<double> acceleration_max{};
   BoxShape shape{};
 };

@@ -24,7 +24,7 @@ struct PulseRanges {
   std::optional<double> lambda_high{};
 };
 
-/// A problem where a pulse moves the mass from rest, instead of an initial velocity.
+/// A problem in which a pulse moves the mass from rest, instead of an initial velocity.
 struct PulseProblem {
   Pulse pulse;
   double p{1};
@@ -52,17 +52,17 @@ void require_valid(const PulseProblem& problem, const Limits& limits = {});
 [[nodiscard]] double angular_frequency(const Pulse& pulse);  ///< lambda
 [[nodiscard]] std::string_view name(const Pulse& pulse);     ///< "half-sine" and so on
 [[nodiscard]] Excitation excitation(const Pulse& pulse);
-/// Of core, empty where the mass never moves, and for a full sine, which leaves no velocity.
+/// As in core; empty if the mass never moves, and for a full sine, which leaves no velocity.
 [[nodiscard]] std::optional<EquivalentStart> equivalent_start(const Pulse& pulse, double f);
 
 /// Delta >= this stops the mass at its first return under friction f: half the square of the
-/// arrival speed, by the published criterion f^2/(2 p^2) more; of ranges the largest. Empty where
-/// it does not return.
+/// arrival speed, by the published criterion f^2/(2 p^2) more; with ranges the largest. Empty if
+/// the mass does not return.
 [[nodiscard]] std::optional<double> least_delta(const PulseProblem& problem, double f);
-/// The same as a function of f, for many of them. It keeps its last motions: one for each thread.
+/// The same as a function of f, for many f. It keeps its last motions, so use one per thread.
 [[nodiscard]] std::function<std::optional<double>(double)> least_delta(const PulseProblem& problem);
 
-/// An interval of f whose motion returns, stays within beta and keeps the limits.
+/// An interval of f for which the motion returns, stays within beta and meets the limits.
 struct FrictionInterval {
   double low{0};
   double high{0};
@@ -77,7 +77,7 @@ enum class PulseWarning {
 /// "pulse_not_short" and so on.
 [[nodiscard]] std::span<const Named<PulseWarning>> enumerators(PulseWarning) noexcept;
 
-/// The largest of any pulse with any spring of the ranges: docs/theory.md section 15.
+/// The largest values for any pulse with any spring in the ranges: docs/theory.md section 15.
 struct PulseWorst {
   double peak{0};
   double acceleration{0};  ///< transmitted
@@ -87,15 +87,16 @@ struct PulseWorst {
 /// The design under its pulse, followed from rest by the exact forced motion, and how far the
 /// reduction to an initial velocity would be off.
 struct PulseCheck {
-  /// Of the ranges those of the motion shown, which has the largest peak.
+  /// With ranges, those of the motion shown, which has the largest peak.
   Pulse pulse;
   double p{0};
   std::optional<PulseWorst> worst;  ///< of the ranges
   double shortness{0};              ///< p / lambda, the paper's eps for p = 1
   double friction_ratio{0};         ///< f / k
   ForcedResponse response;
-  std::optional<EquivalentStart> start;  ///< of the reduction; these three not for a full sine
-  std::optional<double> peak_error;      ///< of the reduced motion's peak, relative to the true one
+  std::optional<EquivalentStart>
+      start;                         ///< of the reduction; these three are empty for a full sine
+  std::optional<double> peak_error;  ///< of the reduced motion's peak, relative to the true one
   std::optional<double> stop_time_error;  ///< of start.tau + its stop time, likewise; empty also
                                           ///< where it does not stop at x = 0
   std::vector<PulseWarning> warnings;     ///< why it would be off

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The damper that a suite of recorded accelerations asks for: docs/records-design.md.
+// The best damper for a suite of recorded accelerations: docs/records-design.md.
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/design/suite_task.hpp>
@@ -15,7 +15,7 @@ namespace stillpoint::design {
 
 struct SuiteSearch {
   std::string algorithm;  ///< which found the point: "scan", "LN_SBPLX" or "GN_ISRES"
-  std::string status;     ///< NLopt's word; "SUCCESS" of the scan
+  std::string status;     ///< NLopt's own; "SUCCESS" for the scan
   std::int64_t evaluations{0};
   double wall_time_s{0};
   std::int64_t scan_points{0};
@@ -23,15 +23,16 @@ struct SuiteSearch {
   bool interrupted{false};  ///< the best so far; a whole search may find a better one
 };
 
-/// What dampers within f (1 +- R), delta (1 +- R) do: the corners and random points, no proof.
+/// What dampers within f (1 +- R), delta (1 +- R) do, at the corners and random points: a sample,
+/// not a proof.
 struct Sensitivity {
   double tolerance{0};
   std::int64_t samples{0};
   std::int64_t admissible{0};  ///< of the samples
-  SuiteFigures worst;          ///< of each figure, and settled if all are
+  SuiteFigures worst;          ///< the largest of each figure; settled if all are
 };
 
-/// One record by another integrator, and its distance.
+/// One record by another integrator, and its distance from the kernel.
 struct SuiteCheckRow {
   double peak{0};
   double acceleration{0};
@@ -55,24 +56,24 @@ struct RecordFinding {
   SuiteCheck check;
 };
 
-/// A limit where no damper met all of them.
+/// A limit, if no damper met all of them.
 struct SuiteShortfall {
   SuiteObjective which{SuiteObjective::acceleration};
   double limit{0};
-  double nearest{0};  ///< the figure of the damper that breaks the limits least
-  /// With this limit alone relaxed to this value a damper was found; empty: none was.
+  double nearest{0};  ///< the figure of the damper that violates the limits least
+  /// The value to which this limit alone must be relaxed to find a damper; empty: none was found.
   std::optional<double> relaxed;
 };
 
 struct RecordDesign {
   RecordDesignRequest request;  ///< with the ranges and the combination that were chosen
   std::optional<RecordFinding> finding;
-  SuitePoint nearest;  ///< without a finding: what breaks the limits least
+  SuitePoint nearest;  ///< without a finding: the damper that violates the limits least
   std::vector<SuiteShortfall> shortfalls;
   SuiteSearch search;
 };
 
-/// The result in one line for people: the damper and its figures, or how near the best came.
+/// The result in one line for people: the damper and its figures, or how close the best came.
 [[nodiscard]] std::string summary(const RecordDesign& result);
 
 /// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
@@ -80,13 +81,13 @@ struct RecordDesign {
 
 /// How many dampers the scan of that design has.
 [[nodiscard]] std::int64_t scan_size(const RecordDesignRequest& request);
-/// The figures of the dampers first <= i < first + count of that scan; fewer after a stop. They
-/// depend on no other damper, so that a scan may be computed in parts. Throws InputError.
+/// The figures of the dampers first <= i < first + count of that scan; fewer after a stop. They do
+/// not depend on other dampers, so a scan may be computed in parts. Throws InputError.
 [[nodiscard]] std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request,
                                                   std::int64_t first, std::int64_t count,
                                                   const RecordWatch& ask = {});
-/// The same design from the figures of its whole scan, to the last bit. Throws InputError, also
-/// where they are not scan_size(request).
+/// The same design from the figures of its whole scan, to the last bit. Throws InputError, also if
+/// their number is not scan_size(request).
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
                                   const std::vector<SuiteFigures>& scanned,
                                   const RecordWatch& ask = {});
@@ -97,7 +98,7 @@ struct SuiteMap {
   std::vector<double> delta;
   std::vector<SuiteFigures> figures;
 };
-/// Of `request` as a RecordDesign has it, `side` cells along each. Throws InputError.
+/// For `request` as in a RecordDesign, with `side` cells along each. Throws InputError.
 [[nodiscard]] SuiteMap suite_map(const RecordDesignRequest& request, double p, int side = 60);
 
 }  // namespace stillpoint::design

@@ -18,7 +18,7 @@ namespace stillpoint::design {
 [[nodiscard]] std::string summary(const RegionVerdict& verdict);
 
 /// Throws InputError as admissible_region does, for f or delta not in [0, 1e300], and for delta
-/// without f; with a pulse as a design under it does (design.hpp).
+/// without f; with a pulse as the design does (design.hpp).
 [[nodiscard]] RegionAnswer answer(const RegionRequest& request);
 
 }  // namespace stillpoint::design

@@ -17,19 +17,19 @@
 
 namespace stillpoint::design {
 
-/// A region, and where it is empty: `reason` says why, `most_tolerant` how much tolerance there is,
-/// and `mends`, or else `joint_mend`, what would help.
+/// A region. If it is empty, `reason` says why, `most_tolerant` how much tolerance there is, and
+/// `mends`, or else `joint_mend`, what would help.
 struct RegionVerdict {
   Region region;
   std::string reason{};
   std::vector<Mend> mends{};
   std::optional<JointMend> joint_mend{};
-  std::optional<DesignPoint> most_tolerant{};  ///< not of parts of a catalogue
+  std::optional<DesignPoint> most_tolerant{};  ///< not for the parts of a catalogue
   /// Of admissible f, with a pulse: the region is then that of the forced motion itself.
   std::optional<std::vector<FrictionInterval>> intervals{};
 };
 
-/// A region, and a damper to hold against it.
+/// A region, and a damper to compare with it.
 struct RegionRequest {
   Problem problem;
   Limits limits{};
@@ -39,12 +39,12 @@ struct RegionRequest {
   PulseRanges pulse_ranges{};
 };
 
-/// The region, and how the damper stands in it. Under a pulse, strips, arrival and works_for are
+/// The region, and where the damper stands in it. Under a pulse, strips, arrival and works_for are
 /// empty; Delta1 is the least Delta, by either criterion, that stops the mass at its first return.
 struct RegionAnswer : RegionVerdict {
   std::vector<Strip> strips{};
-  std::optional<double> delta1_published{};  ///< these two with f; of a pulse as delta1_exact
-  std::optional<double> delta1_exact{};      ///< empty also where the motion does not return
+  std::optional<double> delta1_published{};  ///< these two with f; for a pulse like delta1_exact
+  std::optional<double> delta1_exact{};      ///< also empty if the motion does not return
   std::optional<bool> admissible{};          ///< this and what follows with f and delta
   std::optional<double> tolerance{};         ///< the largest that the damper has
   std::optional<std::int64_t> arrival{};     ///< of an admissible one, at which it stops

@@ -13,15 +13,15 @@ namespace stillpoint::design {
 
 struct SearchOptions {
   Objective objective{Objective::robust};
-  /// An NLopt algorithm out of algorithm_names(); empty: LD_SLSQP.
+  /// An NLopt algorithm from algorithm_names(); empty: LD_SLSQP.
   std::string algorithm{};
   int max_evaluations{20'000};  ///< >= 1
   double max_seconds{10};       ///< > 0
 };
 
-/// How the search went. `status` is NLopt's own word: XTOL_REACHED or SUCCESS if it converged;
-/// ROUNDOFF_LIMITED or FAILURE if the start was so good, or the region so small, that no step made
-/// sense to it; MAXEVAL_REACHED or MAXTIME_REACHED if the budget was spent, which global algorithms
+/// How the search went. `status` is NLopt's own term: XTOL_REACHED or SUCCESS if it converged;
+/// ROUNDOFF_LIMITED or FAILURE if the start was so good, or the region so small, that no step could
+/// improve it; MAXEVAL_REACHED or MAXTIME_REACHED if the budget was spent, which global algorithms
 /// always do. The point is admissible in every case, because it is rechecked.
 struct SearchRecord {
   std::string algorithm;

@@ -17,19 +17,19 @@ struct SpectrumRequest {
   std::vector<double> p;  ///< of each point; the frictions are the same in all
   double f{0};
   double delta{0};
-  std::optional<Combine> combine{};  ///< as of a RecordDesignRequest
+  std::optional<Combine> combine{};  ///< as in a RecordDesignRequest
   std::optional<double> hold{};
   std::optional<double> notch_width{};  ///< not beside a finite hold
   int threads{0};                       ///< 0: all. No result depends on it
 };
 
-/// Of one motion from rest at x = 0, or of the motions under all records, combined.
+/// For one motion from rest at x = 0, or combined for the motions under all records.
 struct SpectrumFigures {
   double peak{0};          ///< largest |x|
   double acceleration{0};  ///< largest transmitted one, in g
   /// |x| at the final rest; empty where the motion never rests, or not within 10 000 half-cycles.
   std::optional<double> residual{};
-  /// As of a ForcedResponse; under several records the earliest and the largest.
+  /// As in a ForcedResponse; for several records the earliest and the largest.
   std::optional<double> locked_from{};
   std::optional<double> largest_load_while_locked{};
 };
@@ -46,12 +46,12 @@ struct Spectrum {
   std::vector<SpectrumPoint> combined;
 };
 
-/// `go_on`, if not empty, is asked once at a time, but by several threads, with the share that is
-/// done; after a false the rest is skipped and the spectrum of no use. Throws InputError.
+/// `go_on`, if not empty, is called by several threads, but one at a time, with the fraction done;
+/// if it returns false the rest is skipped and the spectrum is unusable. Throws InputError.
 [[nodiscard]] Spectrum spectrum(const SpectrumRequest& request,
                                 const std::function<bool(double)>& go_on = {});
 
-/// In one line: at how many periods the notch lowers what is combined of the records.
+/// In one line: at how many periods the notch lowers each combined figure.
 [[nodiscard]] std::string summary(const Spectrum& spectrum);
 
 }  // namespace stillpoint::design

@@ -15,7 +15,7 @@ struct Strip {
   double beta_min{0};             ///< below it there is none, (49)
   std::optional<double> f_lower;  ///< as in Region; empty if no box of the tolerance asked for fits
   std::optional<double> f_upper;
-  double tolerance{0};  ///< the largest of any of them, whatever was asked for
+  double tolerance{0};  ///< the largest of any of them, regardless of the one asked for
 };
 
 /// The strips of the arrivals that are allowed, without those that are empty for any tolerance.
@@ -23,7 +23,7 @@ struct Strip {
 [[nodiscard]] std::vector<Strip> strips(const Problem& problem, const Limits& limits = {});
 
 /// The Delta with which a damper with that f stops the mass at the n-th arrival: the lower edge is
-/// excluded, the peak and the limits are not looked at. Good to a few roundings; empty where there
+/// excluded, the peak and the limits are not checked. Accurate to a few roundings; empty if there
 /// is none. Throws InputError.
 struct DeltaRange {
   double low;
@@ -33,7 +33,7 @@ struct DeltaRange {
                                                     double f);
 
 /// The arrival, of those that are allowed, at which the damper stops the mass at x = 0 by the
-/// problem's criterion; empty where it stops at none. The peak and the limits are not looked at.
+/// problem's criterion; empty if there is none. The peak and the limits are not checked.
 /// Throws as admissible() does.
 [[nodiscard]] std::optional<std::int64_t> arrival_of(const Problem& problem, double f,
                                                      double delta);

@@ -13,14 +13,14 @@
 
 namespace stillpoint::design {
 
-/// What should be small: the transmitted acceleration, the largest displacement, the residual one.
+/// What to minimise: the transmitted acceleration, the largest displacement, the residual one.
 enum class SuiteObjective { acceleration, amplitude, residual };
 
 /// "acceleration", "amplitude" or "residual".
 [[nodiscard]] std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept;
 using stillpoint::name;
 
-/// What becomes of a figure that each record has.
+/// How the figures of all records are combined.
 enum class Combine { max, mean };
 
 [[nodiscard]] std::span<const Named<Combine>> enumerators(Combine) noexcept;
@@ -36,7 +36,7 @@ struct SearchRange {
   double high{0};
 };
 
-/// Of the combined figures; empty: no limit.
+/// On the combined figures; empty: no limit.
 struct SuiteLimits {
   std::optional<double> peak{};          ///< > 0
   std::optional<double> acceleration{};  ///< transmitted, in g; > 0
@@ -52,15 +52,15 @@ struct RecordDesignRequest {
   /// the peak, or without a limit the peak without a damper: the most that the spring and the load
   /// can give on the way back from there. A notch that takes more stops every return as well.
   std::optional<SearchRange> delta{};
-  std::optional<double> f_max{};  ///< what can be manufactured: the search ends there at the latest
+  std::optional<double> f_max{};      ///< what can be manufactured: the search goes no farther
   std::optional<double> delta_max{};  ///< the same
   SuiteObjective objective{SuiteObjective::acceleration};
-  std::optional<Combine> combine{};  ///< default: max below seven records, else mean
+  std::optional<Combine> combine{};  ///< default: max for fewer than seven records, else mean
   SuiteLimits limits{};
   std::optional<double> hold{};         ///< as that of Oscillator
   std::optional<double> notch_width{};  ///< not beside a hold
   double tolerance{0.1};                ///< of f and delta, for the sensitivity; in [0, 1)
-  std::int64_t scan_points{10'000};     ///< about so many; in [1, 1e8]
+  std::int64_t scan_points{10'000};     ///< about this many; in [1, 1e8]
   int threads{0};                       ///< 0: all. No result depends on it
 };
 
@@ -76,15 +76,16 @@ struct SuiteFigures {
   double acceleration{0};  ///< largest transmitted one, in g
   double residual{0};      ///< |x| at the final rest
   double margin{1};        ///< the smallest decision margin of all motions
-  /// False: a motion never rests, or not within 10 000 half-cycles. Then the figures mean nothing.
+  /// False: a motion never rests, or not within 10 000 half-cycles. Then the figures have no
+  /// meaning.
   bool settled{true};
 };
 
-/// The one of the figures that the objective is about.
+/// The figure that the objective minimises.
 [[nodiscard]] double value_of(const SuiteFigures& figures, SuiteObjective which);
 
-/// A damper is passed over where a decision of a motion is closer than this to the other outcome:
-/// neither the check nor the world could tell which of the two it is.
+/// A damper is rejected if a decision of a motion is closer than this to the other outcome: neither
+/// the check nor a real damper could tell which of the two it is.
 inline constexpr double least_suite_margin = 1e-6;
 
 /// Whether it rests, with that margin, and meets the limits.
@@ -96,14 +97,14 @@ struct SuitePoint {
   SuiteFigures figures;
 };
 
-/// How far a search has come.
+/// The progress of a search.
 struct RecordProgress {
   std::int64_t evaluations{0};
-  std::int64_t expected{0};  ///< about so many at the end
+  std::int64_t expected{0};  ///< about this many at the end
   std::optional<SuitePoint>
-      best{};  ///< so far; if none is admissible, what breaks the limits least
+      best{};  ///< so far; if none is admissible, the one that violates the limits least
 };
-/// Called now and then, once at a time but by several threads; false ends the search.
+/// Called now and then by several threads, but one at a time; returning false ends the search.
 using RecordWatch = std::function<bool(const RecordProgress&)>;
 
 }  // namespace stillpoint::design

@@ -18,8 +18,14 @@ namespace stillpoint::design {
 [[nodiscard]] std::optional<double> largest_tolerance(const Problem& problem, const Limits& limits,
                                                       double f, double delta);
 
-/// Of the dampers that the task admits at tolerance 0 the one with the largest tolerance, where
-/// that is less than the one asked for, so that none has it; else empty, also where none has any.
+/// The largest f up to which any constant friction, however little, is admissible with every Delta
+/// within delta (1 +- tolerance), good to 1e-6 of the largest f of any damper; empty if none is.
+/// limits.tolerance and limits.shape are not looked at.
+[[nodiscard]] std::optional<double> any_f_up_to(const Problem& problem, Limits limits, double delta,
+                                                double tolerance);
+
+/// Of the dampers that the task admits at tolerance 0, the one with the largest tolerance, if that
+/// is less than the one asked for; otherwise empty, also if no damper has any tolerance.
 [[nodiscard]] std::optional<DesignPoint> most_tolerant(const Problem& problem,
                                                        const Limits& limits);
 

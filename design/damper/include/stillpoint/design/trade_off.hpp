@@ -18,22 +18,20 @@ struct TradeOff {
   double stop_time{0};
 };
 
+inline constexpr std::int64_t least_trade_offs = 2;
 inline constexpr std::int64_t most_trade_offs = 1000;
 
-/// Throws InputError unless 2 <= count <= most_trade_offs.
-void require_trade_offs(std::int64_t count);
-
-/// The front of stroke, transmitted acceleration and tolerance: dampers of which none can be
-/// improved in one of the three without loss in another. It has every f that is feasible within the
-/// limits, each with the Delta that tolerates most; these are `count` of them at equal steps of f,
-/// from the largest stroke to the least. docs/theory.md says why that is the whole front. Fewer
-/// where the f that are feasible lie closer than rounding; none if the region is empty. Throws
-/// InputError for a wrong problem and unless 2 <= count <= most_trade_offs.
+/// The front of stroke, transmitted acceleration and tolerance: dampers none of which can be
+/// improved in one of the three without loss in another. It has every feasible f, each with the
+/// most tolerant Delta; these are `count` of them at equal steps of f,
+/// from the largest stroke to the least. docs/theory.md says why that is the whole front. Fewer if
+/// the feasible f lie closer than rounding; none if the region is empty. Throws
+/// InputError for a wrong problem and unless least_trade_offs <= count <= most_trade_offs.
 [[nodiscard]] std::vector<TradeOff> trade_off(const Problem& problem, const Limits& limits,
                                               std::int64_t count);
 
-/// Of these `count` dampers number `place`, from 1; where several f are equal they are not left
-/// out. Empty if the region is. Throws InputError as above and unless 1 <= place <= count.
+/// Number `place`, from 1, of these `count` dampers; equal f are not left out. Empty if the region
+/// is. Throws InputError as above and unless 1 <= place <= count.
 [[nodiscard]] std::optional<DesignPoint> trade_off_at(const Problem& problem, const Limits& limits,
                                                       std::int64_t count, std::int64_t place);
 

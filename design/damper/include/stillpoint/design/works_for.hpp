@@ -8,13 +8,13 @@
 namespace stillpoint::design {
 
 /// Both ends included: they are the last doubles for which the damper still serves. Without `high`
-/// nothing bounds it from above.
+/// there is no upper bound.
 struct ServedInterval {
   double low{0};
   std::optional<double> high;
 };
 
-/// What a damper that is built serves.
+/// What a damper as built serves.
 struct WorksFor {
   ServedInterval v0;  ///< with p as given; always has a `high`
   ServedInterval p;   ///< with v0 as given

@@ -11,10 +11,10 @@
 
 namespace stillpoint::peers {
 
-/// Of a free motion; as many take a second or so in 50 digits.
+/// For a free motion; this many take about a second in 50 digits.
 inline constexpr double most_half_cycles = 1e5;
 
-/// What to compare the methods on: the requested motion up to its t_end or, without one, until past
+/// The scene for the comparison: the requested motion up to its t_end or, without one, until past
 /// its rest, so that integrators have room to miss it. Throws InputError for a motion that never
 /// stops, and for one that is too long for 50 digits; and what free_response and forced_response
 /// throw, for wrong input and for more than `most_half_cycles`.
@@ -35,8 +35,8 @@ struct MethodRow {
   Timing time{};
   Result result{};
   double peak_error{0};  ///< relative to the peak
-  /// The larger of two. Of x, relative to the peak. Of the stop time, relative to itself; where the
-  /// motion goes on at the end, of v, relative to p times the peak.
+  /// The larger of two errors: that of x, relative to the peak; and that of the stop time, relative
+  /// to itself, or if the motion goes on at the end that of v, relative to p times the peak.
   double end_error{0};
   bool counts_right{false};
 };
@@ -47,7 +47,7 @@ struct Comparison {
 };
 
 /// This project's kernel and the methods that others would use, each with settings from coarse to
-/// fine. Every method gives up after an effort of less than a second or so.
+/// fine. Every method gives up after an effort of about a second at most.
 [[nodiscard]] Comparison compare(const Scene& scene);
 
 }  // namespace stillpoint::peers

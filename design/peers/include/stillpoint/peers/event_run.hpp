@@ -4,8 +4,8 @@
 // One motion by an integrator: the rules of docs/forced.md section 1 and docs/notches.md section 2
 // around pieces in which the sign s of v and the friction f are constant,
 //   x' = v,   v' = -W(t) - p^2 x - s f.
-// An event is found as users do it: a change of sign over a step, then a bracketed root on the
-// integrator's own states within the step.
+// An event is found as users would do it: a change of sign over a step, then a bracketed root on
+// the integrator's own states within the step.
 //
 // A Method integrates:
 //   begin(motion, t, state)  a new piece, or after a jump of W
@@ -160,7 +160,8 @@ class EventRun {
 
   void stop_where_it_rests() {
     t_ = rest_begin_;
-    stop(ground_.rest_at(x()));
+    const bool caught = !moved_ && scene_.start.v0 != 0;
+    stop(caught ? Outcome::caught_at_start : ground_.rest_at(x()));
   }
 
   void finish() {
@@ -178,7 +179,7 @@ class EventRun {
     result_.peak = std::max(result_.peak, std::abs(x()));
   }
 
-  /// Into the stretch of W that holds t; whether W jumped.
+  /// Moves to the stretch of W that contains t; returns whether W jumped.
   bool enter_stretch() {
     bool jumped = false;
     while (load_.stretch_end() <= t_) {
@@ -202,7 +203,7 @@ class EventRun {
       const double limit = -s * ground_.capacity(s, x());
       const auto excess = [&](double t) { return load_(t) + stiffness_ * x() - limit; };
       const double root = bracketed_root(excess, from, t_);
-      // A load that was at the limit before is beyond it at once.
+      // A load that was at the limit exceeds it at once.
       t_ = root == t_ && excess(from) == 0 ? from : root;
       enter_stretch();
       return set_off(s);
@@ -239,7 +240,7 @@ class EventRun {
     count_passage(inward);
   }
 
-  /// Takes over the step up to the event in it; whether there was one.
+  /// Keeps the step up to the event in it; returns whether there was one.
   bool step_ends(const Motion<Load>& motion, const Step& step, bool inward) {
     const double s = direction_;
     t_ = step.to;
@@ -327,7 +328,7 @@ class EventRun {
     enter_stretch();
   }
 
-  static constexpr std::int64_t event_effort = 10;  // about that of a bracketed root
+  static constexpr std::int64_t event_effort = 10;  // about the effort of a bracketed root
 
   const Scene& scene_;
   Load load_;

@@ -5,12 +5,12 @@
 
 namespace stillpoint::peers {
 
-/// A number in about 32 digits: the closest double `near` and the difference `rest`.
+/// A number with about 32 digits: the closest double `near` and the difference `rest`.
 struct Wide {
   double near{0};
   double rest{0};
 
-  /// How far `value` is off, with digits left where both agree to the last bit.
+  /// The error of `value`, with digits left even if both agree to the last bit.
   [[nodiscard]] double error_of(double value) const {
     const double off = (value - near) - rest;
     return off < 0 ? -off : off;
@@ -27,8 +27,8 @@ struct ExactResult {
 };
 
 /// A free scene (NoExcitation) to its rest, for any t_end; a forced one to t_end or its rest.
-/// Throws TooManyHalfCycles where a free one may have more than `most_half_cycles`. One that never
-/// stops has no meaning here: it must not be free of all friction.
+/// Throws TooManyHalfCycles where a free one may have more than `most_half_cycles`. A motion that
+/// never stops makes no sense here: there must be some friction.
 [[nodiscard]] ExactResult exact(const Scene& scene, double most_half_cycles);
 
 }  // namespace stillpoint::peers

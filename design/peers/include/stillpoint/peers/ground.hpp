@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the mass slides on, as an integrator asks for it: docs/notches.md section 2. y = s x is the
+// What the mass slides on, as an integrator needs it: docs/notches.md section 2. y = s x is the
 // place in the direction s of the motion.
 
 #include <stillpoint/peers/scene.hpp>
@@ -32,7 +32,7 @@ class Ground {
 
   /// The square of the speed that a passage of a notch without a width takes.
   [[nodiscard]] double notch() const { return half_width_ < 0 ? 2 * oscillator_.delta : 0; }
-  /// Whether that notch lets a mass go that it has stopped.
+  /// Whether that notch releases a mass that it has stopped.
   [[nodiscard]] bool lets_go() const { return notch() > 0 && oscillator_.hold; }
 
   /// Friction just beyond |x| = `distance`.
@@ -62,7 +62,7 @@ class Ground {
     return next;
   }
 
-  /// How far `distance` is from where the law changes; infinite where it nowhere does.
+  /// How far `distance` is from where the law changes; infinite if it changes nowhere.
   [[nodiscard]] double from_change(double distance) const {
     double least = notch() > 0 ? distance : std::numeric_limits<double>::infinity();
     for (const double edge : edges_) {
@@ -71,7 +71,7 @@ class Ground {
     return least;
   }
 
-  /// A notch with a width takes hold of a mass that has left it, or has turned before.
+  /// A notch with a width acts on a mass that has left it, or has turned before.
   void rest() { leaving_ = false; }
   void reach(double distance) { leaving_ = leaving_ && distance < half_width_; }
 

@@ -18,7 +18,7 @@ inline constexpr double for_ever = std::numeric_limits<double>::infinity();
 struct NoLoad {
   double operator()(double /*t*/) const { return 0; }
   [[nodiscard]] static double stretch_end() { return for_ever; }
-  /// The largest |W| from here on; infinite where it is not known because more is to come.
+  /// The largest |W| from here on; infinite if it is not known, because more is to come.
   [[nodiscard]] static double largest() { return 0; }
   [[nodiscard]] static double scan_step() { return for_ever; }
   static bool next_stretch() { return false; }
@@ -39,13 +39,13 @@ class WaveLoad {
 
   double operator()(double t) const { return k_ * std::sin(lambda_ * t + phase_); }
   [[nodiscard]] double stretch_end() const { return end_; }
-  /// Of |W| from here on for ever; infinite where something else still comes.
+  /// The largest |W| from here on; infinite if something else still comes.
   [[nodiscard]] double largest() const { return end_ == for_ever ? std::abs(k_) : for_ever; }
   /// Between looks at the load of a mass at rest.
   [[nodiscard]] double scan_step() const {
     return lambda_ > 0 ? std::numbers::pi / 16 / lambda_ : for_ever;
   }
-  /// On to what follows; true: W jumps there.
+  /// Moves on to what follows; true: W jumps there.
   bool next_stretch() {
     k_ = 0;
     end_ = for_ever;
@@ -67,7 +67,7 @@ class RecordLoad {
   double operator()(double t) const { return w_ + slope_ * (t - begin_); }
   [[nodiscard]] double stretch_end() const { return end_; }
   [[nodiscard]] double largest() const { return over() ? 0 : for_ever; }
-  /// Looking at the samples is enough: the largest load between is at one of them.
+  /// Checking the samples is enough: the largest load between is at one of them.
   [[nodiscard]] static double scan_step() { return for_ever; }
   bool next_stretch() {
     const std::size_t i = next_++;

@@ -16,8 +16,9 @@ struct Timing {
 
 struct MeasureOptions {
   int batches{21};
-  double batch_seconds{1e-3};  ///< a batch repeats a call for about so long: less than a time slice
-  double slow{0.2};            ///< a call that takes longer is timed once: Timing::batches is 1
+  double batch_seconds{
+      1e-3};         ///< a batch repeats a call for about this long: less than a time slice
+  double slow{0.2};  ///< a call that takes longer is timed once: Timing::batches is 1
 };
 
 /// Times all calls, a batch of each in turn and then the next batch of each, so that other work of

@@ -10,7 +10,8 @@
 
 namespace stillpoint::peers {
 
-/// A motion to compare methods on. Inputs are those of core and as valid; nothing is checked here.
+/// A motion to compare methods on. Inputs are those of core and must be valid; nothing is checked
+/// here.
 struct Scene {
   Oscillator oscillator;
   Start start;
@@ -33,7 +34,7 @@ struct Result {
   bool finished{true};    ///< false: it gave up after the allowed effort, `running`
 };
 
-/// The size of a motion, for integrators: their absolute tolerances are relative to it, so that the
+/// The size of a motion, for integrators: their absolute tolerances are relative to it, so the
 /// units of a scene do not matter.
 struct Size {
   double length{1};

@@ -31,7 +31,7 @@ class Axis {
 
   /// At least one number.
   explicit Axis(std::vector<double> values);
-  /// At least one range; of a number both ends are the same.
+  /// At least one range; for a number both ends are the same.
   Axis(const std::vector<Range>& ranges, RangeEnd standing);
   /// `count` values including both ends, at least 1; a single one is `first`. A logarithmic range
   /// has both ends above 0.
@@ -42,16 +42,16 @@ class Axis {
   [[nodiscard]] double operator[](std::int64_t i) const;
   /// The smallest and the largest value.
   [[nodiscard]] std::pair<double, double> ends() const;
-  /// The other ends of the values, where some of them are ranges.
+  /// The other ends of the values, if some of them are ranges.
   [[nodiscard]] bool has_ranges() const { return !others_.empty(); }
   [[nodiscard]] Axis other_ends() const { return Axis(others_); }
-  /// How steps are divided; empty for single numbers.
+  /// The spacing of the steps; empty for single numbers.
   [[nodiscard]] std::optional<Spacing> spacing() const;
-  /// What parse_axis reads back, with every digit.
+  /// Text that parse_axis reads back, with every digit.
   [[nodiscard]] std::string text() const;
 
  private:
-  std::vector<double> values_;    ///< of steps: first and last
+  std::vector<double> values_;    ///< for steps: first and last
   std::vector<double> others_{};  ///< of ranges
   std::int64_t size_;
   bool steps_;
@@ -68,8 +68,8 @@ struct SweepAxis {
 /// field.
 [[nodiscard]] Axis parse_axis(std::string_view field, std::string_view text);
 
-/// The same where `number` reads each number, which may carry a unit. Where an end stands for it, a
-/// number may be a range: "0.9:1.1", "1,0.9:1.1,0.8:1.2".
+/// The same; `number` reads each number, which may have a unit. If an end stands for it, a number
+/// may be a range: "0.9:1.1", "1,0.9:1.1,0.8:1.2".
 using NumberReader = std::function<double(std::string_view text)>;
 [[nodiscard]] Axis parse_axis(std::string_view field, std::string_view text,
                               const NumberReader& number, RangeEnd standing = RangeEnd::none);

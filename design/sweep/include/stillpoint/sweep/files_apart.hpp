@@ -12,14 +12,14 @@ struct NamedFile {
   std::string path;
 };
 
-/// What a sweep writes beside its output until it is complete.
+/// The file that a sweep writes beside its output until it is complete.
 [[nodiscard]] std::vector<NamedFile> part_files(const NamedFile& output);
 
-/// Throws records::FileError where a file that would be written is one that is read or is to be
-/// written twice. Links are followed; a device or a pipe may be written to any number of times.
+/// Throws records::FileError if a file that would be written is also read, or would be written
+/// twice. Links are followed; a device or a pipe may be written to any number of times.
 void require_apart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// Throws records::FileError where the file belongs to a sweep that is running.
+/// Throws records::FileError if the file belongs to a running sweep.
 void require_not_swept(const NamedFile& output);
 
 }  // namespace stillpoint::sweep

@@ -8,8 +8,9 @@
 
 namespace stillpoint::sweep {
 
-/// SweepSpec::identity of a spec that is complete but for that. `inputs` is a JSON object of what
-/// decides the rows, as it was given, and `version` that of the program that computes them.
+/// SweepSpec::identity of a spec that is otherwise complete. `inputs` is a JSON object with
+/// everything that decides the rows, as given, and `version` is that of the program that computes
+/// them.
 [[nodiscard]] std::string identity_of(const SweepSpec& spec, const std::string& inputs,
                                       std::string_view version);
 

@@ -17,12 +17,13 @@
 
 namespace stillpoint::sweep {
 
-/// Where keys stand: of an object in that of the text as "outer.inner", none farther in.
+/// The places of keys; a key of an object within the outermost one is "outer.inner", deeper ones
+/// are left out.
 using KeyPlaces = std::map<std::string, records::FilePlace>;
 
 /// Throws FileError, with line and column, unless the text is a JSON object, which may have
-/// comments, in which no key stands twice, nothing is nested deeper than 16 levels and every number
-/// is a double.
+/// comments, in which no key appears twice, nothing is nested deeper than 16 levels and every
+/// number fits a double.
 KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file);
 
 /// Reads an integer. Throws std::runtime_error for any other value, and for an integer beyond
@@ -39,7 +40,7 @@ void read_integers(const nlohmann::ordered_json& value, Integer& to) {
   value.get_to(to);
 }
 
-/// The same for all that a list holds, of as many where `to` is an array.
+/// The same for each element of a list; an array `to` must have the same length.
 template <class List>
 requires requires(List& list) {
   std::begin(list);

@@ -9,13 +9,13 @@
 
 namespace stillpoint::sweep {
 
-/// The value of an environment variable; null where it is not set.
+/// The value of an environment variable; null if it is not set.
 using Environment = std::function<const char*(const char* name)>;
 
-/// The part that falls to this process, from what its launcher sets: Open MPI, MPICH, a step or an
+/// The part of this process, from what its launcher sets: Open MPI, MPICH, a step or an
 /// array of Slurm, GNU parallel. GNU parallel does not say how many jobs there are, so it needs
-/// `count`; of the others it must be theirs. Throws InputError if no launcher says anything, if two
-/// contradict each other, and for a value that makes no sense.
+/// `count`; for the others it must agree with theirs. Throws InputError if no launcher gives a
+/// part, if two contradict each other, and for a value that makes no sense.
 [[nodiscard]] SweepPart launched_part(const Environment& environment,
                                       std::optional<std::int64_t> count = {});
 

@@ -25,7 +25,7 @@ using stillpoint::name;
 
 /// The entries of a list, one on each line: CSV with a header that names the columns, or JSON
 /// objects that all have the same keys. Blank lines are skipped. Columns are inputs of a sweep.
-/// What is wrong with a line throws records::FileError, with the number of the line.
+/// A wrong line throws records::FileError, with its number.
 class List {
  public:
   /// Reads the header, or the first object. `path` "-" is standard input. Without a format the list
@@ -35,8 +35,6 @@ class List {
                 const std::optional<SweepUnits>& units = {});
   List(const List&) = delete;
   List& operator=(const List&) = delete;
-  List(List&&) = delete;
-  List& operator=(List&&) = delete;
   ~List();
 
   [[nodiscard]] const std::vector<Quantity>& columns() const { return columns_; }
@@ -47,7 +45,7 @@ class List {
 
   /// The values of the next entry, one for each column; false at the end and after a stop.
   [[nodiscard]] bool next(std::vector<double>& values, const std::stop_token& stop = {});
-  /// The line of the entry that was read last, from 1.
+  /// The line of the last entry read, from 1.
   [[nodiscard]] std::int64_t line() const;
 
   /// Throws FileError about line `line`.
@@ -67,13 +65,13 @@ class List {
   std::optional<std::vector<double>> first_;  ///< read with the keys, not yet given
 };
 
-/// How long a list is, and what is in it.
+/// The length of a list and its digest.
 struct ListExtent {
   std::int64_t entries{0};
   std::uint64_t digest{0};
 };
 
-/// Of all that is left of it.
+/// For all that is left of it.
 [[nodiscard]] ListExtent read_to_end(List& list);
 
 }  // namespace stillpoint::sweep

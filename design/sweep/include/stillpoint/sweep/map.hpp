@@ -23,8 +23,9 @@ class SweepClass {
   /// The first of each range of half-cycles.
   static constexpr std::array<int, 6> first_half_cycles{1, 2, 3, 4, 7, 16};
   static constexpr std::size_t ranges = first_half_cycles.size();
-  /// A stop at x = 0 or within a notch by ranges, one beyond it by ranges, then: does not move,
-  /// never stops, is not known to have stopped, has more half-cycles than the sweep allows.
+  /// Stops at x = 0 or within a notch, by ranges of half-cycles; stops beyond it, likewise; then:
+  /// does not move, never stops, is not known to have stopped, has more half-cycles than the sweep
+  /// allows.
   static constexpr std::size_t count = 2 * ranges + 4;
 
   static constexpr std::uint8_t too_many = count - 1;
@@ -65,8 +66,8 @@ class SweepMap {
 
   /// Fills the cells of the entries in the block.
   void add(const SweepBlock& block);
-  /// Computes the cells that no block had: the rows that an interrupted sweep had written. False
-  /// after a stop.
+  /// Computes the cells that no block filled: the rows that an interrupted sweep had written.
+  /// Returns false after a stop.
   [[nodiscard]] bool complete(const SweepSpec& spec, SweepStep& step, const std::stop_token& stop);
 
  private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/sweep/files_apart.hpp>
+#include <stillpoint/sweep/sink.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -11,11 +12,11 @@
 
 namespace stillpoint::sweep {
 
-/// What has been joined.
+/// The result of a merge.
 struct Merged {
   std::int64_t rows{0};
   std::int64_t bytes{0};
-  bool stopped{false};  ///< then nothing is left
+  bool stopped{false};  ///< then nothing is joined
 };
 
 struct MergeWatch {
@@ -26,11 +27,14 @@ struct MergeWatch {
 /// Throws FileError if what would be written is one of the parts.
 void require_apart(const NamedFile& written, const std::vector<std::string>& parts);
 
-/// Joins the parts of a sweep, in whatever order they are given, into the file that the sweep would
-/// have written in one. Throws records::FileError for a part that is not whole, of another sweep,
-/// given twice or changed since, and for an output that cannot be written; InputError for a part
-/// that is missing. The file is then not written.
+/// Joins the parts of a sweep, in any order, into the file that the whole sweep would have written.
+/// Throws records::FileError for a part that is incomplete, of another sweep, given twice or
+/// changed since, and for an output that cannot be written; InputError for a part that is missing.
+/// The file is then not written.
 Merged merge(const std::string& output, const std::vector<std::string>& parts,
              const MergeWatch& watch = {});
+
+/// The same bytes into a sink, first the header alone.
+Merged merge(RowSink& sink, const std::vector<std::string>& parts, const MergeWatch& watch = {});
 
 }  // namespace stillpoint::sweep

@@ -8,24 +8,23 @@
 
 namespace stillpoint::sweep {
 
-/// What one run wants written. All of it appears, or none: files are written beside their place
-/// and moved there by `commit` after standard output has taken its part. A target that is no
+/// The output of one run. All of it appears, or none: files are written under another name and
+/// moved into place by `commit` once standard output has been written. A target that is not a
 /// regular file (a device, a pipe) is written to directly, before that.
 class Output {
  public:
   Output() = default;
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
-  Output(Output&&) = delete;
-  Output& operator=(Output&&) = delete;
   ~Output();  ///< removes what was not committed
 
   void print(std::string_view text) { printed_ += text; }
 
-  /// Throws FileError, naming the field, where the file cannot be written. No two files may be one.
+  /// Throws FileError, naming the field, if the file cannot be written. No two files may be the
+  /// same.
   void write_file(std::string_view field, const std::string& path, std::string_view text);
 
-  /// Throws FileError where anything cannot be written.
+  /// Throws FileError if anything cannot be written.
   void commit();
 
  private:

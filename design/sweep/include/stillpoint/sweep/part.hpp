@@ -7,11 +7,11 @@
 
 namespace stillpoint::sweep {
 
-/// Far more than a cluster should be asked to start.
+/// Far more than a cluster should have to start.
 inline constexpr std::int64_t most_sweep_parts = 1'000'000;
 
-/// One of the parts that a sweep is split into: consecutive entries, the same number in each to
-/// within one. Joined in order by merge() they are the whole sweep.
+/// One of the parts that a sweep is split into: consecutive entries, whose numbers differ by at
+/// most one. Joined in order by merge() they are the whole sweep.
 struct SweepPart {
   std::int64_t number{1};  ///< 1 to count
   std::int64_t count{1};
@@ -31,7 +31,7 @@ struct EntryRange {
   std::int64_t count{0};
 };
 
-/// Of a sweep of so many entries.
+/// The entries of the part, in a sweep of this many entries.
 [[nodiscard]] EntryRange range_of(const SweepPart& part, std::int64_t entries);
 
 /// The path with "3-of-8" for {part}, padded with zeros to the width of the last part.

@@ -25,23 +25,23 @@ struct PartLabel {
   std::string task;  ///< SweepSpec::identity
   ListExtent whole;  ///< entries of the whole sweep, and the digest of a list
 
-  /// Whether there is such a part, and it has so many rows.
+  /// Whether there is such a part, and it has this many rows.
   [[nodiscard]] bool is_whole(std::int64_t rows) const;
 };
 
-/// Of the sweep, with its identity; the path is that of the output.
+/// The label of a sweep, with its identity; the path is that of the output.
 [[nodiscard]] PartLabel label_of(const SweepSpec& spec);
 
-/// Empty if both are of the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
+/// Empty if both belong to the same sweep, else how they differ: "f was 0:1:10, is 0:1:20".
 [[nodiscard]] std::string difference(const PartLabel& one, const PartLabel& other);
 
-/// Whether a file that is there, `found`, holds the part `wanted` of a `whole`: "sweep" or whatever
-/// else is split. Throws LeftoverError for another part of the same one.
+/// Whether an existing file, `found`, holds the part `wanted` of a `whole`: "sweep" or whatever
+/// else is split. Throws LeftoverError for another part of the same whole.
 [[nodiscard]] bool is_that_part(const PartLabel& found, const PartLabel& wanted,
                                 std::string_view whole);
 
-/// What `read` makes of the file of the part `wanted`, with a `label`; empty where the file is not
-/// there or holds anything else. Throws as is_that_part does.
+/// What `read` makes of the file of the part `wanted`, with a `label`; empty if the file does not
+/// exist or holds anything else. Throws as is_that_part does.
 template <class Read>
 [[nodiscard]] auto find_part(const PartLabel& wanted, std::string_view whole, const Read& read) {
   std::optional<std::invoke_result_t<const Read&, const std::string&>> found;
@@ -59,12 +59,12 @@ template <class Read>
 /// Puts parts in order.
 class PartOrder {
  public:
-  /// Of a "sweep" or whatever else is split, for messages.
+  /// A "sweep" or whatever else is split, for messages.
   explicit PartOrder(std::string_view whole = "sweep") : whole_(whole) {}
 
-  /// Throws records::FileError for a part of another whole than the first one.
+  /// Throws records::FileError for a part that belongs to a different whole from the first one.
   void add(PartLabel label);
-  /// The places of the parts as they were added, from the first part to the last. Throws FileError
+  /// The indices of the parts as they were added, from the first part to the last. Throws FileError
   /// for a part that appears twice, and InputError for one that is missing.
   [[nodiscard]] std::vector<std::size_t> places() const;
 

@@ -110,7 +110,7 @@ constexpr Form form(Quantity quantity) {
   return quantity_forms[index(quantity)].form;
 }
 
-/// Where a range is an input, the quantity of the end that does not stand for it.
+/// If an input is a range, the quantity of the end that does not stand for it.
 constexpr std::optional<Quantity> other_end(Quantity quantity) {
   switch (quantity) {
     case Quantity::v0:
@@ -129,8 +129,8 @@ constexpr std::optional<Quantity> other_end(Quantity quantity) {
 /// '-' and '_' are the same.
 [[nodiscard]] std::optional<Quantity> find_quantity(std::string_view name);
 
-/// How an entry of a sweep ends, by number: an Outcome or, among them, too_many_half_cycles, whose
-/// byte in files is older than stopped_in_notch.
+/// How an entry of a sweep ends, by number: an Outcome or too_many_half_cycles, whose byte in files
+/// is older than stopped_in_notch.
 inline constexpr std::size_t too_many_half_cycles =
     static_cast<std::size_t>(Outcome::stopped_in_notch);
 inline constexpr std::size_t sweep_outcome_count = too_many_half_cycles + 2;

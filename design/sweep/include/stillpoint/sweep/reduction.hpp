@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-// What is kept of the rows of a sweep that are not written. All of it is counts, and rows that are
-// chosen by their values and, if these are the same, by their places: so the reductions of parts
+// What is kept from the rows of a sweep that are not written. It consists of counts, and of rows
+// chosen by their values and, if these are the same, by their places. So the reductions of parts
 // add up to that of the whole, to the last bit, in any order.
 
 namespace stillpoint::sweep {
 
-/// A column counted in bins of one's own.
+/// A column counted in bins given by the user.
 struct AskedBins {
   Quantity column{};
   std::vector<double> edges;  ///< rising, at least two
@@ -54,14 +54,14 @@ struct ReducedRow {
   std::vector<double> values;  ///< one for each RowColumn
 };
 
-/// How many values are in each of the bins that split each power of two into eight. What is smaller
-/// than 3e-309 counts as 0, which is a bin by itself: any double has its bin, and no bin depends on
-/// the sweep.
+/// How many values are in each of the bins that split each power of two into eight. Anything
+/// smaller than 3e-309 counts as 0, which is a bin by itself: any double has its bin, and no bin
+/// depends on the sweep.
 class FineBins {
  public:
   void add(double value, std::int64_t times = 1);
   void add(const FineBins& other);
-  /// The bins that are not empty, in rising order, with low <= values < high; of negative values
+  /// The bins that are not empty, in rising order, with low <= values < high; for negative values
   /// low < values <= high.
   struct Bin {
     double low{0};
@@ -127,7 +127,7 @@ struct Reduction {
   std::vector<BestRows> best;
 };
 
-/// Adds what other entries of the same sweep gave.
+/// Adds the reduction of other entries of the same sweep.
 void add(Reduction& total, const Reduction& more);
 
 /// Bounds of the value below which a share of the finite values lies: the bin of that value in all

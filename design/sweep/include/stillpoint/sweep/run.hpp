@@ -13,17 +13,17 @@
 
 namespace stillpoint::sweep {
 
-/// Who follows a sweep while it runs.
+/// What observes a sweep while it runs.
 struct SweepWatch {
-  std::stop_token stop{};                             ///< answered within some tenths of a second
+  std::stop_token stop{};                             ///< obeyed within some tenths of a second
   std::function<void(const SweepState&)> progress{};  ///< called after each block
   SweepMap* map{nullptr};                             ///< to be filled
-  Reducer* reducer{nullptr};  ///< takes the rows, which then are not written
+  Reducer* reducer{nullptr};  ///< takes the rows, which are then not written
 };
 
 enum class SweepEnd {
   complete,
-  stopped,         ///< what is there can be resumed, see RowSink::leave
+  stopped,         ///< the rows so far can be resumed, see RowSink::leave
   stopped_in_map,  ///< the rows are complete, the map is not
 };
 
@@ -35,7 +35,7 @@ struct SweepSummary {
   double wall_time_s{0};       ///< of this run only
 };
 
-/// Runs a sweep from where its sink stands to the end. The rows are those that free_response,
+/// Runs a sweep from where its sink is to the end. The rows are those that free_response,
 /// forced_response and design::search give one by one, to the last bit.
 ///
 /// Throws InputError for a spec that is not valid, EntryError for an entry of a grid that is

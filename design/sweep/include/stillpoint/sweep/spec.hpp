@@ -37,7 +37,7 @@ enum class RowFormat { csv, npy };
 
 [[nodiscard]] std::span<const Named<RowFormat>> enumerators(RowFormat) noexcept;
 
-/// What a sweep is to compute, and where its rows go. Without `units` everything is dimensionless.
+/// What a sweep computes, and where its rows go. Without `units` everything is dimensionless.
 struct SweepSpec {
   SweepKind kind{SweepKind::free};
   /// Inputs and results of the rows are physical, see units.hpp, and so is a list. Excitation,
@@ -46,7 +46,7 @@ struct SweepSpec {
   /// The values of each of inputs(kind). The entries are all combinations; with a list, an axis has
   /// one value and stands for an input that is not a column. Without hold or notch_width the notch
   /// is the paper's. v0_low, p_high and the like are the other ends of an axis of ranges, or
-  /// columns of the list. trade_off, if given, is 1 to N, beside a list too: instead of its design
+  /// columns of the list. trade_off, if given, is 1 to N, also with a list: instead of its design
   /// each problem has the N dampers of its front.
   std::vector<SweepAxis> axes;
   std::shared_ptr<List> list;        ///< empty for a grid; it is read once, from its beginning
@@ -62,8 +62,9 @@ struct SweepSpec {
   Excitation excitation;                   ///< of forced motions, as is
   std::optional<double> t_end;             ///< required if the excitation never ends
 
-  design::Problem task;  ///< of design problems, less the inputs that are given; as are
-  std::optional<design::Pulse> pulse;  ///< in place of v0: one of its kind, less k and lambda
+  design::Problem task;  ///< of design problems, without the inputs that are given; so are
+  std::optional<design::Pulse>
+      pulse;  ///< in place of v0: a pulse of its kind, without k and lambda
   design::Limits limits;
   design::SearchOptions search;
   std::vector<design::Part> parts;  ///< if any, a design is the best of these
@@ -72,16 +73,16 @@ struct SweepSpec {
   RowFormat format{RowFormat::csv};
   bool resume{false};  ///< continue what an interrupted sweep left of `output`
   /// Everything that the rows of the whole sweep depend on except the entries of a list, as a JSON
-  /// object. A sweep is resumed only if this is the same as when it began, and merged only of parts
-  /// in which it is the same.
+  /// object. A sweep is resumed only if this is the same as when it began, and parts are merged
+  /// only if it is the same in all.
   std::string identity{"{}"};
 };
 
 /// The number of entries of a grid; empty for a list. Throws InputError above 1e15.
 [[nodiscard]] std::optional<std::int64_t> entries(const SweepSpec& spec);
 
-/// Which entries are to be computed: all, or those of the part. Of a list that is not split the
-/// count is empty.
+/// The entries to compute: all, or those of the part. For a list that is not split the count is
+/// empty.
 struct OwnEntries {
   std::int64_t first{0};
   std::optional<std::int64_t> count{};
@@ -91,7 +92,7 @@ struct OwnEntries {
 /// Whether the input has an axis or is a column of the list.
 [[nodiscard]] bool given(const SweepSpec& spec, Quantity input);
 
-/// How many rows a problem has: its front's dampers, else 1.
+/// How many rows a problem has: the dampers of its front, else 1.
 [[nodiscard]] std::int64_t dampers_of_each(const SweepSpec& spec);
 
 /// Whether the input takes more than one value.
@@ -100,31 +101,31 @@ struct OwnEntries {
 /// Whether every motion starts at x = 0.
 [[nodiscard]] bool from_zero(const SweepSpec& spec);
 
-/// Whether friction is the paper's under every motion: a constant f and all of delta at x = 0.
+/// Whether friction is the paper's in every motion: a constant f and all of delta at x = 0.
 [[nodiscard]] bool plain_surface(const SweepSpec& spec);
 
-/// Throws InputError for an input that is missing, given twice or wrong. Of a grid the corners are
-/// checked: what is wrong with a grid mostly shows there, before hours of it are done.
+/// Throws InputError for an input that is missing, given twice or wrong. For a grid the corners are
+/// checked: what is wrong with a grid usually shows there, before hours are spent on it.
 void require_valid(const SweepSpec& spec);
 
-/// Throws InputError for an input with a unit beyond what is built, as it was given: "velocity = -1
-/// m/s: must be from 1e-30 to 1e+30 m/s".
+/// Throws InputError for an input with a unit that is beyond what can be built, as it was given:
+/// "velocity = -1 m/s: must be from 1e-30 to 1e+30 m/s".
 void require_in_units(const SweepSpec& spec, Quantity input, double value);
 
-/// Throws InputError where the other end of a range of `input` is on the wrong side of the end that
+/// Throws InputError if the other end of a range of `input` is on the wrong side of the end that
 /// stands for it.
 void require_in_order(const SweepSpec& spec, Quantity input, double value, double other);
 
-/// What an entry is made of, in the order of the columns. Of motions, hold and notch_width may be
-/// left out, of designs the other ends of ranges, residual and arrivals; k and lambda are those of
-/// a pulse.
+/// The inputs of an entry, in the order of the columns. For motions, hold and notch_width may be
+/// left out; for designs, the other ends of ranges, residual and arrivals; k and lambda are those
+/// of a pulse.
 [[nodiscard]] std::span<const Quantity> inputs(SweepKind kind);
 
-/// What is computed of an entry, in the order of the columns.
+/// The results of an entry, in the order of the columns.
 [[nodiscard]] std::span<const Quantity> results(SweepKind kind);
 
-/// The inputs that vary, then the results: stop_time, which takes longer, only with `times`; of
-/// designs stop_position and arrival only where they differ from 0 and from what was asked.
+/// The inputs that vary, then the results: stop_time, which takes longer, only with `times`; for
+/// designs stop_position and arrival only if they can differ from 0 and from what was asked.
 [[nodiscard]] std::vector<Quantity> default_columns(const SweepSpec& spec, bool times = false);
 
 /// "f,delta,peak_amplitude". Throws InputError for a name that is not a column of this kind, and

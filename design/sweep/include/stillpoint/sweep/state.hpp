@@ -33,7 +33,7 @@ class Digest {
   std::uint64_t value_{0xCBF29CE484222325U};
 };
 
-/// The same of a sequence of bytes, in whatever pieces it comes.
+/// The same for a sequence of bytes, split in any way.
 struct ByteDigest {
   std::uint64_t words{Digest().value()};  ///< of all whole words so far
   std::uint64_t rest{0};                  ///< the bytes after them, the first one lowest
@@ -44,13 +44,13 @@ struct ByteDigest {
   friend bool operator==(const ByteDigest&, const ByteDigest&) = default;
 };
 
-/// Of the values of a record, whose file may change; of other loads that of nothing.
+/// For the values of a record, whose file may change; for other loads, the digest of nothing.
 [[nodiscard]] std::uint64_t digest(const Excitation& excitation);
 [[nodiscard]] std::uint64_t digest(const std::vector<design::Part>& parts);
 
 struct SweepBlock;
 
-/// How far a sweep is.
+/// The progress of a sweep.
 struct SweepState {
   std::int64_t rows{0};
   std::uint64_t digest{0};                                   ///< of the entries of a list so far

@@ -10,14 +10,14 @@
 
 namespace stillpoint::sweep {
 
-/// What stands for p in metres and seconds.
+/// The input that stands for p in metres and seconds.
 enum class Restoring { period, natural_frequency, stiffness };
 
-/// What stands for the lambda of a pulse.
+/// The input that stands for the lambda of a pulse.
 enum class PulseClock { frequency, duration };
 
 /// A sweep in metres, seconds and kilograms: what its quantities are then. The length unit is H =
-/// 1 m for all entries, so every input is converted by itself, and lengths are metres as they are.
+/// 1 m for all entries, so every input is converted by itself, and lengths are already in metres.
 struct SweepUnits {
   Restoring restoring{Restoring::period};
   double mass_kg{1};  ///< for a stiffness
@@ -27,9 +27,9 @@ struct SweepUnits {
 
   [[nodiscard]] double time_s() const;            ///< of one tau
   [[nodiscard]] double velocity_m_per_s() const;  ///< of one x'
-  /// An input without its unit.
+  /// An input made dimensionless.
   [[nodiscard]] double plain(Quantity input, double value) const;
-  /// What a result without its unit is multiplied with.
+  /// The factor that gives a dimensionless result its unit.
   [[nodiscard]] double unit(Quantity result) const;
 };
 
@@ -39,7 +39,7 @@ struct SweepUnits {
 /// The same as an option and in messages: "stop-time-s".
 [[nodiscard]] std::string option_name(Quantity quantity, const std::optional<SweepUnits>& units);
 
-/// What the quantity measures; none without units.
+/// The dimension of the quantity; none without units.
 [[nodiscard]] records::Dimension dimension(Quantity quantity,
                                            const std::optional<SweepUnits>& units);
 

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+
+// Measures motions under a record, side by side in lanes and one after another: docs/batch.md.
+// 256 random dampers with periods from 1.5 s to 4.5 s, one thread, processor time in nanoseconds
+// for a sample and damper, everything included.
+//
+//   stillpoint_record_lanes [ROUNDS] RECORD...
+//
+// Each round measures everything once, and the shortest time of each counts, since other work of
+// the machine can only add to it.
+
+#include <stillpoint/core/forced_batch.hpp>
+#include <stillpoint/records/record_file.hpp>
+
+#include <fmt/format.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillpoint::bench {
+
+namespace {
+
+constexpr Eigen::Index dampers = 256;
+constexpr double never = 1e300;
+
+/// A range of dampers; f in g, delta in g s^2.
+struct Kind {
+  std::string_view name;
+  double least_f;
+  double greatest_f;  ///< of the largest load where it is below 0: -0.5 is half of it
+  double greatest_delta;
+  std::optional<double> hold;
+};
+
+constexpr Kind kinds[] = {
+    {"f from 0.005 to 0.02, no notch", 0.005, 0.02, 0, {}},
+    {"f from 0 to the largest load, no notch", 0, -1, 0, {}},
+    {"f from 0 to half of it, Delta up to 0.01", 0, -0.5, 0.01, {}},
+    {"f from 0.005 to 0.05, Delta up to 0.001, a notch that holds 0.1 g", 0.005, 0.05, 0.001, 0.1},
+    {"no friction at all", 0, 0, 0, {}},
+};
+
+double largest_load(const Record& record) {
+  double largest = 0;
+  for (const double value : record.values) {
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+struct Case {
+  Case(const Kind& kind, const Record& load) : record(load), hold(kind.hold) {
+    std::mt19937_64 engine(1);
+    const auto random = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
+    };
+    const double greatest =
+        kind.greatest_f < 0 ? -kind.greatest_f * largest_load(load) : kind.greatest_f;
+    for (Eigen::Index i = 0; i < dampers; ++i) {
+      p[i] = 2 * std::numbers::pi / random(1.5, 4.5);
+      f[i] = random(kind.least_f, greatest);
+      delta[i] = random(0, kind.greatest_delta);
+    }
+  }
+
+  const Record& record;
+  std::optional<double> hold;
+  Eigen::ArrayXd p{dampers};
+  Eigen::ArrayXd f{dampers};
+  Eigen::ArrayXd delta{dampers};
+};
+
+/// Processor time in nanoseconds for a sample and damper.
+template <class Action>
+double timed(const Record& record, const Action& action) {
+  const std::clock_t begin = std::clock();
+  action();
+  return static_cast<double>(std::clock() - begin) * (1e9 / CLOCKS_PER_SEC) /
+         (dampers * static_cast<double>(record.values.size()));
+}
+
+double in_lanes(const Case& one, RecordBatchResult& result) {
+  return timed(one.record, [&] {
+    record_batch(0, one.p, one.f, one.delta, one.record, {.hold = one.hold, .threads = 1}, result);
+  });
+}
+
+double one_by_one(const Case& one) {
+  const Excitation load = one.record;
+  return timed(one.record, [&] {
+    for (Eigen::Index i = 0; i < dampers; ++i) {
+      Oscillator oscillator{one.p[i], one.f[i], one.delta[i]};
+      oscillator.hold = one.hold;
+      (void)forced_response(oscillator, {}, load);
+    }
+  });
+}
+
+struct Measured {
+  std::optional<double> events;  ///< turns, sticks and passages of a motion that stops
+  double scalar{never};
+  double lanes{never};
+};
+
+Measured measured(const Case& one, int rounds) {
+  Measured least;
+  RecordBatchResult result;
+  for (int round = 0; round < rounds; ++round) {
+    least.scalar = std::min(least.scalar, one_by_one(one));
+    least.lanes = std::min(least.lanes, in_lanes(one, result));
+  }
+  if ((result.outcome != Outcome::never_stops).all()) {
+    least.events =
+        (result.half_cycles.sum() + result.turning_points.sum() + result.sticks.sum()) / dampers;
+  }
+  return least;
+}
+
+void print_kinds(const std::vector<Record>& records, int rounds) {
+  for (const Kind& kind : kinds) {
+    fmt::print("| {} |", kind.name);
+    for (const Record& record : records) {
+      const Measured least = measured(Case(kind, record), rounds);
+      fmt::print(" {}{:.2f}, {:.2f} |", least.events ? fmt::format("{:.0f}, ", *least.events) : "",
+                 least.scalar, least.lanes);
+    }
+    fmt::print("\n");
+  }
+}
+
+/// 20,000 samples of half a period, in which hardly anything happens.
+Record slow() {
+  Record record;
+  record.step = 0.01;
+  record.values.resize(20'000);
+  for (std::size_t i = 0; i < record.values.size(); ++i) {
+    record.values[i] = 0.3 * std::sin(std::numbers::pi * static_cast<double>(i) / 20'000);
+  }
+  return record;
+}
+
+void print_instruction_sets(int rounds) {
+  const Record record = slow();
+  const Case one({"", 0.005, 0.02, 0, {}}, record);
+  RecordBatchResult result;
+  fmt::print("\nA slow load of 20,000 samples: {:.1f} one by one", measured(one, rounds).scalar);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    double least = never;
+    for (int round = 0; round < rounds; ++round) {
+      least = std::min(least, in_lanes(one, result));
+    }
+    fmt::print(", {:.1f} with {}", least, hwy::TargetName(target));
+  }
+  fmt::print("\n");
+}
+
+void run(int rounds, const std::vector<std::string>& paths) {
+  std::vector<Record> records;
+  records.reserve(paths.size());
+  fmt::print("| dampers |");
+  for (const std::string& path : paths) {
+    records.push_back(records::read_record(path).record);
+    fmt::print(" {} |", std::filesystem::path(path).filename().string());
+  }
+  fmt::print("\n|---|");
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    fmt::print("---|");
+  }
+  fmt::print("\n");
+  print_kinds(records, rounds);
+  print_instruction_sets(rounds);
+}
+
+}  // namespace
+
+}  // namespace stillpoint::bench
+
+int main(int argc, char** argv) {
+  std::vector<std::string> paths(argv + 1, argv + argc);
+  int rounds = 21;
+  if (!paths.empty() &&
+      std::from_chars(paths[0].data(), paths[0].data() + paths[0].size(), rounds).ec ==
+          std::errc{}) {
+    paths.erase(paths.begin());
+  }
+  try {
+    stillpoint::bench::run(std::max(1, rounds), paths);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "stillpoint_record_lanes: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
