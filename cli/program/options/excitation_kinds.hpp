@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "options/options.hpp"
+#include "options/load.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>

@@ -107,4 +107,14 @@ std::string html(const Document& document) {
   return text;
 }
 
+figures::HtmlPage page_of(const Document& document) {
+  return {.title = document.title,
+          .verdict = document.verdict,
+          .answer = html(document.answer),
+          .figures = {},
+          .body = html(document),
+          .report = text(document, {.verbosity = Verbosity::full}),
+          .footer = {}};
+}
+
 }  // namespace stillpoint::report

@@ -13,16 +13,6 @@
 
 namespace stillpoint::report {
 
-figures::HtmlPage page_of(const Document& document) {
-  return {.title = document.title,
-          .verdict = document.verdict,
-          .answer = html(document.answer),
-          .figures = {},
-          .body = html(document),
-          .report = text(document, {.verbosity = Verbosity::full}),
-          .footer = {}};
-}
-
 void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
   constexpr std::size_t longest_title = 400;
   if (!frame.title.empty()) {

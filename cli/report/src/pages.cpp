@@ -3,7 +3,6 @@
 #include "figures/report_figures.hpp"
 #include "sections.hpp"
 
-#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 #include "figures/spectrum_parts.hpp"
 #include "format.hpp"
 
-#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/spectrum.hpp>
 

@@ -3,7 +3,6 @@
 
 #include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/report/document.hpp>
-#include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <nlohmann/json.hpp>

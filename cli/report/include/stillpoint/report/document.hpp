@@ -3,6 +3,8 @@
 
 // A report for people, as data. It is described once, and rendered as text and as HTML.
 
+#include <stillpoint/figures/html_page.hpp>
+
 #include <string>
 #include <string_view>
 #include <variant>
@@ -72,6 +74,9 @@ struct TextOptions {
 [[nodiscard]] std::string html(const Document& document);
 /// One of them, or the answer, without its heading.
 [[nodiscard]] std::string html(const Section& section);
+
+/// Its page, without figures.
+[[nodiscard]] figures::HtmlPage page_of(const Document& document);
 
 /// Control characters, which could break a line or play tricks with a terminal, as \\xNN.
 [[nodiscard]] std::string spelled_out(std::string_view text);

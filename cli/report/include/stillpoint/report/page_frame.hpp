@@ -2,16 +2,12 @@
 #pragma once
 
 #include <stillpoint/figures/html_page.hpp>
-#include <stillpoint/report/document.hpp>
 
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace stillpoint::report {
-
-/// The page of a document, without figures.
-[[nodiscard]] figures::HtmlPage page_of(const Document& document);
 
 /// What a page has besides the answer.
 struct PageFrame {
