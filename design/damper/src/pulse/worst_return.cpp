@@ -231,7 +231,7 @@ double WorstReturn::need_between(double low, double high, Criterion criterion) c
   return most_near(high, criterion) <= known ? known : std::max(known, at(high).need(criterion));
 }
 
-/// No need at f is larger: of one pulse and spring the samples have the local maxima.
+/// No need at f is larger: for one pulse and spring the samples have the local maxima.
 double WorstReturn::most_near(double f, Criterion criterion) const {
   const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
   return is_single() && after != samples_.begin() && after != samples_.end()

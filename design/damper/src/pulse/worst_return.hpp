@@ -28,7 +28,7 @@ class WorstReturn {
   /// The largest need from low to high: of both ends and of the samples between them, which have
   /// the local maxima.
   [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;
-  /// Of the problem that this is of, the one pulse and spring with the largest peak at f.
+  /// The pulse and the spring, of this problem's, with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 
  private:
