@@ -44,12 +44,13 @@ std::string scene_of(const Settings& settings, Command command) {
   return scene.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// The page designs for a hit, without a catalogue. The front of a trade-off is left out there.
+/// The page designs for a hit, without a catalogue. It leaves out the front of a trade-off.
 bool is_for_the_explorer(const Settings& settings) {
   return !designs_under_records(settings) && !settings.has("pulse") && !settings.has("catalogue");
 }
 
-/// Below the answer, where the page with the program in it is installed: the same task there.
+/// Below the answer, if the page with the program in it is installed: a link to the same task
+/// there.
 void link_explorer(const Settings& settings, figures::HtmlPage& page) {
   const auto explorer = report::installed_explorer();
   if (!explorer || !is_for_the_explorer(settings)) {

@@ -23,7 +23,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// One may stand without a list.
+/// A single one may be given without a list.
 std::vector<std::string> paths(const py::object& given) {
   if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) {
     return {to_path("parts", given)};

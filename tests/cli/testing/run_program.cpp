@@ -143,7 +143,7 @@ void connect(posix_spawn_file_actions_t& actions, const std::filesystem::path& d
   }
 }
 
-/// SIGINT as a program in the foreground has it, wherever the tests run.
+/// SIGINT as for a program in the foreground, wherever the tests run.
 void default_interrupt(posix_spawnattr_t& attributes) {
   sigset_t signals{};
   ::sigemptyset(&signals);

@@ -60,7 +60,7 @@ std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
   return largest(states) <= comparable * largest(motion.states) ? states : std::vector<State>{};
 }
 
-/// The end of a figure of a motion that comes to rest: the load is seen whole.
+/// The end of the figure for a motion that comes to rest: the whole load is shown.
 double seen_until(const Excitation& excitation, double stop_time) {
   constexpr double seen_at_rest = 1.25;
   return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));

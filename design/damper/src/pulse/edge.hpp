@@ -37,7 +37,7 @@ double last_not_negative(double holds_at, double fails_at, const Function& funct
   double at_a = function(a);
   double at_b = function(b);
   double part = 0.5;
-  constexpr int patience = 50;  // where the function jumps, halves are better than any parabola
+  constexpr int patience = 50;  // where the function jumps, bisection is better than any parabola
   const auto holding = [&] { return at_a >= 0 ? a : b; };
   const auto failing = [&] { return at_a >= 0 ? b : a; };
   for (int step = 0; std::abs(b - a) > edge_width(a, b) && !done(holding(), failing()); ++step) {

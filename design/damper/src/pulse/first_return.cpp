@@ -12,7 +12,7 @@ namespace stillpoint::design {
 
 namespace {
 
-/// More than any arrival has: the notch holds it.
+/// More than the energy of any arrival, so the notch holds it.
 constexpr double unpassable = 1e250;
 
 /// By the forced run of core, without a slope.

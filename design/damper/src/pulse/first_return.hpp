@@ -44,7 +44,7 @@ struct FirstReturn {
 /// The pulse in units of k and p.
 [[nodiscard]] Pulse unit_pulse(const Pulse& pulse, double p);
 
-/// One run of the pulse with that f, in units of k and p; the pulse in its own.
+/// One run of the pulse with that f, in units of k and p; the pulse is in its own units.
 [[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
 
 }  // namespace stillpoint::design

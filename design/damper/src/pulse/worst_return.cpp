@@ -235,7 +235,7 @@ const FirstReturn& RecentMotions::at(double f) {
   return forgotten;
 }
 
-/// No need at f is larger: of one pulse and spring the samples have the local maxima.
+/// No need at f is larger: for one pulse and spring the samples have the local maxima.
 double WorstReturn::most_near(double f, Criterion criterion) const {
   const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
   return is_single() && after != samples_.begin() && after != samples_.end()

@@ -30,7 +30,7 @@ class WorstReturn {
   /// the local maxima.
   [[nodiscard]] double need_between(double low, double high, Criterion criterion,
                                     RecentMotions* recent = nullptr) const;
-  /// Of the problem that this is of, the one pulse and spring with the largest peak at f.
+  /// The pulse and the spring, of this problem's, with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 
  private:
