@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
 /// The best is the limit f -> 0, which nobody builds: the text says so, the JSON has the point.
 BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
   const Arguments task("--arrivals 2 --f-max 0.1");
-  BOOST_TEST(report_of(*this, design(1.1, task))["design"]["f"] < 1e-6);
+  BOOST_TEST(reported(design(1.1, task))["design"]["f"] < 1e-6);
   const std::string shown = run(design(1.1, task)).out;
   check_contains(shown,
                  {"Build delta = 0.375 and as little constant friction as you can.",
