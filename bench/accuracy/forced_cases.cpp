@@ -222,7 +222,7 @@ HardCase short_stick() {
   now.exact = [](const Inputs<Exact>& in) {
     test::ForcedScene<Exact> scene;
     scene.motion = {Exact(0), Exact(0), in[0], in[1], Exact(0)};
-    scene.excitation = test::Widen<Exact>()(test::rounded_record_s5());
+    scene.excitation = Widen<Exact>()(test::rounded_record_s5());
     scene.t_end = Exact(59.98);
     return metric_of(test::run_forced(scene).state, in[0], Metric::stick_time);
   };

@@ -44,6 +44,33 @@ std::string scene_of(const Settings& settings, Command command) {
   return scene.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+/// The page designs for a hit, without a catalogue. The front of a trade-off is left out there.
+bool is_for_the_explorer(const Settings& settings) {
+  return !designs_under_records(settings) && !settings.has("pulse") && !settings.has("catalogue");
+}
+
+/// Below the answer, where the page with the program in it is installed: the same task there.
+void link_explorer(const Settings& settings, figures::HtmlPage& page) {
+  const auto explorer = report::installed_explorer();
+  if (!explorer || !is_for_the_explorer(settings)) {
+    return;
+  }
+  std::vector<std::pair<std::string, std::string>> options;
+  for (const auto& [name, entry] : settings.entries()) {
+    const Option& option = *find_option(name);
+    if (option.traits.role == Role::input && option.serves(Command::design) &&
+        option.traits.file == FileUse::none && name != "trade-off") {
+      const nlohmann::ordered_json plain = as_json(entry.value);
+      options.emplace_back(name, entry.with_unit.value_or(
+                                     plain.is_string()  ? plain.get<std::string>()
+                                     : plain.is_array() ? plain[0].dump() + ":" + plain[1].dump()
+                                                        : plain.dump()));
+    }
+  }
+  page.answer += fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n",
+                             figures::escaped(report::explorer_link(*explorer, options)));
+}
+
 }  // namespace
 
 std::string shown(const report::Document& document, const Settings& settings) {
@@ -80,38 +107,6 @@ void prepare_page(const Settings& settings) {
     sweep::require_directory_of("html", *path);
   }
 }
-
-namespace {
-
-/// The page designs for a hit, without a catalogue. It leaves out the front of a trade-off.
-bool is_for_the_explorer(const Settings& settings) {
-  return !designs_under_records(settings) && !settings.has("pulse") && !settings.has("catalogue");
-}
-
-/// Below the answer, if the page with the program in it is installed: a link to the same task
-/// there.
-void link_explorer(const Settings& settings, figures::HtmlPage& page) {
-  const auto explorer = report::installed_explorer();
-  if (!explorer || !is_for_the_explorer(settings)) {
-    return;
-  }
-  std::vector<std::pair<std::string, std::string>> options;
-  for (const auto& [name, entry] : settings.entries()) {
-    const Option& option = *find_option(name);
-    if (option.traits.role == Role::input && option.serves(Command::design) &&
-        option.traits.file == FileUse::none && name != "trade-off") {
-      const nlohmann::ordered_json plain = as_json(entry.value);
-      options.emplace_back(name, entry.with_unit.value_or(
-                                     plain.is_string()  ? plain.get<std::string>()
-                                     : plain.is_array() ? plain[0].dump() + ":" + plain[1].dump()
-                                                        : plain.dump()));
-    }
-  }
-  page.answer += fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n",
-                             figures::escaped(report::explorer_link(*explorer, options)));
-}
-
-}  // namespace
 
 void write_page(const Settings& settings, Command command, figures::HtmlPage page, Output& output) {
   report::add_frame(

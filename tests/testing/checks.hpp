@@ -9,8 +9,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <functional>
-#include <string>
 
 namespace stillpoint::test {
 
@@ -24,18 +22,6 @@ inline void near(const char* what, double value, double expected, double toleran
 inline void ends(const Response& response, const End& expected) {
   BOOST_TEST(as_run(response).end == expected,
              "got " << as_run(response).end << ", expected " << expected);
-}
-
-/// What `action` throws as an Error; empty, with a failure, where it throws none.
-template <class Error>
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  BOOST_ERROR("nothing was thrown");
-  return {};
 }
 
 }  // namespace stillpoint::test

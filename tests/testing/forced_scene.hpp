@@ -7,6 +7,7 @@
 #include "kernel/excitation_run.hpp"
 #include "kernel/forced_run.hpp"
 #include "kernel/on_surface.hpp"
+#include "kernel/widened.hpp"
 #include "testing/exact_run.hpp"
 #include "testing/random_scene.hpp"
 #include "testing/scene.hpp"
@@ -21,10 +22,6 @@
 #include <vector>
 
 namespace stillpoint::test {
-
-template <class Real>
-using AnyExcitation = std::variant<NoExcitation, BasicHarmonic<Real>, BasicHalfSine<Real>,
-                                   BasicFullSine<Real>, BasicRectangle<Real>, BasicRecord<Real>>;
 
 template <class Real = double>
 struct ForcedScene {
@@ -91,38 +88,10 @@ ForcedRecord<Real> run_forced(const ForcedScene<Real>& scene) {
 }
 
 template <class Wide>
-struct Widen {
-  AnyExcitation<Wide> operator()(const NoExcitation& none) const { return none; }
-  AnyExcitation<Wide> operator()(const Harmonic& e) const {
-    return BasicHarmonic<Wide>{Wide(e.k), Wide(e.lambda), Wide(e.phase),
-                               std::optional<Wide>(e.duration)};
-  }
-  AnyExcitation<Wide> operator()(const HalfSine& e) const {
-    return BasicHalfSine<Wide>{Wide(e.k), Wide(e.lambda)};
-  }
-  AnyExcitation<Wide> operator()(const FullSine& e) const {
-    return BasicFullSine<Wide>{Wide(e.k), Wide(e.lambda)};
-  }
-  AnyExcitation<Wide> operator()(const Rectangle& e) const {
-    return BasicRectangle<Wide>{Wide(e.k), Wide(e.lambda)};
-  }
-  AnyExcitation<Wide> operator()(const Record& e) const {
-    return BasicRecord<Wide>{
-        {e.values.begin(), e.values.end()}, Wide(e.step), {e.times.begin(), e.times.end()}};
-  }
-};
-
-template <class Wide>
 ForcedScene<Wide> widened(const ForcedScene<double>& scene) {
-  BasicSurface<Wide> surface;
-  if (scene.surface.notch_width) {
-    surface.notch_width = Wide(*scene.surface.notch_width);
-  }
-  for (const FrictionZone& zone : scene.surface.zones) {
-    surface.zones.push_back({Wide(zone.to), Wide(zone.f)});
-  }
-  return {widened<Wide>(scene.motion), std::visit(Widen<Wide>(), scene.excitation),
-          Wide(scene.t_end), scene.hold ? std::optional(Wide(*scene.hold)) : std::nullopt, surface};
+  return {widened<Wide>(scene.motion), stillpoint::widened<Wide>(scene.excitation),
+          Wide(scene.t_end), std::optional<Wide>(scene.hold),
+          stillpoint::widened<Wide>(scene.surface)};
 }
 
 /// So that a failing scene can be pasted into a test.
@@ -206,8 +175,8 @@ inline ForcedScene<> random_forced_scene(Dice& dice) {
       scene.excitation = Harmonic{k, lambda, dice.uniform(-4, 4), dice.uniform(0, 30) / lambda};
       break;
     case 3:
-      scene.excitation = dice.once_in(2) ? AnyExcitation<double>(HalfSine{k, lambda})
-                                         : AnyExcitation<double>(FullSine{-k, lambda});
+      scene.excitation =
+          dice.once_in(2) ? Excitation(HalfSine{k, lambda}) : Excitation(FullSine{-k, lambda});
       break;
     case 4:
       scene.excitation = Rectangle{k, lambda};

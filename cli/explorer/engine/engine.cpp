@@ -10,14 +10,17 @@
 #include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
+#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/outcome.hpp>
+#include <stillpoint/design/problem.hpp>
 #include <stillpoint/report/version.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <string>
 #include <type_traits>
@@ -77,6 +80,22 @@ ordered_json said_of(const Report& report, const json& wanted) {
           {"figures", drawn}};
 }
 
+// A page waits for its answer: both take less than a second.
+constexpr double most_half_cycles = 1e6;  // in a notch with a width
+constexpr std::int64_t most_arrivals = 100;
+
+Settings within_limits(Settings settings) {
+  if (const auto arrivals = settings.integer("arrivals"); arrivals > most_arrivals) {
+    throw InputError("arrivals", fmt::format("{}", *arrivals),
+                     fmt::format("must be at most {} on this page; the program takes {}",
+                                 most_arrivals, design::most_arrivals));
+  }
+  if (!settings.has("half-cycle-limit")) {
+    settings.set(*find_option("half-cycle-limit"), most_half_cycles);
+  }
+  return settings;
+}
+
 /// Suites of records and sweeps need the installed program.
 ordered_json said_by(Command command, const Settings& settings, const json& wanted) {
   switch (command) {
@@ -98,7 +117,7 @@ ordered_json said_by(Command command, const Settings& settings, const json& want
 ordered_json run(const json& request) {
   const auto wanted = request.at("command").get<std::string>();
   const Command command = parse<Command>(wanted).value_or(Command::init);
-  const Settings settings = given(command, request.at("options"));
+  const Settings settings = within_limits(given(command, request.at("options")));
   ordered_json answer = said_by(command, settings, request.at("figures"));
   answer["doubts"] = doubts(settings, command);
   return answer;

@@ -43,23 +43,6 @@ const Option* first_in(Units units, const Settings& settings) {
   return found == options().end() ? nullptr : &*found;
 }
 
-}  // namespace
-
-bool is_physical(const Settings& settings, Command command) {
-  require_no_rivals(settings, command);
-  const Option* const plain = first_in(Units::dimensionless, settings);
-  const Option* const physical = first_in(Units::physical, settings);
-  if (plain != nullptr && physical != nullptr) {
-    throw UsageError(
-        fmt::format("{} and {} cannot be combined: give everything in metres and seconds, or "
-                    "everything dimensionless",
-                    plain->name, physical->name));
-  }
-  return physical != nullptr;
-}
-
-namespace {
-
 double initial_velocity(const Settings& settings, std::string_view name, bool may_be_missing,
                         std::string_view hint) {
   return may_be_missing ? settings.number(name).value_or(0) : settings.required(name, hint);
@@ -96,6 +79,19 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
 }
 
 }  // namespace
+
+bool is_physical(const Settings& settings, Command command) {
+  require_no_rivals(settings, command);
+  const Option* const plain = first_in(Units::dimensionless, settings);
+  const Option* const physical = first_in(Units::physical, settings);
+  if (plain != nullptr && physical != nullptr) {
+    throw UsageError(
+        fmt::format("{} and {} cannot be combined: give everything in metres and seconds, or "
+                    "everything dimensionless",
+                    plain->name, physical->name));
+  }
+  return physical != nullptr;
+}
 
 MotionInput motion_input(const Settings& settings, Command command, bool from_rest) {
   if (is_physical(settings, command)) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "options/load.hpp"
-
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
@@ -93,6 +91,9 @@ struct Bounds {
   std::int64_t least{0};
   std::int64_t most{0};
 };
+
+/// Which loads, or pulses, an option shapes; a wave is a harmonic or a pulse.
+enum class Load { none, harmonic, pulse, wave, record };
 
 /// Traits that most options leave at their defaults.
 struct OptionTraits {

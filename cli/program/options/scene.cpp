@@ -38,18 +38,15 @@ std::string range_text(const Option& option, const nlohmann::json& value) {
   if (value.is_string()) {
     return value.get<std::string>();
   }
-  const auto end = [&](const nlohmann::json& number) {
-    if (!number.is_number() && !number.is_string()) {
-      throw InputError(std::string(option.name), value.dump(),
-                       "must be a number, or a range [LOW, HIGH]");
-    }
-    return number.is_string() ? number.get<std::string>() : fmt::format("{}", number.get<double>());
-  };
-  if (value.size() != 2) {
+  const auto is_end = [](const nlohmann::json& end) { return end.is_number() || end.is_string(); };
+  if (value.size() != 2 || !std::ranges::all_of(value, is_end)) {
     throw InputError(std::string(option.name), value.dump(),
                      "must be a number, or a range [LOW, HIGH]");
   }
-  return fmt::format("{}:{}", end(value[0]), end(value[1]));
+  const auto text = [](const nlohmann::json& end) {
+    return end.is_string() ? end.get<std::string>() : fmt::format("{}", end.get<double>());
+  };
+  return fmt::format("{}:{}", text(value[0]), text(value[1]));
 }
 
 bool is_text_of(const nlohmann::json& value, char character) {
@@ -163,15 +160,12 @@ void set_key(Settings& settings, const std::string& key, const nlohmann::json& v
     throw UsageError(
         fmt::format("{} is set twice in the scene: a key may appear only once", shown(key)));
   }
-  const bool is_range = value.is_array() || is_text_of(value, ':');
-  if (option->takes_range_in(command) && option->kind_in(command) == OptionKind::number &&
-      is_range) {
-    return settings.set_number(*option, range_text(*option, value), command);
-  }
-  const bool may_have_unit =
-      option->traits.dimension != Dimension::none && option->kind_in(command) == OptionKind::number;
-  if (may_have_unit && value.is_string() && has_unit(value.get<std::string>())) {
-    settings.set_number(*option, value.get<std::string>(), command);
+  const bool is_range =
+      option->takes_range_in(command) && (value.is_array() || is_text_of(value, ':'));
+  const bool with_unit = option->traits.dimension != Dimension::none && value.is_string() &&
+                         has_unit(value.get<std::string>());
+  if (option->kind_in(command) == OptionKind::number && (is_range || with_unit)) {
+    settings.set_number(*option, range_text(*option, value), command);
   } else {
     settings.set(*option, typed(*option, value, command));
   }

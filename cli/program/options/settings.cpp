@@ -22,6 +22,10 @@ std::string with_a_unit(const Option& option) {
   return found;
 }
 
+sweep::NumberReader reader(const Option& option) {
+  return [&option](std::string_view number) { return parse_value(option, number); };
+}
+
 }  // namespace
 
 double parse_value(const Option& option, std::string_view text) {
@@ -52,14 +56,6 @@ std::string whole_number(const Option& option) {
   const auto [least, most] = option.traits.bounds;
   return fmt::format("a whole number from {} to {}", least, most);
 }
-
-namespace {
-
-sweep::NumberReader reader(const Option& option) {
-  return [&option](std::string_view number) { return parse_value(option, number); };
-}
-
-}  // namespace
 
 Range range_value(const Option& option, std::string_view text) {
   return sweep::parse_range(option.name, text, reader(option));

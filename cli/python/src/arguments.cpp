@@ -60,19 +60,6 @@ Settings from_scene(Command command, const py::object& scene) {
   return all;
 }
 
-}  // namespace
-
-bool takes(Command command, const Option& option) {
-  const bool of_rows = command == Command::sweep && option.name == "columns";
-  const bool of_parts =
-      option.name == "output" && (command == Command::sweep || command == Command::design);
-  return option.serves(command) && option.name != "title" &&
-         (option.traits.role != cli::Role::output || option.name == "samples" || of_rows ||
-          of_parts);
-}
-
-namespace {
-
 std::string type_of(const Option& option, Command command) {
   switch (option.kind_in(command)) {
     case cli::OptionKind::axis:
@@ -106,6 +93,15 @@ std::string help_of(const Option& option, Command command) {
 }
 
 }  // namespace
+
+bool takes(Command command, const Option& option) {
+  const bool of_rows = command == Command::sweep && option.name == "columns";
+  const bool of_parts =
+      option.name == "output" && (command == Command::sweep || command == Command::design);
+  return option.serves(command) && option.name != "title" &&
+         (option.traits.role != cli::Role::output || option.name == "samples" || of_rows ||
+          of_parts);
+}
 
 std::string documentation(Command command, std::string_view about) {
   std::string signature = fmt::format("{}(scene=None, /, *", name(command));

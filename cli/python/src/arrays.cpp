@@ -52,7 +52,7 @@ constexpr const char* motions_doc =
 The free motions from x = 0 of many dampers, dimensionless.
 
 f, delta, v0, p   numbers or float64 arrays that broadcast together; arrays in C order are not copied
-times stop_time as well
+times             stop_time as well
 acceleration      peak_absolute_acceleration as well
 half_cycle_limit  refuse a motion that may have more half-cycles
 threads           0: one per hardware thread; no result depends on it

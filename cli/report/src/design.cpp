@@ -321,23 +321,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   }
 }
 
-}  // namespace
-
-Optimum optimum_of(const design::DesignResult& result) {
-  const auto& [problem, limits, search, pulse, ranges] = result.request;
-  const design::Finding& finding = *result.finding;
-  if (pulse) {
-    return {finding.pulse->searched, finding.pulse->bracketed};
-  }
-  Optimum optimum{{}, design::optimum_along_f(problem, limits, search.objective)};
-  optimum.found = search.objective == design::Objective::robust
-                      ? std::optional(finding.point.tolerance)
-                      : design::objective_of(search.objective, finding.response);
-  return optimum;
-}
-
-namespace {
-
+/// A pulse is shown in place of the velocity to which it reduces.
 void add_task(Document& document, const design::DesignRequest& request, const Physical& physical) {
   const auto& [problem, limits, search, pulse, ranges] = request;
   Section& task = add_problem(document, problem, limits, physical, pulse.has_value());
@@ -390,6 +374,19 @@ void add_search(Document& document, const design::DesignResult& result) {
 }
 
 }  // namespace
+
+Optimum optimum_of(const design::DesignResult& result) {
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  const design::Finding& finding = *result.finding;
+  if (pulse) {
+    return {finding.pulse->searched, finding.pulse->bracketed};
+  }
+  Optimum optimum{{}, design::optimum_along_f(problem, limits, search.objective)};
+  optimum.found = search.objective == design::Objective::robust
+                      ? std::optional(finding.point.tolerance)
+                      : design::objective_of(search.objective, finding.response);
+  return optimum;
+}
 
 Document document(const DesignReport& report) {
   const design::DesignResult& result = report.result;

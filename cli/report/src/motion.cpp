@@ -62,41 +62,6 @@ double load_end(const SimulationRequest& request) {
                   request.t_end.value_or(HUGE_VAL));
 }
 
-}  // namespace
-
-std::string lock_sentence(const MotionReport& report) {
-  const auto& forced = report.answer.forced;
-  if (!forced || !forced->locked_from) {
-    const Outcome outcome = report.answer.response.outcome;
-    return outcome == Outcome::caught_at_start ? outcome_phrase(outcome) : "";
-  }
-  const double end = load_end(report.request);
-  const std::string when =
-      report.physical
-          ? format("{:.4g} s of {:.4g} s", *forced->locked_from * report.physical->scales.time_s,
-                   end * report.physical->scales.time_s)
-          : format("tau = {:.4g} of {:.4g}", *forced->locked_from, end);
-  // A notch with a width holds the mass where it stopped.
-  const double at = report.answer.response.stop_position.value_or(0);
-  return format(
-      "locked {} from {}; the structure then feels up to {:.3g} g",
-      at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(report.physical, at)),
-      when, *forced->largest_load_while_locked);
-}
-
-std::optional<double> caught_impulse(const MotionReport& report) {
-  const Oscillator& oscillator = report.request.oscillator;
-  const Start& start = report.request.start;
-  // A load can free the mass from a notch of limited capacity.
-  const bool freed = report.answer.forced && oscillator.hold && start.x0 == 0 &&
-                     !report.request.surface.notch_width &&
-                     start.v0 * start.v0 < 2 * oscillator.delta;
-  const bool caught = report.answer.response.outcome == Outcome::caught_at_start || freed;
-  return caught && start.v0 != 0 ? std::optional(std::abs(start.v0)) : std::nullopt;
-}
-
-namespace {
-
 std::string verdict(const MotionReport& report) {
   const Response& response = report.answer.response;
   const Physical& physical = report.physical;
@@ -159,6 +124,37 @@ void add_answer(Section& answer, const MotionReport& report) {
 }
 
 }  // namespace
+
+std::string lock_sentence(const MotionReport& report) {
+  const auto& forced = report.answer.forced;
+  if (!forced || !forced->locked_from) {
+    const Outcome outcome = report.answer.response.outcome;
+    return outcome == Outcome::caught_at_start ? outcome_phrase(outcome) : "";
+  }
+  const double end = load_end(report.request);
+  const std::string when =
+      report.physical
+          ? format("{:.4g} s of {:.4g} s", *forced->locked_from * report.physical->scales.time_s,
+                   end * report.physical->scales.time_s)
+          : format("tau = {:.4g} of {:.4g}", *forced->locked_from, end);
+  // A notch with a width holds the mass where it stopped.
+  const double at = report.answer.response.stop_position.value_or(0);
+  return format(
+      "locked {} from {}; the structure then feels up to {:.3g} g",
+      at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(report.physical, at)),
+      when, *forced->largest_load_while_locked);
+}
+
+std::optional<double> caught_impulse(const MotionReport& report) {
+  const Oscillator& oscillator = report.request.oscillator;
+  const Start& start = report.request.start;
+  // A load can free the mass from a notch of limited capacity.
+  const bool freed = report.answer.forced && oscillator.hold && start.x0 == 0 &&
+                     !report.request.surface.notch_width &&
+                     start.v0 * start.v0 < 2 * oscillator.delta;
+  const bool caught = report.answer.response.outcome == Outcome::caught_at_start || freed;
+  return caught && start.v0 != 0 ? std::optional(std::abs(start.v0)) : std::nullopt;
+}
 
 Document document(const MotionReport& report) {
   const auto& [p, f, delta, hold] = report.request.oscillator;

@@ -90,6 +90,23 @@ std::vector<Figure> hit_figures(const DesignReport& report, const FigureUnits& u
   return figures;
 }
 
+std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& motion) {
+  const FigureUnits units(report.physical);
+  std::vector<Figure> figures{motion_figure(motion, units)};
+  if (is_forced(report.request)) {
+    figures.push_back(excitation_figure(report.request.excitation, motion, units));
+  }
+  figures.push_back(phase_figure(motion, units));
+  if (!is_forced(report.request) && report.request.surface.plain()) {
+    figures.push_back(energy_figure(motion, units));
+  }
+  return figures;
+}
+
+bool moves(const DrawnMotion& motion) {
+  return motion.states.back().tau > 0;
+}
+
 }  // namespace
 
 HtmlPage page(const DesignReport& report) {
@@ -138,27 +155,6 @@ HtmlPage page(const RegionReport& report) {
   page.figures = drawings(report);
   return page;
 }
-
-namespace {
-
-std::vector<Figure> drawings_of(const MotionReport& report, const DrawnMotion& motion) {
-  const FigureUnits units(report.physical);
-  std::vector<Figure> figures{motion_figure(motion, units)};
-  if (is_forced(report.request)) {
-    figures.push_back(excitation_figure(report.request.excitation, motion, units));
-  }
-  figures.push_back(phase_figure(motion, units));
-  if (!is_forced(report.request) && report.request.surface.plain()) {
-    figures.push_back(energy_figure(motion, units));
-  }
-  return figures;
-}
-
-bool moves(const DrawnMotion& motion) {
-  return motion.states.back().tau > 0;
-}
-
-}  // namespace
 
 std::vector<Figure> drawings(const MotionReport& report) {
   const DrawnMotion motion = drawn_motion(report.request, report.answer);

@@ -69,7 +69,8 @@ void add_outcomes(Document& document, const SweepState& state, bool design) {
 }
 
 ordered_json json(const SweepReport& report) {
-  const auto& [spec, summary, map] = report;
+  const sweep::SweepSpec& spec = report.spec;
+  const SweepSummary& summary = report.summary;
   const bool design = spec.kind == SweepKind::design;
   const ordered_json columns =
       list_json(spec.columns, [&](Quantity column) { return name(column, spec.units); });

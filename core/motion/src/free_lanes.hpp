@@ -25,9 +25,7 @@ class FreeLanesSource {
  public:
   FreeLanesSource() = default;
   FreeLanesSource(const FreeLanesSource&) = delete;
-  FreeLanesSource(FreeLanesSource&&) = delete;
   FreeLanesSource& operator=(const FreeLanesSource&) = delete;
-  FreeLanesSource& operator=(FreeLanesSource&&) = delete;
   virtual ~FreeLanesSource() = default;
 
   /// The next entries to run; an empty range where there are no more.

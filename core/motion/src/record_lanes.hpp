@@ -44,9 +44,7 @@ class RecordEvents {
  public:
   RecordEvents() = default;
   RecordEvents(const RecordEvents&) = delete;
-  RecordEvents(RecordEvents&&) = delete;
   RecordEvents& operator=(const RecordEvents&) = delete;
-  RecordEvents& operator=(RecordEvents&&) = delete;
   virtual ~RecordEvents() = default;
 
   /// x = 0 is reached in an interval and nothing else happens: whether the lane goes on.

@@ -63,69 +63,58 @@ double horizon_of(const SimulationRequest& request, const ForcedResponse& respon
   return horizon;
 }
 
+ForcedResponse response_of(const SimulationRequest& request,
+                           const std::function<bool(double)>& go_on) {
+  ForcedOptions options;
+  options.t_end = run_end(request);
+  options.half_cycle_limit = request.half_cycle_limit;
+  options.go_on = go_on;
+  return forced_response(request.oscillator, request.start, request.excitation, options,
+                         request.surface);
+}
+
+void trace(Simulation& result, const SimulationRequest& request, double horizon,
+           const std::function<bool(double)>& go_on) {
+  if (request.samples) {
+    ForcedTrajectoryOptions options;
+    options.horizon = horizon;
+    options.to_rest = !request.t_end;
+    options.go_on = go_on;
+    const ForcedTrajectory path(request.oscillator, request.start, request.excitation, options,
+                                request.surface);
+    result.trajectory = path.sampled(*request.samples);
+  }
+}
+
 /// The three passes over one forced motion, or one on a surface of its own.
-class ForcedSimulation {
- public:
-  ForcedSimulation(const SimulationRequest& request, const std::function<bool(double)>& go_on)
-      : request_(request), go_on_([this, &go_on](double tau) {
-          result_.cancelled = result_.cancelled || (go_on && !go_on(tau));
-          return !result_.cancelled;
-        }) {}
-  ForcedSimulation(const ForcedSimulation&) = delete;
-  ForcedSimulation& operator=(const ForcedSimulation&) = delete;
-  ForcedSimulation(ForcedSimulation&&) = delete;
-  ForcedSimulation& operator=(ForcedSimulation&&) = delete;
-  ~ForcedSimulation() = default;
-
-  Simulation operator()() {
-    const std::optional<double> end = run_end(request_);
-    if (end) {
-      trace(*end);  // first: if the motion is too long for it, nothing else is computed
-    }
-    if (!result_.cancelled) {
-      respond();
-    }
-    if (!result_.cancelled && !end) {
-      trace(request_.t_end.value_or(*result_.horizon));
-    }
-    if (!result_.cancelled) {
-      result_.half_cycles =
-          forced_half_cycles(request_.oscillator, request_.start, request_.excitation,
-                             *result_.horizon, request_.max_half_cycles, go_on_, request_.surface);
-    }
-    return std::move(result_);
+Simulation simulate_forced(const SimulationRequest& request,
+                           const std::function<bool(double)>& asked) {
+  Simulation result;
+  const std::function<bool(double)> go_on = [&](double tau) {
+    result.cancelled = result.cancelled || (asked && !asked(tau));
+    return !result.cancelled;
+  };
+  const std::optional<double> end = run_end(request);
+  if (end) {
+    trace(result, request, *end, go_on);  // first: if it is too long, nothing else is computed
   }
-
- private:
-  void respond() {
-    ForcedOptions options;
-    options.t_end = run_end(request_);
-    options.half_cycle_limit = request_.half_cycle_limit;
-    options.go_on = go_on_;
-    result_.forced = forced_response(request_.oscillator, request_.start, request_.excitation,
-                                     options, request_.surface);
-    result_.response = static_cast<const Response&>(*result_.forced);
-    if (!result_.cancelled) {
-      result_.horizon = horizon_of(request_, *result_.forced);
-    }
+  if (!result.cancelled) {
+    result.forced = response_of(request, go_on);
+    result.response = static_cast<const Response&>(*result.forced);
   }
-
-  void trace(double horizon) {
-    if (request_.samples) {
-      ForcedTrajectoryOptions options;
-      options.horizon = horizon;
-      options.to_rest = !request_.t_end;
-      options.go_on = go_on_;
-      const ForcedTrajectory path(request_.oscillator, request_.start, request_.excitation, options,
-                                  request_.surface);
-      result_.trajectory = path.sampled(*request_.samples);
-    }
+  if (!result.cancelled) {
+    result.horizon = horizon_of(request, *result.forced);
   }
-
-  const SimulationRequest& request_;
-  std::function<bool(double)> go_on_;
-  Simulation result_;
-};
+  if (!result.cancelled && !end) {
+    trace(result, request, request.t_end.value_or(*result.horizon), go_on);
+  }
+  if (!result.cancelled) {
+    result.half_cycles =
+        forced_half_cycles(request.oscillator, request.start, request.excitation, *result.horizon,
+                           request.max_half_cycles, go_on, request.surface);
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -137,7 +126,7 @@ Simulation simulate(const SimulationRequest& request, const std::function<bool(d
   if (!is_forced(request) && request.surface.plain()) {
     return free_simulation(request);
   }
-  Simulation result = ForcedSimulation(request, go_on)();
+  Simulation result = simulate_forced(request, go_on);
   if (!is_forced(request)) {
     result.forced.reset();
     result.horizon.reset();

@@ -24,8 +24,6 @@ class MotionWatcher {
   MotionWatcher() = default;
   MotionWatcher(const MotionWatcher&) = delete;
   MotionWatcher& operator=(const MotionWatcher&) = delete;
-  MotionWatcher(MotionWatcher&&) = delete;
-  MotionWatcher& operator=(MotionWatcher&&) = delete;
   virtual ~MotionWatcher() = default;
 
   virtual void event(EventKind kind, const ExactSum<double>& now, double u, double v) = 0;

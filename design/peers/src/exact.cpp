@@ -4,13 +4,13 @@
 #include "kernel/free_run.hpp"
 #include "kernel/on_surface.hpp"
 #include "kernel/phase_clock.hpp"
+#include "kernel/widened.hpp"
 
 #include <stillpoint/peers/exact.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cassert>
-#include <type_traits>
 #include <variant>
 
 namespace stillpoint::peers {
@@ -25,59 +25,10 @@ Wide wide(const Real& value) {
   return {near, static_cast<double>(Real(value - near))};
 }
 
-BasicOscillator<Real> widened(const Oscillator& oscillator) {
-  return {Real(oscillator.p), Real(oscillator.f), Real(oscillator.delta),
-          oscillator.hold ? std::optional(Real(*oscillator.hold)) : std::nullopt};
-}
-
-BasicSurface<Real> widened(const Surface& surface) {
-  BasicSurface<Real> wide;
-  if (surface.notch_width) {
-    wide.notch_width = Real(*surface.notch_width);
-  }
-  for (const FrictionZone& zone : surface.zones) {
-    wide.zones.push_back({Real(zone.to), Real(zone.f)});
-  }
-  return wide;
-}
-
-BasicStart<Real> widened(const Start& start) {
-  return {Real(start.x0), Real(start.v0)};
-}
-
-template <class Run>
-struct Widen {
-  const Scene& scene;
-  Run& run;
-
-  template <class Kind>
-  void through(const Kind& kind) const {
-    run_until(run, kind, Real(scene.t_end));
-  }
-  void operator()(const NoExcitation& none) const { through(none); }
-  void operator()(const Harmonic& e) const {
-    through(BasicHarmonic<Real>{Real(e.k), Real(e.lambda), Real(e.phase),
-                                std::optional<Real>(e.duration)});
-  }
-  void operator()(const HalfSine& e) const {
-    through(BasicHalfSine<Real>{Real(e.k), Real(e.lambda)});
-  }
-  void operator()(const FullSine& e) const {
-    through(BasicFullSine<Real>{Real(e.k), Real(e.lambda)});
-  }
-  void operator()(const Rectangle& e) const {
-    through(BasicRectangle<Real>{Real(e.k), Real(e.lambda)});
-  }
-  void operator()(const Record& e) const {
-    through(BasicRecord<Real>{
-        {e.values.begin(), e.values.end()}, Real(e.step), {e.times.begin(), e.times.end()}});
-  }
-};
-
 ExactResult free_result(const Scene& scene, double most_half_cycles) {
   PhaseClock<Real> clock;
-  const FreeRun<Real> run =
-      free_run(widened(scene.oscillator), widened(scene.start), most_half_cycles, clock);
+  const FreeRun<Real> run = free_run(widened<Real>(scene.oscillator), widened<Real>(scene.start),
+                                     most_half_cycles, clock);
   assert(run.outcome != Outcome::never_stops);
   const Real p(scene.oscillator.p);
   ExactResult result;
@@ -92,12 +43,14 @@ ExactResult free_result(const Scene& scene, double most_half_cycles) {
 
 ForcedState<Real> end_of_run(const Scene& scene, double most_half_cycles) {
   NoWatcher nobody;
-  return on_surface(widened(scene.oscillator), widened(scene.surface), widened(scene.start), nobody,
-                    {}, [&](auto& run) {
-                      if (std::holds_alternative<NoExcitation>(scene.excitation)) {
+  const AnyExcitation<Real> excitation = widened<Real>(scene.excitation);
+  return on_surface(widened<Real>(scene.oscillator), widened<Real>(scene.surface),
+                    widened<Real>(scene.start), nobody, {}, [&](auto& run) {
+                      if (std::holds_alternative<NoExcitation>(excitation)) {
                         run.allow_half_cycles(most_half_cycles);
                       }
-                      std::visit(Widen<std::decay_t<decltype(run)>>{scene, run}, scene.excitation);
+                      std::visit([&](const auto& kind) { run_until(run, kind, Real(scene.t_end)); },
+                                 excitation);
                       return run.state();
                     });
 }

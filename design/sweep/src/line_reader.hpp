@@ -18,8 +18,6 @@ class LineReader {
   explicit LineReader(const std::string& path, std::string kind = "list");
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
-  LineReader(LineReader&&) = delete;
-  LineReader& operator=(LineReader&&) = delete;
   ~LineReader();
 
   /// The next line without its end (LF or CR LF), valid until the next call. False at the end and

@@ -19,8 +19,6 @@ class SweepSource {
   SweepSource() = default;
   SweepSource(const SweepSource&) = delete;
   SweepSource& operator=(const SweepSource&) = delete;
-  SweepSource(SweepSource&&) = delete;
-  SweepSource& operator=(SweepSource&&) = delete;
   virtual ~SweepSource() = default;
 
   /// The inputs of the next entries, `most` of them or what is left; size 0 at the end. Throws

@@ -221,6 +221,15 @@ test("every end of a hit has a name, and a motion without end is not drawn", () 
     assert.equal(await page.locator(":is(#motion, #phase, #cloud) svg.figure").count(), 3);
   }));
 
+test("what would block the page is left to the program", () =>
+  with_page("v0=1&p=1&beta=0.9&f=1e-9&delta=1e-8", {}, async (page) => {
+    assert.match(await bench.notice(page), /^f and delta are so small .* at most 1e\+06/);
+    await bench.go(page, "v0=1&p=1&beta=0.9&f=1e-9&delta=0&notch-width=0.1");
+    assert.match(await bench.notice(page), /^the motion has more half-cycles/);
+    await bench.go(page, "v0=1&p=1&beta=0.9&arrivals=101");
+    assert.match(await bench.notice(page), /^arrivals = 101: must be at most 100 on this page/);
+  }));
+
 test("it moves, but not for those who asked for less motion", async () => {
   const moved = async (/** @type {"reduce" | "no-preference"} */ reducedMotion) => {
     /** @type {(string | null)[]} */

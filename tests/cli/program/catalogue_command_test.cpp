@@ -107,7 +107,12 @@ BOOST_DATA_TEST_CASE_F(Sandbox, refuses_the_use, data::make(wrong_uses), one) {
   check_refused(*this, one, {.input = one.input});
 }
 
-BOOST_FIXTURE_TEST_SUITE(catalogue, Sandbox)
+/// With those parts in few.csv.
+struct Few : Sandbox {
+  Few() { write("few.csv", few); }
+};
+
+BOOST_FIXTURE_TEST_SUITE(catalogue, Few)
 
 BOOST_AUTO_TEST_CASE(of_100_MB_is_refused_before_it_is_read_to_its_end) {
   {
@@ -129,7 +134,6 @@ BOOST_AUTO_TEST_CASE(of_100_MB_is_refused_before_it_is_read_to_its_end) {
 // docs/theory.md section 8: under this rectangle the mass returns for f <= 0.25 and its peak is
 // 1 - 2 f, so that "weak" exceeds beta and "strong" rests off centre.
 BOOST_AUTO_TEST_CASE(serves_a_pulse) {
-  write("few.csv", few);
   const Arguments pulse(
       "design --pulse rectangle --k 0.5 --lambda 1 --p 1 --criterion exact --catalogue few.csv");
   const json report = reported(joined(pulse, "--beta 0.8"));
@@ -147,7 +151,6 @@ BOOST_AUTO_TEST_CASE(serves_a_pulse) {
 }
 
 BOOST_AUTO_TEST_CASE(may_be_spelled_in_many_ways) {
-  write("few.csv", few);
   const json expected = reported(design("--catalogue few.csv"));
   const std::vector<std::string> spellings{
       "name,f,delta\r\nweak,0.05,0.4\r\ngood,0.26,0.37\r\nfair,0.2,0.4\r\nstrong,0.4,0.4",
@@ -162,7 +165,6 @@ BOOST_AUTO_TEST_CASE(may_be_spelled_in_many_ways) {
 }
 
 BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
-  write("few.csv", few);
   const json report = reported(design("--catalogue few.csv"));
   const std::vector<std::string> order{"good", "fair", "strong", "weak"};
   BOOST_TEST(names(report["catalogue"]) == order, boost::test_tools::per_element());
@@ -189,7 +191,6 @@ BOOST_AUTO_TEST_CASE(is_ranked_and_explained) {
 }
 
 BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
-  write("few.csv", few);
   const ProgramRun answer = succeed(design("--catalogue few.csv"));
   BOOST_TEST(answer.out.starts_with("Damper design\n  Order part good: f = 0.26, delta = 0.37.\n"),
              answer.out);
@@ -198,7 +199,6 @@ BOOST_AUTO_TEST_CASE(the_text_says_what_to_order_first) {
 }
 
 BOOST_AUTO_TEST_CASE(the_objective_chooses_among_those_with_the_tolerance) {
-  write("few.csv", few);
   const auto best = [&](const std::string& objective, const std::string& tolerance) {
     return reported(design({"--catalogue", "few.csv", "--objective", objective, "--tolerance",
                             tolerance}))["design"]["name"];
@@ -209,7 +209,6 @@ BOOST_AUTO_TEST_CASE(the_objective_chooses_among_those_with_the_tolerance) {
 }
 
 BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_of_each) {
-  write("few.csv", few);
   const ProgramRun answer = run(design("--catalogue few.csv --tolerance 0.5 --json"));
   BOOST_TEST(answer.exit_code == 3);
   const json report = answer.json();
@@ -286,7 +285,6 @@ BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
 }
 
 BOOST_AUTO_TEST_CASE(is_not_written_over_and_is_a_key_of_a_scene) {
-  write("few.csv", few);
   check_refusal(run(design("--catalogue few.csv --output few.csv")),
                 {"few.csv", "would overwrite the catalogue few.csv"});
   BOOST_TEST(read("few.csv") == few);

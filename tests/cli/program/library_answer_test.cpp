@@ -87,8 +87,9 @@ void check_motion(const Sandbox& sandbox, const Arguments& asked, SimulationRequ
   const Simulation answer = simulate(request);
   const Surroundings impatient{.patience = std::chrono::seconds(5)};
   BOOST_TEST(sandbox.succeed(command, impatient).out ==
-             json_text(report::json(report::MotionReport{request, answer})));
-  BOOST_TEST((!traced || sandbox.read("motion.csv") == trajectory_csv(answer.trajectory, {})));
+             report::json_text(report::json(report::MotionReport{request, answer})));
+  BOOST_TEST(
+      (!traced || sandbox.read("motion.csv") == report::trajectory_csv(answer.trajectory, {})));
 }
 
 Arguments simulated(const Motion& motion) {
@@ -183,7 +184,7 @@ BOOST_FIXTURE_TEST_CASE(regions_and_points, Sandbox) {
       }
       BOOST_TEST(
           succeed(joined(with_criterion(options({"region"}, point), criterion), "--json")).out ==
-          json_text(report::json(report::RegionReport{request, design::answer(request)})));
+          report::json_text(report::json(report::RegionReport{request, design::answer(request)})));
     }
   }
 }

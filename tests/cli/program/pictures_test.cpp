@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "refusal.hpp"
 #include "report_fields.hpp"
 #include "run_program.hpp"
 #include "testing/printing.hpp"
@@ -41,6 +42,13 @@ void check_offline(const std::string& page) {
   check_only_finite(page.substr(0, page.find("<script")));
 }
 
+/// A page that is well-formed and loads nothing.
+std::string checked(std::string page) {
+  check_offline(page);
+  parsed(page);
+  return page;
+}
+
 struct Range {
   double least;
   double most;
@@ -58,9 +66,7 @@ BOOST_FIXTURE_TEST_SUITE(pictures, Sandbox)
 
 BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
   succeed(joined(plain, "--html page.html --svg figures"));
-  const std::string page = read("page.html");
-  check_offline(page);
-  parsed(page);
+  const std::string page = checked(read("page.html"));
   for (const char* figure : {"region", "hits", "motion", "phase", "energy"}) {
     BOOST_TEST(contains(page, "aria-labelledby=\"" + std::string(figure) + "-title"));
     const std::string alone = read("figures/" + std::string(figure) + ".svg");
@@ -116,9 +122,7 @@ BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
 BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
   const ProgramRun answer = run("design --v0 1 --p 1 --beta 0.6 --html page.html");
   BOOST_TEST(answer.exit_code == 3);
-  const std::string page = read("page.html");
-  check_offline(page);
-  parsed(page);
+  const std::string page = checked(read("page.html"));
   BOOST_TEST(contains(page, "No admissible design"));
   BOOST_TEST(contains(page, "gap: no f returns within 0.6"));
   BOOST_TEST(!contains(page, "motion-title"));
@@ -151,9 +155,7 @@ BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
                               {"--f", "0.1", "--delta", "0.01", "--excitation", "rectangle", "--k",
                                "0.5", "--lambda", "2"}}) {
     succeed(joined(simulate, motion));
-    const std::string page = read("page.html");
-    check_offline(page);
-    parsed(page);
+    const std::string page = checked(read("page.html"));
     BOOST_TEST(page.size() < 1'000'000U);
   }
 }
@@ -181,9 +183,7 @@ BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
 BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
   const ProgramRun answer = succeed(
       "design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --html page.html --json");
-  const std::string page = read("page.html");
-  check_offline(page);
-  parsed(page);
+  const std::string page = checked(read("page.html"));
   BOOST_TEST(contains(page, "Motion under the pulse itself"));
   const auto response = answer.json()["pulse"]["response"];
   const std::string figure = page.substr(page.find("id=\"pulse-title\""));
@@ -198,9 +198,7 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
   succeed(
       "sweep --v0 1 --p 1 --f 1e-3:0.4:2000 --delta 0:0.55:2000 --output map.npy --html "
       "page.html --svg figures");
-  const std::string page = read("page.html");
-  check_offline(page);
-  parsed(page);
+  const std::string page = checked(read("page.html"));
   BOOST_TEST(page.size() < 1'000'000U);
   for (const char* part : {"Δ₁ exact", "returns up to f₃", "starts up to Δ₂", "centred after 1",
                            "off centre after 2", "does not move", "4000000"}) {
@@ -213,9 +211,7 @@ BOOST_AUTO_TEST_CASE(of_a_forced_sweep_have_no_boundaries) {
   succeed(
       "sweep --p 1 --f 0.01:0.3:20 --delta 0:0.03:20 --excitation harmonic --k 0.2 --lambda "
       "0.35 --t-end 100 --html page.html");
-  const std::string page = read("page.html");
-  check_offline(page);
-  parsed(page);
+  const std::string page = checked(read("page.html"));
   BOOST_TEST(contains(page, "not known to have stopped"));
   BOOST_TEST(!contains(page, "Δ₁ exact"));
 }
@@ -231,9 +227,7 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_run
            {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "x0 = 0,1: must be one number"},
            {{"--beta", "0.75:0.95:5"}, "design problems"},
            {{"--list", "list.csv"}, "a list"}}) {
-    const ProgramRun answer = run(joined(sweep, more));
-    BOOST_TEST(answer.exit_code == 2);
-    BOOST_TEST(contains(answer.err, word), answer.err);
+    check_refusal(run(joined(sweep, more)), {word});
     BOOST_TEST(contents().size() == 1U);
   }
 }
@@ -242,9 +236,7 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_cannot_be_written_are_refused_before_it_run
   const Arguments sweep("sweep --v0 1 --p 1 --f 0.1:0.3:5 --delta 0:0.5:5 --output rows.csv");
   for (const auto& [option, place] : std::vector<std::pair<std::string, std::string>>{
            {"--html", "none/page.html"}, {"--svg", "/proc/none"}, {"--svg", ""}}) {
-    const ProgramRun answer = run(joined(sweep, {option, place}));
-    BOOST_TEST(answer.exit_code == 2);
-    BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
+    check_refusal(run(joined(sweep, {option, place})), {});
     BOOST_TEST(contents().empty());
   }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Designs under records in parts, and the parts joined again.
-#include "refusal.hpp"
+#include "parts.hpp"
 #include "report_fields.hpp"
-#include "run_program.hpp"
 
 #include <fmt/format.h>
 #include <boost/test/data/test_case.hpp>
@@ -37,32 +36,14 @@ std::string timeless(const std::string& text) {
 
 }  // namespace
 
-struct RecordParts : Sandbox {
-  RecordParts() {
+struct RecordParts : Parts {
+  RecordParts() : Parts("design", "json") {
     write("a.txt", "0 0\n0.3 0.25\n0.8 -0.2\n1.4 0.1\n2 0\n");
     write("b.txt", "0 0\n0.2 -0.15\n0.9 0.3\n1.1 -0.1\n1.5 0\n");
   }
 
-  [[nodiscard]] ProgramRun part(const Arguments& design, int i, int n,
-                                const Arguments& more = {}) const {
-    return run(joined(design, joined({"--part", fmt::format("{}/{}", i, n), "--output",
-                                      "{part}.json", "--threads", std::to_string(1 + i % 3)},
-                                     more)));
-  }
-  /// The last one first.
-  [[nodiscard]] Arguments split(const Arguments& design, int n) const {
-    Arguments names;
-    for (int i = n; i >= 1; --i) {
-      const ProgramRun answer = part(design, i, n);
-      BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
-      names.push_back(fmt::format("{:0{}}-of-{}.json", i, std::to_string(n).size(), n));
-    }
-    return names;
-  }
-  [[nodiscard]] ProgramRun merge(const Arguments& parts, const Arguments& more = {}) const {
-    return run(joined({"design", "merge", "merged"}, joined(parts, more)));
-  }
-  void check_merged(const Arguments& design, int exit_code, const std::vector<int>& counts) const {
+  void check_merged_design(const Arguments& design, int exit_code,
+                           const std::vector<int>& counts) const {
     const ProgramRun whole = run(joined(design, {"--output", "whole"}));
     BOOST_TEST_REQUIRE(whole.exit_code == exit_code, whole.err);
     for (const int n : counts) {
@@ -73,23 +54,17 @@ struct RecordParts : Sandbox {
       }
     }
   }
-  /// Asserts that they cannot be joined, why, and that nothing is written.
-  void check_refused(const Arguments& parts, const Texts& says, const Arguments& more = {}) const {
-    const auto before = contents();
-    check_refusal(merge(parts, more), says);
-    BOOST_TEST(contents() == before);
-  }
 };
 
 BOOST_FIXTURE_TEST_SUITE(parts, RecordParts)
 
 BOOST_AUTO_TEST_CASE(merge_to_the_design_of_one_run) {
-  check_merged(task, 0, {1, 2, 7});
+  check_merged_design(task, 0, {1, 2, 7});
 }
 
 /// What the limits would have to be is searched for from the same scan.
 BOOST_AUTO_TEST_CASE(merge_to_the_lack_of_a_design) {
-  check_merged(joined(task, {"--max-displacement", "1mm"}), 3, {3});
+  check_merged_design(joined(task, {"--max-displacement", "1mm"}), 3, {3});
 }
 
 BOOST_AUTO_TEST_CASE(say_what_they_are) {

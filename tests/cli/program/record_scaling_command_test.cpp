@@ -38,8 +38,7 @@ const Arguments held("design --period 2.8s --search-f 100:100 --search-delta-m 0
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Sandbox) {
-  write("a.txt", small_record);
+BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Recorded) {
   const Arguments record = joined(moved, "--record a.txt");
   const json twice = reported(joined(record, "--record-scale -2"));
   const json peak = reported(joined(record, "--record-peak 0.8g"));
@@ -74,8 +73,7 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
   BOOST_TEST(factor(plain) > 1.0001 * 0.5 / (0.25 * overshoot));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Sandbox) {
-  write("a.txt", small_record);
+BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Recorded) {
   write("b.txt", long_load);
   write("list.csv", "file,scale\na.txt,2\nb.txt,-1\n");
   write("peaks.csv", "file,peak\r\na.txt,0.2g\r\nb.txt,0.5\r\n");

@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(limit_of_half_cycles_can_be_set) {
   BOOST_TEST(report["response"]["half_cycles"].get<double>() > 10'000);
   const Arguments shaken = at_rest("--excitation harmonic --k 0.2 --lambda 1 --t-end 200");
   check_refused(*this, {joined(shaken, "--half-cycle-limit 5"),
-                        {"half-cycle-limit", "more half-cycles than are allowed", "5 by tau"}});
+                        {"half-cycle-limit", "more half-cycles than allowed", "5 by tau"}});
   succeed(joined(shaken, "--half-cycle-limit 100"));
 }
 

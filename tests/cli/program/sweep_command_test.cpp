@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "refusal.hpp"
 #include "run_program.hpp"
 #include "sweep_table.hpp"
 
@@ -60,6 +61,21 @@ bool check_design(const SweepTable& table, std::size_t row, const json& report) 
   }
   return found;
 }
+
+/// The same of each row and the command alone(row); how many of them are dampers.
+template <class Alone>
+int check_designs(const Sandbox& sandbox, const SweepTable& table, const Alone& alone) {
+  int designs = 0;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const ProgramRun found = sandbox.run(joined(alone(row), "--json"));
+    designs += check_design(table, row, found.json()) ? 1 : 0;
+  }
+  return designs;
+}
+
+const std::string design_columns =
+    "feasible,f,delta,tolerance,arrival,peak_amplitude,stop_position,stop_time,"
+    "peak_absolute_acceleration";
 
 const Arguments free_columns("peak_amplitude half_cycles outcome stop_position stop_time");
 
@@ -144,61 +160,15 @@ BOOST_AUTO_TEST_CASE(of_forced_motions_has_the_metrics_of_simulate) {
 }
 
 BOOST_AUTO_TEST_CASE(of_problems_has_the_designs_of_design) {
-  const Arguments limits("--tolerance 0.05 --objective time --criterion exact");
-  const SweepTable table = table_of(run(sweep(joined("--beta 0.6,0.8,0.95 --times", limits))));
-  BOOST_TEST_REQUIRE(table.rows.size() == 3U);
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const json report =
-        run(joined({"design", "--v0", "1", "--p", "1", "--beta", table.at(row, "beta"), "--json"},
-                   limits))
-            .json();
-    check_row(table, row, report.at("region"), "feasible");
-    if (report.at("design").is_null()) {
-      BOOST_TEST(table.at(row, "f").empty());
-      BOOST_TEST(table.at(row, "peak_amplitude").empty());
-      continue;
-    }
-    check_row(table, row, report.at("design"), "f delta tolerance");
-    check_row(table, row, report.at("response"), "peak_amplitude stop_time");
-  }
-  BOOST_TEST(table.at(0, "feasible") == "false");
-  BOOST_TEST(table.at(2, "feasible") == "true");
-}
-
-BOOST_AUTO_TEST_CASE(of_problems_takes_arrivals_and_a_catalogue) {
-  write("parts.csv", "name,f,delta\na,0.26,0.37\nb,0.1,0.4\nc,0.05,0.2\n");
-  for (const Arguments& more :
-       {Arguments("--arrivals 3 --f-max 0.1"), Arguments("--catalogue parts.csv"),
-        Arguments("--catalogue parts.csv --arrivals 2 --f-max 0.2")}) {
-    const SweepTable table = table_of(run(sweep(joined("--beta 0.7,0.85,0.95,1.2", more))));
-    BOOST_TEST_REQUIRE(table.rows.size() == 4U);
-    int designs = 0;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      const json report =
-          run(joined({"design", "--v0", "1", "--p", "1", "--beta", table.at(row, "beta"), "--json"},
-                     more))
-              .json();
-      BOOST_TEST((table.at(row, "feasible") == "true") == report.at("design").is_object());
-      if (report.at("design").is_object()) {
-        ++designs;
-        check_row(table, row, report.at("design"), "f delta tolerance");
-        check_row(table, row, report.at("response"), "peak_amplitude");
-      }
-    }
-    BOOST_TEST((designs > 0 && designs < 4));
-  }
-}
-
-const std::string design_columns =
-    "feasible,f,delta,tolerance,arrival,peak_amplitude,stop_position,stop_time,"
-    "peak_absolute_acceleration";
-
-BOOST_AUTO_TEST_CASE(of_problems_takes_ranges_a_residual_and_tolerances_of_each_side) {
-  write("parts.csv", "name,f,delta\na,0.25,0.33\nb,0.05,0.2\n");
+  write("parts.csv", "name,f,delta\na,0.26,0.37\nb,0.1,0.4\nc,0.05,0.2\nd,0.25,0.33\n");
   const Arguments hit("--v0 1 --p 1");
   const Arguments hits("--v0 0.9:1.1 --p 0.95:1.05 --criterion exact");
   for (const Arguments& task :
-       std::vector<Arguments>{hits,
+       std::vector<Arguments>{joined(hit, "--tolerance 0.05 --objective time --criterion exact"),
+                              joined(hit, "--arrivals 3 --f-max 0.1"),
+                              joined(hit, "--catalogue parts.csv"),
+                              joined(hit, "--catalogue parts.csv --arrivals 2 --f-max 0.2"),
+                              hits,
                               joined(hits, "--arrivals 2 --residual 0.05"),
                               {"--v0", "0:1", "--p", "1", "--criterion", "exact"},
                               joined(hits, "--catalogue parts.csv --residual 0.05"),
@@ -208,11 +178,9 @@ BOOST_AUTO_TEST_CASE(of_problems_takes_ranges_a_residual_and_tolerances_of_each_
     const SweepTable table = table_of(run(joined(joined("sweep --beta 0.6,0.85,0.95,1.3", task),
                                                  {"--columns", "beta," + design_columns})));
     BOOST_TEST_REQUIRE(table.rows.size() == 4U);
-    int designs = 0;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      const Arguments alone{"design", "--beta", table.at(row, "beta"), "--json"};
-      designs += check_design(table, row, run(joined(alone, task)).json()) ? 1 : 0;
-    }
+    const int designs = check_designs(*this, table, [&](std::size_t row) {
+      return joined({"design", "--beta", table.at(row, "beta")}, task);
+    });
     BOOST_TEST((designs > 0 && designs < 4));
   }
 }
@@ -224,14 +192,21 @@ BOOST_AUTO_TEST_CASE(ranges_residuals_and_arrivals_are_axes) {
   BOOST_TEST_REQUIRE(table.rows.size() == 24U);
   const Arguments inputs("v0 v0_low p p_high residual arrivals");
   BOOST_TEST((Arguments(table.columns.begin(), table.columns.begin() + 6) == inputs));
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const json report = run({"design", "--v0", table.at(row, "v0_low") + ":" + table.at(row, "v0"),
-                             "--p", table.at(row, "p") + ":" + table.at(row, "p_high"), "--beta",
-                             "1", "--residual", table.at(row, "residual"), "--arrivals",
-                             table.at(row, "arrivals"), "--criterion", "exact", "--json"})
-                            .json();
-    check_design(table, row, report);
-  }
+  check_designs(*this, table, [&](std::size_t row) {
+    return Arguments{"design",
+                     "--v0",
+                     table.at(row, "v0_low") + ":" + table.at(row, "v0"),
+                     "--p",
+                     table.at(row, "p") + ":" + table.at(row, "p_high"),
+                     "--beta",
+                     "1",
+                     "--residual",
+                     table.at(row, "residual"),
+                     "--arrivals",
+                     table.at(row, "arrivals"),
+                     "--criterion",
+                     "exact"};
+  });
   BOOST_TEST((table.at(23, "v0") == "1" && table.at(23, "v0_low") == "0"));
 }
 
@@ -256,21 +231,14 @@ BOOST_AUTO_TEST_CASE(columns_of_a_list_are_the_ends_of_ranges) {
 BOOST_AUTO_TEST_CASE(of_problems_takes_a_pulse_in_place_of_the_velocity) {
   const Arguments task("--pulse half-sine --p 1 --beta 0.6 --tolerance 0.1");
   const SweepTable table =
-      table_of(run(joined("sweep --k 0.2,0.4:0.5,1.5 --lambda 2,1.8:2.2 --times", task)));
+      table_of(run(joined(joined("sweep --k 0.2,0.4:0.5,1.5 --lambda 2,1.8:2.2", task),
+                          {"--columns", "k,k_low,lambda,lambda_high," + design_columns})));
   BOOST_TEST_REQUIRE(table.rows.size() == 6U);
-  int designs = 0;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const Arguments pulse{"--k", table.at(row, "k_low") + ":" + table.at(row, "k"), "--lambda",
-                          table.at(row, "lambda") + ":" + table.at(row, "lambda_high")};
-    const json report = run(joined(joined("design --json", pulse), task)).json();
-    BOOST_TEST((table.at(row, "feasible") == "true") == report.at("design").is_object());
-    if (report.at("design").is_object()) {
-      ++designs;
-      check_row(table, row, report.at("design"), "f delta tolerance");
-      check_row(table, row, report.at("response"),
-                "peak_amplitude stop_time peak_absolute_acceleration");
-    }
-  }
+  const int designs = check_designs(*this, table, [&](std::size_t row) {
+    const Arguments pulse{"design", "--k", table.at(row, "k_low") + ":" + table.at(row, "k"),
+                          "--lambda", table.at(row, "lambda") + ":" + table.at(row, "lambda_high")};
+    return joined(pulse, task);
+  });
   BOOST_TEST((designs > 0 && designs < 6));
   write("pulses.csv", "k,lambda,lambda_high\n0.2,1.8,2.2\n");
   const SweepTable listed =
@@ -319,10 +287,9 @@ BOOST_AUTO_TEST_CASE(of_problems_in_metres_takes_parts_in_metres) {
     }
   }
   write("plain.csv", "name,f,delta\na,0.02,0.03\n");
-  const ProgramRun refused =
-      run("sweep --velocity 0.3:0.4:3 --period 2.8 --max-displacement 0.15 --catalogue plain.csv");
-  BOOST_TEST(refused.exit_code == 2);
-  BOOST_TEST(contains(refused.err, "plain.csv, line 1: the column delta is dimensionless"));
+  check_refusal(
+      run("sweep --velocity 0.3:0.4:3 --period 2.8 --max-displacement 0.15 --catalogue plain.csv"),
+      {"plain.csv, line 1: the column delta is dimensionless"});
 }
 
 BOOST_AUTO_TEST_CASE(range_is_even_and_ends_where_it_says) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps in parts, and the parts joined again.
-#include "refusal.hpp"
-#include "run_program.hpp"
+#include "parts.hpp"
 
 #include <fmt/format.h>
 #include <boost/test/data/test_case.hpp>
@@ -48,52 +47,11 @@ class WriteLimit {
 
 }  // namespace
 
-struct Parts : Sandbox {
-  /// Writes part i of n to I-of-N.EXTENSION.
-  [[nodiscard]] ProgramRun part(const Arguments& sweep, int i, int n,
-                                const std::string& extension = "csv",
-                                const Arguments& more = {}) const {
-    return run(
-        joined(sweep, joined({"--part", std::to_string(i) + "/" + std::to_string(n), "--output",
-                              "{part}." + extension, "--threads", std::to_string(1 + i % 3)},
-                             more)));
-  }
-
-  /// Writes all parts; their names.
-  [[nodiscard]] Arguments split(const Arguments& sweep, int n,
-                                const std::string& extension = "csv") const {
-    Arguments names;
-    const std::string count = std::to_string(n);
-    for (int i = n; i >= 1; --i) {
-      const ProgramRun answer = part(sweep, i, n, extension);
-      BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
-      names.push_back(fmt::format("{:0{}}-of-{}.{}", i, count.size(), count, extension));
-    }
-    return names;
-  }
-
-  [[nodiscard]] ProgramRun merge(const Arguments& parts) const {
-    return run(joined("sweep merge merged", parts));
-  }
-
-  void check_merged(const Arguments& sweep, int n, const std::string& extension) const {
-    BOOST_TEST_CONTEXT(n << " parts, " << extension) {
-      const ProgramRun whole = succeed(joined(sweep, {"--output", "whole." + extension}));
-      const ProgramRun answer = merge(split(sweep, n, extension));
-      BOOST_TEST(answer.exit_code == 0, answer.err);
-      BOOST_TEST((read("merged") == read("whole." + extension)));
-    }
-  }
-
-  /// Asserts that they cannot be joined, why, and that nothing is written.
-  void check_refused(const Arguments& parts, const Texts& says) const {
-    const auto before = contents();
-    check_refusal(merge(parts), says);
-    BOOST_TEST(contents() == before);
-  }
+struct SweepParts : Parts {
+  SweepParts() : Parts("sweep", "csv") {}
 };
 
-BOOST_FIXTURE_TEST_SUITE(parts, Parts)
+BOOST_FIXTURE_TEST_SUITE(parts, SweepParts)
 
 BOOST_AUTO_TEST_CASE(of_a_grid_merge_to_the_bytes_of_the_whole) {
   for (const char* extension : {"csv", "npy"}) {
@@ -145,7 +103,7 @@ BOOST_AUTO_TEST_CASE(may_be_given_by_a_launcher) {
 }
 
 BOOST_AUTO_TEST_CASE(report_their_number) {
-  const auto report = part(grid, 2, 3, "csv", "--json").json();
+  const auto report = part(grid, 2, 3, "--json").json();
   BOOST_TEST(report.at("part").at("number") == 2);
   BOOST_TEST(report.at("part").at("count") == 3);
   BOOST_TEST(report.at("rows") == 22);  // of 65 the first two parts have 22
@@ -155,7 +113,7 @@ BOOST_AUTO_TEST_CASE(report_their_number) {
 BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
   static_cast<void>(split(grid, 2));
   const auto written = fs::last_write_time(path("1-of-2.csv"));
-  const auto again = part(grid, 1, 2, "csv", "--resume --json").json();
+  const auto again = part(grid, 1, 2, "--resume --json").json();
   BOOST_TEST(again.at("resumed_at") == again.at("rows"));
   BOOST_TEST((fs::last_write_time(path("1-of-2.csv")) == written));
   BOOST_TEST(part(grid, 1, 2).exit_code == 0);  // without --resume as any file

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps without rows say of the rows what the rows themselves would.
-#include "json_schema.hpp"
-#include "refusal.hpp"
-#include "run_program.hpp"
+#include "parts.hpp"
 #include "sweep_table.hpp"
 
 #include <boost/test/data/test_case.hpp>
@@ -138,17 +136,13 @@ void check_best(const json& best, const SweepTable& table) {
 
 }  // namespace
 
-struct Reduced : Sandbox {
-  [[nodiscard]] json report(const Arguments& arguments) const {
-    const ProgramRun answer = succeed(joined(arguments, "--json"));
-    check_report_schema(answer.out);
-    return answer.json();
-  }
+struct Reduced : Parts {
+  Reduced() : Parts("sweep", "json") {}
 
   /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {
     const SweepTable table = read_csv(run(sweep).out);
-    const json found = report(joined(sweep, more));
+    const json found = reported(joined(sweep, more));
     BOOST_TEST(found.at("rows") == table.rows.size());
     if (found.at("outcomes").is_object()) {
       for (const auto& [outcome, count] : found.at("outcomes").items()) {
@@ -170,22 +164,6 @@ struct Reduced : Sandbox {
     for (const json& best : found.at("best")) {
       check_best(best, table);
     }
-  }
-
-  /// Asserts that n parts merge to the bytes of one run.
-  void check_merged(const Arguments& sweep, int n) const {
-    static_cast<void>(run(joined(sweep, "--output whole.json --quiet")));
-    Arguments merge("sweep merge merged.json");
-    for (int i = n; i >= 1; --i) {
-      const std::string part = std::to_string(i) + "/" + std::to_string(n);
-      const std::string name = "part" + std::to_string(i) + ".json";
-      succeed(joined(sweep,
-                     {"--part", part, "--output", name, "--threads", std::to_string(1 + i % 3)}));
-      check_report_schema(read(name));
-      merge.push_back(name);
-    }
-    succeed(merge);
-    BOOST_TEST((read("merged.json") == read("whole.json")), n << " parts");
   }
 };
 
@@ -216,9 +194,7 @@ BOOST_AUTO_TEST_CASE(of_parts_merge_to_the_bytes_of_the_whole) {
 
 BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
   const Arguments sweep = joined(motions, "--reduce");
-  for (const char* part : {"1/2", "2/2"}) {
-    static_cast<void>(run(joined(sweep, {"--part", part, "--output", "{part}.json"})));
-  }
+  static_cast<void>(split(sweep, 2));
   static_cast<void>(run(joined(sweep, "--best stop_time:2 --part 2/2 --output foreign.json")));
   static_cast<void>(run(joined(sweep, "--output whole.json")));
   const std::string second = read("2-of-2.json");
@@ -227,17 +203,12 @@ BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
   const std::size_t place = changed.find("\"count\": ", changed.find("\"columns\"")) + 9;
   changed[place] = changed[place] == '1' ? '2' : '1';
   write("changed.json", changed);
-  const auto before = contents();
-  const auto check = [&](const Arguments& parts, const Texts& says) {
-    check_refusal(run(joined("sweep merge merged.json", parts)), says);
-    BOOST_TEST(contents() == before);
-  };
-  check("1-of-2.json", {"2/2", "is missing"});
-  check("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
-  check("1-of-2.json torn.json", {"torn.json", "not a complete part"});
-  check("1-of-2.json changed.json", {"changed.json", "not a complete part"});
-  check("1-of-2.json whole.json", {"whole.json", "not a complete part"});
-  check("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
+  check_refused("1-of-2.json", {"2/2", "is missing"});
+  check_refused("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
+  check_refused("1-of-2.json torn.json", {"torn.json", "not a complete part"});
+  check_refused("1-of-2.json changed.json", {"changed.json", "not a complete part"});
+  check_refused("1-of-2.json whole.json", {"whole.json", "not a complete part"});
+  check_refused("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
 }
 
 BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "refusal.hpp"
 #include "run_program.hpp"
 #include "testing/printing.hpp"
 
@@ -40,19 +41,15 @@ BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
   const std::string whole = read("rows.npy");
   fs::remove(path("rows.npy"));
 
-  const ProgramRun refused = resume(*this, rows(count, "-0.1,0.5"));
-  BOOST_TEST(refused.exit_code == 2);
-  BOOST_TEST(contains(refused.err, "line 3001: f = -0.1"), refused.err);
-  BOOST_TEST(contains(refused.err, "kept in rows.npy.part"), refused.err);
+  check_refusal(resume(*this, rows(count, "-0.1,0.5")),
+                {"line 3001: f = -0.1", "kept in rows.npy.part"});
   BOOST_TEST(!fs::exists(path("rows.npy")));
 
   const auto before = contents();
   std::string other = right;
   other.replace(other.find("1e-5"), 4, "2e-5");
   for (const std::string& wrong : {other, rows(10, "0.1,0.5")}) {
-    const ProgramRun changed = resume(*this, wrong);
-    BOOST_TEST(changed.exit_code == 2);
-    BOOST_TEST(contains(changed.err, "differ from those"), changed.err);
+    check_refusal(resume(*this, wrong), {"differ from those"});
     BOOST_TEST(contents() == before);
   }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "refusal.hpp"
 #include "run_program.hpp"
 #include "sweep_table.hpp"
 #include "testing/printing.hpp"
@@ -65,10 +66,7 @@ struct Interrupted : Sandbox {
   /// Asserts that resuming is refused and changes nothing.
   void check_refused(const Arguments& more, const std::vector<std::string>& says) const {
     const auto before = contents();
-    const ProgramRun answer = resume(more);
-    BOOST_TEST(answer.exit_code == 2);
-    BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
-    check_contains(answer.err, says);
+    check_refusal(resume(more), says);
     BOOST_TEST(contents() == before);
   }
 
@@ -103,9 +101,7 @@ BOOST_AUTO_TEST_CASE(can_be_resumed_into_the_same_bytes) {
 
 BOOST_AUTO_TEST_CASE(is_not_passed_over) {
   const auto before = contents();
-  const ProgramRun answer = run(sweep("--output rows.csv"));
-  BOOST_TEST(answer.exit_code == 2);
-  check_contains(answer.err, {"rows.csv.part", "--resume", "remove"});
+  check_refusal(run(sweep("--output rows.csv")), {"rows.csv.part", "--resume", "remove"});
   BOOST_TEST(contents() == before);
 }
 
@@ -118,9 +114,8 @@ BOOST_AUTO_TEST_CASE(is_forgotten_with_its_part) {
 
 BOOST_AUTO_TEST_CASE(refuses_another_task) {
   check_refused("--times", {"rows.csv.part", "columns was", "other options"});
-  const ProgramRun other = run("sweep --v0 1 --p 1 --f 0.1 --delta 0 --output rows.csv --resume");
-  BOOST_TEST(other.exit_code == 2);
-  BOOST_TEST(contains(other.err, "kind was \"forced\", is \"free\""), other.err);
+  check_refusal(run("sweep --v0 1 --p 1 --f 0.1 --delta 0 --output rows.csv --resume"),
+                {"kind was \"forced\", is \"free\""});
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {
@@ -264,9 +259,7 @@ BOOST_AUTO_TEST_CASE(goes_on_with_one_that_just_began) {
 }
 
 BOOST_AUTO_TEST_CASE(needs_a_file) {
-  const ProgramRun answer = run(sweep("--resume"));
-  BOOST_TEST(answer.exit_code == 2);
-  BOOST_TEST(contains(answer.err, "needs an output file"), answer.err);
+  check_refusal(run(sweep("--resume")), {"needs an output file"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -38,6 +38,15 @@ bool has(const Things& things, const std::string& name) {
   return std::ranges::any_of(things, [&](const auto& thing) { return thing.name == name; });
 }
 
+/// The one of that name.
+template <class Things>
+const auto& named(const Things& things, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(things, [&](const auto& now) { return now.name == name; });
+  BOOST_TEST_REQUIRE((found != things.end()), name);
+  return *found;
+}
+
 bool has_note(const Figure& figure, const std::string& text) {
   return std::ranges::count(figure.notes, text, &figures::FigureNote::text) == 1;
 }
@@ -75,9 +84,8 @@ BOOST_AUTO_TEST_CASE(the_region_names_its_forbidden_sides_and_fills_the_toleranc
   const Figure& drawn = figure(page, "region");
   for (const char* side : {"too weak: exceeds 150 mm", "too strong: does not return",
                            "notch too weak", "notch holds at the start"}) {
-    const auto area = std::ranges::find(drawn.areas, side, &figures::FigureArea::name);
-    BOOST_TEST_REQUIRE((area != drawn.areas.end()), side);
-    BOOST_TEST((area->look == figures::AreaLook::hatched));
+    const auto& area = named(drawn.areas, side);
+    BOOST_TEST((area.look == figures::AreaLook::hatched));
   }
   BOOST_TEST((drawn.areas.back().look == figures::AreaLook::box));
   BOOST_TEST(contains(drawn.areas.back().name, "tolerance"));
@@ -106,10 +114,8 @@ BOOST_AUTO_TEST_CASE(the_answer_about_a_damper_comes_before_that_about_all) {
 BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
   const HtmlPage page = region(0.6, 0.4, 0.3);
   const Figure& drawn = figure(page, "region");
-  const auto gap =
-      std::ranges::find(drawn.areas, "gap: no f returns within 0.6", &figures::FigureArea::name);
-  BOOST_TEST_REQUIRE((gap != drawn.areas.end()));
-  BOOST_TEST(gap->outline.front().x == 1 / std::sqrt(8.0), boost::test_tools::tolerance(1e-12));
+  const auto& gap = named(drawn.areas, "gap: no f returns within 0.6");
+  BOOST_TEST(gap.outline.front().x == 1 / std::sqrt(8.0), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(drawn.title == "No damper: beta must be at least 0.7072");  // 0.70711, rounded up
   BOOST_TEST(contains(page.verdict, "beta must be at least 0.7072"));
 }
@@ -161,10 +167,8 @@ BOOST_AUTO_TEST_CASE(the_motion_is_labelled_in_place_beside_one_without_friction
   BOOST_TEST(has_note(drawn, "rest 0 mm"));
   BOOST_TEST(has(drawn.curves, "limit 150 mm"));
   // Without friction the peak is V0/p = 0.4 m/s * 2.8 s/(2 pi) = 178.25 mm.
-  const auto ghost =
-      std::ranges::find(drawn.curves, "without friction", &figures::FigureCurve::name);
-  BOOST_TEST_REQUIRE((ghost != drawn.curves.end()));
-  const double peak = std::ranges::max(ghost->strokes[0], {}, &figures::FigurePoint::y).y;
+  const auto& ghost = named(drawn.curves, "without friction");
+  const double peak = std::ranges::max(ghost.strokes[0], {}, &figures::FigurePoint::y).y;
   BOOST_TEST(peak == 178.25, boost::test_tools::tolerance(1e-3));  // of samples
 }
 
@@ -203,14 +207,10 @@ BOOST_AUTO_TEST_CASE(the_envelope_goes_through_the_peaks) {
 
 /// At rest after 50 half-cycles, before a tenth of the load is over: most columns hold no state.
 BOOST_AUTO_TEST_CASE(the_envelope_of_a_long_rest_is_a_line) {
-  Harmonic load;
-  load.k = 1e-3;
-  load.lambda = 0.01;
-  load.duration = 2000;
+  const Harmonic load{.k = 1e-3, .lambda = 0.01, .duration = 2000};
   const Figure drawn = figure(motion({1, 0.01, 0}, load), "motion");
-  const auto envelope = std::ranges::find(drawn.curves, "envelope", &figures::FigureCurve::name);
-  BOOST_TEST_REQUIRE((envelope != drawn.curves.end()));
-  for (const figures::FigurePoint& at : envelope->strokes[0]) {
+  const auto& envelope = named(drawn.curves, "envelope");
+  for (const figures::FigurePoint& at : envelope.strokes[0]) {
     BOOST_TEST(std::abs(at.y) <= 1, at.y << " at " << at.x);  // V0/p
     // A rest off x = 0 is within (f + k)/p^2.
     BOOST_TEST((at.x < 300 || std::abs(at.y) <= 0.011), at.y << " at " << at.x);
@@ -221,10 +221,7 @@ BOOST_AUTO_TEST_CASE(the_envelope_of_a_long_rest_is_a_line) {
 BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_load) {
   SimulationRequest request;
   request.oscillator = {1, 0.3, 0.4};
-  Harmonic load;
-  load.k = 0.05;
-  load.lambda = 3;
-  load.duration = 40;
+  const Harmonic load{.k = 0.05, .lambda = 3, .duration = 40};
   request.excitation = load;
   const HtmlPage drawn = page(MotionReport{request, simulate(request)});
   const Figure& still = figure(drawn, "motion");
@@ -238,10 +235,9 @@ BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_l
 /// The notch takes what is left of the speed at once, at the stop too: nothing is rounded off.
 BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
   const Figure drawn = figure(motion({1, 0.3, 0.4}, HalfSine{0.05, 3}), "phase");
-  const auto jumps = std::ranges::find(drawn.curves, "jump at x = 0", &figures::FigureCurve::name);
-  BOOST_TEST_REQUIRE((jumps != drawn.curves.end()));
-  BOOST_TEST(jumps->strokes.back().front().y < -0.1);
-  BOOST_TEST(jumps->strokes.back().back().y == 0);
+  const auto& jumps = named(drawn.curves, "jump at x = 0");
+  BOOST_TEST(jumps.strokes.back().front().y < -0.1);
+  BOOST_TEST(jumps.strokes.back().back().y == 0);
   SimulationRequest zones;
   zones.oscillator = {1, 0.1, 0};
   zones.start = {0, 1};
@@ -252,10 +248,7 @@ BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
 
 /// The record of 0.35 g moves the free mass a hundred times as far as the one with this notch.
 BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses_the_figure) {
-  Harmonic load;
-  load.k = 0.35;
-  load.lambda = 1;
-  load.duration = 20;
+  const Harmonic load{.k = 0.35, .lambda = 1, .duration = 20};
   SimulationRequest request;
   request.oscillator = {1, 0.345, 0};
   request.excitation = load;
@@ -269,10 +262,7 @@ BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses
 
 /// Caught at its first return; the load lasts 40.
 BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
-  Harmonic load;
-  load.k = 0.05;
-  load.lambda = 3;
-  load.duration = 40;
+  const Harmonic load{.k = 0.05, .lambda = 3, .duration = 40};
   const HtmlPage page = motion({1, 0.3, 0.4}, load);
   const Figure& moving = figure(page, "motion");
   const Figure& below = page.figures.at(1);
@@ -297,10 +287,7 @@ BOOST_AUTO_TEST_CASE(the_phase_portrait_is_smooth_and_directed) {
 /// A motion over 3 under a load that lasts 2000: too few points would be joined by a curve that
 /// leaves the frame.
 BOOST_AUTO_TEST_CASE(a_short_motion_under_a_long_load_is_drawn_finely) {
-  Harmonic load;
-  load.k = 1e-3;
-  load.lambda = 0.01;
-  load.duration = 2000;
+  const Harmonic load{.k = 1e-3, .lambda = 0.01, .duration = 2000};
   const Figure drawn = figure(motion({1, 0.3, 0.4}, load), "phase");
   const auto& arc = drawn.curves.front().strokes[0];
   BOOST_TEST(arc.size() > 100U);
@@ -330,9 +317,8 @@ BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
   request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
   for (const char* side : {"notch holds at the start", "too strong: does not return"}) {
-    const auto found = std::ranges::find(drawn.areas, side, &figures::FigureArea::name);
-    BOOST_TEST_REQUIRE((found != drawn.areas.end()), side);
-    BOOST_TEST((found->look == figures::AreaLook::hatched));
+    const auto& found = named(drawn.areas, side);
+    BOOST_TEST((found.look == figures::AreaLook::hatched));
   }
 }
 
@@ -371,9 +357,8 @@ BOOST_AUTO_TEST_CASE(the_area_of_the_design_stands_out) {
   request.problem = {.v0 = 1, .p = 1, .beta = 1.1, .arrivals = 3, .v0_low = 0, .residual = 0.05};
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
   const auto ink = [&](const char* name) {
-    const auto area = std::ranges::find(drawn.areas, name, &figures::FigureArea::name);
-    BOOST_TEST_REQUIRE((area != drawn.areas.end()), name);
-    return area->ink;
+    const auto& area = named(drawn.areas, name);
+    return area.ink;
   };
   BOOST_TEST((ink("any rest within the residual") == figures::Ink::sky));
   BOOST_TEST((ink("arrival 1") == figures::Ink::green));
@@ -387,9 +372,8 @@ BOOST_AUTO_TEST_CASE(neighbouring_strips_differ) {
     const Figure drawn = figure(page(RegionReport{request, design::answer(request)}), "region");
     const auto ink = [&](int arrival) {
       const std::string name = "arrival " + std::to_string(arrival);
-      const auto area = std::ranges::find(drawn.areas, name, &figures::FigureArea::name);
-      BOOST_TEST_REQUIRE((area != drawn.areas.end()), name);
-      return area->ink;
+      const auto& area = named(drawn.areas, name);
+      return area.ink;
     };
     for (int arrival = 2; arrival <= 4; ++arrival) {
       BOOST_TEST((ink(arrival) != ink(arrival - 1)), arrival);

@@ -29,4 +29,9 @@ void check_only_finite(std::string_view report);
 /// 0.4 g at 0 s, -0.2 g at 1 s, 0 at 2 s.
 inline constexpr const char* small_record = "0 0.4\n1 -0.2\n2 0\n";
 
+/// With that in a.txt.
+struct Recorded : Sandbox {
+  Recorded() { write("a.txt", small_record); }
+};
+
 }  // namespace stillpoint::cli_test

@@ -35,42 +35,26 @@ void require(bool success, const char* what, int error = errno) {
   }
 }
 
-/// Closes what it holds.
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() { close(); }
+/// Closed with its last owner.
+using Descriptor = std::shared_ptr<const int>;
 
-  [[nodiscard]] int get() const { return descriptor_; }
-  void close() {
-    if (descriptor_ >= 0) {
-      ::close(descriptor_);
-      descriptor_ = -1;
-    }
-  }
-
- private:
-  int descriptor_;
-};
+Descriptor descriptor(int number) {
+  return {new int(number), [](const int* held) {
+            ::close(*held);  // -1 is none
+            delete held;
+          }};
+}
 
 /// What the parent reads and what the program writes to.
 struct Channel {
-  std::unique_ptr<Descriptor> reader;
-  std::unique_ptr<Descriptor> writer;
+  Descriptor reader;
+  Descriptor writer;
 };
-
-Channel channel(int reader, int writer) {
-  return {std::make_unique<Descriptor>(reader), std::make_unique<Descriptor>(writer)};
-}
 
 Channel pipe_channel() {
   std::array<int, 2> ends{};
   require(::pipe2(ends.data(), O_CLOEXEC) == 0, "pipe2");
-  return channel(ends[0], ends[1]);
+  return {descriptor(ends[0]), descriptor(ends[1])};
 }
 
 Channel terminal_channel() {
@@ -79,13 +63,13 @@ Channel terminal_channel() {
   require(::openpty(&terminal, &shell, nullptr, nullptr, nullptr) == 0, "openpty");
   require(::fcntl(terminal, F_SETFD, FD_CLOEXEC) == 0, "fcntl");
   require(::fcntl(shell, F_SETFD, FD_CLOEXEC) == 0, "fcntl");
-  return channel(terminal, shell);
+  return {descriptor(terminal), descriptor(shell)};
 }
 
 Channel file_channel(const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   require(file >= 0, path.c_str());
-  return channel(-1, file);
+  return {descriptor(-1), descriptor(file)};
 }
 
 Channel output_channel(const Surroundings& surroundings) {
@@ -143,51 +127,32 @@ std::vector<std::string> environment(const Surroundings& surroundings) {
   return list;
 }
 
-class FileActions {
- public:
-  FileActions() { require(::posix_spawn_file_actions_init(&actions_) == 0, "posix_spawn"); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  FileActions(FileActions&&) = delete;
-  FileActions& operator=(FileActions&&) = delete;
-  ~FileActions() { ::posix_spawn_file_actions_destroy(&actions_); }
+template <class Object>
+using Owned = std::unique_ptr<Object, int (*)(Object*)>;
 
-  void directory(const std::filesystem::path& path) {
-    require(::posix_spawn_file_actions_addchdir_np(&actions_, path.c_str()) == 0, "posix_spawn");
-  }
-  void connect(int from, int to) {
-    require(::posix_spawn_file_actions_adddup2(&actions_, from, to) == 0, "posix_spawn");
-  }
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+void require_spawn(int error) {
+  require(error == 0, "posix_spawn", error);
+}
 
- private:
-  posix_spawn_file_actions_t actions_{};
-};
+/// The directory, and the three streams from standard input on.
+void connect(posix_spawn_file_actions_t& actions, const std::filesystem::path& directory,
+             const std::array<int, 3>& streams) {
+  require_spawn(::posix_spawn_file_actions_addchdir_np(&actions, directory.c_str()));
+  for (std::size_t i = 0; i < streams.size(); ++i) {
+    require_spawn(::posix_spawn_file_actions_adddup2(&actions, streams[i], static_cast<int>(i)));
+  }
+}
+
+/// SIGINT as a program in the foreground has it, wherever the tests run.
+void default_interrupt(posix_spawnattr_t& attributes) {
+  sigset_t signals{};
+  ::sigemptyset(&signals);
+  ::sigaddset(&signals, SIGINT);
+  require_spawn(::posix_spawnattr_setsigdefault(&attributes, &signals));
+  require_spawn(::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF));
+}
 
 using Clock = std::chrono::steady_clock;
-
-/// SIGINT as for a program in the foreground, wherever the tests run.
-class Attributes {
- public:
-  Attributes() {
-    require(::posix_spawnattr_init(&attributes_) == 0, "posix_spawn");
-    sigset_t signals{};
-    ::sigemptyset(&signals);
-    ::sigaddset(&signals, SIGINT);
-    require(::posix_spawnattr_setsigdefault(&attributes_, &signals) == 0, "posix_spawn");
-    require(::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF) == 0, "posix_spawn");
-  }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
-  Attributes(Attributes&&) = delete;
-  Attributes& operator=(Attributes&&) = delete;
-  ~Attributes() { ::posix_spawnattr_destroy(&attributes_); }
-
-  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
 
 /// Whether the process has a handler for SIGINT.
 bool handles_interrupt(pid_t child) {
@@ -306,29 +271,32 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   Arguments words = joined({program}, arguments);
   std::vector<std::string> variables = environment(surroundings);
   const File input = input_file(surroundings.input);
-  const Channel out = output_channel(surroundings);
-  const Channel err = surroundings.error_is_terminal ? terminal_channel() : pipe_channel();
-  const Attributes attributes;
-  FileActions actions;
-  actions.directory(path(""));
-  actions.connect(::fileno(input.get()), STDIN_FILENO);
-  actions.connect(out.writer->get(), STDOUT_FILENO);
-  actions.connect(err.writer->get(), STDERR_FILENO);
+  Channel out = output_channel(surroundings);
+  Channel err = surroundings.error_is_terminal ? terminal_channel() : pipe_channel();
+  posix_spawnattr_t attributes{};
+  require_spawn(::posix_spawnattr_init(&attributes));
+  const Owned<posix_spawnattr_t> owned_attributes(&attributes, &::posix_spawnattr_destroy);
+  default_interrupt(attributes);
+  posix_spawn_file_actions_t actions{};
+  require_spawn(::posix_spawn_file_actions_init(&actions));
+  const Owned<posix_spawn_file_actions_t> owned_actions(&actions,
+                                                        &::posix_spawn_file_actions_destroy);
+  connect(actions, path(""), {::fileno(input.get()), *out.writer, *err.writer});
   pid_t child = 0;
-  const int error = ::posix_spawn(&child, program.c_str(), actions.get(), attributes.get(),
+  const int error = ::posix_spawn(&child, program.c_str(), &actions, &attributes,
                                   pointers(words).data(), pointers(variables).data());
   require(error == 0, program.c_str(), error);
-  out.writer->close();
-  err.writer->close();
+  out.writer.reset();
+  err.writer.reset();
   const auto deadline = Clock::now() + surroundings.patience;
   if (surroundings.interrupt || surroundings.interrupt_once_heard) {
-    interrupt(child, err.reader->get(), surroundings, deadline);
+    interrupt(child, *err.reader, surroundings, deadline);
   }
   std::jthread sender([&surroundings, child](const std::stop_token& ended) {
     send_signal(child, surroundings, ended);
   });
   ProgramRun result;
-  const bool in_time = read_both(out.reader->get(), err.reader->get(), result, deadline);
+  const bool in_time = read_both(*out.reader, *err.reader, result, deadline);
   if (!in_time) {
     ::kill(child, SIGKILL);
   }

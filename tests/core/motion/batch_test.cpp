@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "testing/checks.hpp"
 #include "testing/random_scene.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core.hpp>
 
@@ -74,7 +75,7 @@ BOOST_AUTO_TEST_CASE(on_a_surface_the_entries_are_those_of_one_motion) {
       }
     }
   }
-  BOOST_TEST(message_of<InputError>([&] {
+  BOOST_TEST(refusal_of<InputError>([&] {
                static_cast<void>(free_batch(1, 1, f, delta, {.surface = {-1, {}}}));
              }).starts_with("notch-width = -1: must be a number from"));
 }
@@ -88,7 +89,7 @@ BOOST_AUTO_TEST_CASE(an_error_names_the_first_entry_at_fault) {
   f[20017] = -1;
   for (const int threads : {1, 2, 7}) {
     const auto run = [&] { static_cast<void>(free_batch(1, 1, f, delta, {.threads = threads})); };
-    BOOST_TEST(message_of<InputError>(run) ==
+    BOOST_TEST(refusal_of<InputError>(run) ==
                "delta[20011] = nan: must be a number from 0 to 1e+300");
   }
 }
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_first_entry_is_named_even_where_a_later_one_fails_soone
   delta[4095] = -1;
   delta[4096] = -2;
   for (int i = 0; i < 50; ++i) {
-    BOOST_TEST(message_of<InputError>([&] {
+    BOOST_TEST(refusal_of<InputError>([&] {
                  static_cast<void>(free_batch(1, 1, f, delta, {.threads = 2}));
                }) == "delta[4095] = -1: must be a number from 0 to 1e+300");
   }
@@ -108,9 +109,9 @@ BOOST_AUTO_TEST_CASE(the_first_entry_is_named_even_where_a_later_one_fails_soone
 
 BOOST_AUTO_TEST_CASE(a_value_for_all_is_named_without_an_entry) {
   const Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, 0.1);
-  BOOST_TEST(message_of<InputError>([&] { static_cast<void>(free_batch(1, -1, one, one)); }) ==
+  BOOST_TEST(refusal_of<InputError>([&] { static_cast<void>(free_batch(1, -1, one, one)); }) ==
              "p = -1: must be a number from 1e-150 to 1e+150");
-  BOOST_TEST(message_of<InputError>([&] {
+  BOOST_TEST(refusal_of<InputError>([&] {
                static_cast<void>(free_batch(one, one - 1.1, one, one));
              }) == "p[0] = -1: must be a number from 1e-150 to 1e+150");
 }
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_entry) {
   Eigen::ArrayXd delta = Eigen::ArrayXd::Constant(100, 0.01);
   f[77] = 1e-9;
   delta[77] = 1e-9;
-  const std::string message = message_of<TooManyHalfCycles>(
+  const std::string message = refusal_of<TooManyHalfCycles>(
       [&] { static_cast<void>(free_batch(1, 1, f, delta, {.half_cycle_limit = 1000})); });
   BOOST_TEST(message.starts_with("entry 77: f and delta are so small"), message);
   // By (16) at most 1 / (2 * 0.02) = 25 half-cycles. 64 entries leave no lane empty.
@@ -160,7 +161,7 @@ BOOST_AUTO_TEST_CASE(what_is_asked_for_is_checked) {
   const Eigen::ArrayXd three = Eigen::ArrayXd::Constant(3, 0.1);
   const auto message = [&](const BatchValues& v0, const BatchValues& p, const BatchValues& delta,
                            const BatchOptions& options) {
-    return message_of<InputError>(
+    return refusal_of<InputError>(
         [&] { static_cast<void>(free_batch(v0, p, two, delta, options)); });
   };
   BOOST_TEST(message(three, two, two, {}) ==

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/checks.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core.hpp>
 
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_skips_the_rest) {
 }
 
 BOOST_AUTO_TEST_CASE(a_negative_number_of_threads_is_refused) {
-  BOOST_TEST(message_of<InputError>([] {
+  BOOST_TEST(refusal_of<InputError>([] {
                for_each_entry(1, -1, {}, [](std::ptrdiff_t /*i*/) {});
              }) == "threads = -1: must be 0 or more");
 }

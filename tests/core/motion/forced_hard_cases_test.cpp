@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(a_load_of_exactly_f_for_a_whole_record_moves_nothing) {
 BOOST_AUTO_TEST_CASE(
     a_load_that_never_exceeds_f_moves_nothing_whatever_p_is_and_one_ulp_more_does) {
   // W/p and f/p, rounded separately, may differ where W = f, and be equal where it is not.
-  const auto moved = [](double p, double f, const AnyExcitation<double>& load) {
+  const auto moved = [](double p, double f, const Excitation& load) {
     return run_forced(ForcedScene<>{{0, 0, p, f, 0}, load, 10 / p}).state.moved;
   };
   Dice dice(404);

@@ -33,7 +33,7 @@ double margin_of(const ForcedState<double>& state) {
   return state.margin.any() ? state.margin.value() : 1;
 }
 
-double largest_load(const AnyExcitation<double>& excitation) {
+double largest_load(const Excitation& excitation) {
   if (const auto* record = std::get_if<Record>(&excitation)) {
     double most = 0;
     for (const double value : record->values) {
@@ -161,7 +161,7 @@ Looked look_closely(const SeenMotion& piece, double length) {
 }
 
 /// Up to ten times faster than the scenes are by themselves, so that a piece spans many ripples.
-void hasten(AnyExcitation<double>& excitation, double by) {
+void hasten(Excitation& excitation, double by) {
   std::visit(
       [by](auto& wave) {
         if constexpr (requires { wave.lambda; }) {

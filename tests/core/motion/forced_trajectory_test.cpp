@@ -49,9 +49,7 @@ BOOST_AUTO_TEST_CASE(events_come_in_order_and_lie_on_the_path) {
   Dice dice(5);
   for (int i = 0; i < 50; ++i) {
     const ForcedScene<> scene = random_forced_scene(dice);
-    const Excitation excitation =
-        std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
-    const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), excitation,
+    const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), scene.excitation,
                                 {scene.t_end});
     double before = 0;
     for (const Event& event : path.events()) {
@@ -67,11 +65,9 @@ BOOST_AUTO_TEST_CASE(the_largest_x_and_the_last_state_are_those_of_the_metrics) 
   Dice dice(6);
   for (int i = 0; i < 30; ++i) {
     const ForcedScene<> scene = random_forced_scene(dice);
-    const Excitation excitation =
-        std::visit([](const auto& e) { return Excitation(e); }, scene.excitation);
     const auto response = forced_response(scene.motion.oscillator(), scene.motion.start(),
-                                          excitation, {.t_end = scene.t_end});
-    const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), excitation,
+                                          scene.excitation, {.t_end = scene.t_end});
+    const ForcedTrajectory path(scene.motion.oscillator(), scene.motion.start(), scene.excitation,
                                 {scene.t_end});
     double most = 0;
     for (const State& state : path.sampled(400)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "testing/checks.hpp"
+#include "testing/refusal.hpp"
 #include "testing/scene.hpp"
 
 #include <stillpoint/core.hpp>
@@ -34,18 +34,6 @@ const std::array<Field, 5> fields{{
     {"delta", &Scene<>::delta, {nan, inf, -inf, -1e-9, 2e300}},
 }};
 
-/// The message of the error, which must name `field` and say so in field().
-void names_the_field(const char* field, const std::function<void()>& action) {
-  try {
-    action();
-    BOOST_ERROR(field << " was taken");
-  } catch (const InputError& error) {
-    BOOST_TEST(error.field() == field);
-    BOOST_TEST(std::string(error.what()).starts_with(std::string(field) + " = "), error.what());
-    BOOST_TEST(std::string(error.what()).find("must") != std::string::npos, error.what());
-  }
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_wrong_input_is_named) {
@@ -54,19 +42,19 @@ BOOST_AUTO_TEST_CASE(every_wrong_input_is_named) {
       BOOST_TEST_CONTEXT(field.name << " = " << value) {
         Scene<> scene{0.5, 1, 1, 0.1, 0.1};
         scene.*field.input = value;
-        names_the_field(field.name, [&] { (void)response(scene); });
-        names_the_field(field.name, [&] { (void)free_peak(scene.oscillator(), scene.start()); });
-        names_the_field(field.name, [&] { HalfCycleWalk(scene.oscillator(), scene.start()); });
-        names_the_field(field.name,
-                        [&] { Trajectory(scene.oscillator(), scene.start(), {.horizon = 1}); });
+        check_refused(field.name, [&] { (void)response(scene); });
+        check_refused(field.name, [&] { (void)free_peak(scene.oscillator(), scene.start()); });
+        check_refused(field.name, [&] { HalfCycleWalk(scene.oscillator(), scene.start()); });
+        check_refused(field.name,
+                      [&] { Trajectory(scene.oscillator(), scene.start(), {.horizon = 1}); });
       }
     }
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_input_is_found_at_a_start_at_rest_as_well) {
-  names_the_field("delta", [] { (void)response({0, 0, 1, 0, nan}); });
-  names_the_field("f", [] { (void)response({0, 0, 1, -1, 0}); });
+  check_refused("delta", [] { (void)response({0, 0, 1, 0, nan}); });
+  check_refused("f", [] { (void)response({0, 0, 1, -1, 0}); });
 }
 
 BOOST_AUTO_TEST_CASE(the_bounds_themselves_are_taken) {
@@ -85,40 +73,40 @@ BOOST_AUTO_TEST_CASE(the_bounds_themselves_are_taken) {
 }
 
 BOOST_AUTO_TEST_CASE(p_times_x0_and_f_over_p_are_bounded_though_each_input_is_not) {
-  names_the_field("x0", [] { (void)response({1e149, 0, 10.1, 0, 0}); });
-  names_the_field("x0", [] { (void)response({1e-300, 0, 1e149, 0, 0}); });
-  names_the_field("x0", [] { (void)response({1e-300, 0, 1e-150, 0, 0}); });  // p x0 underflows
-  names_the_field("f", [] { (void)response({0, 1, 1e-149, 10.1, 0}); });
+  check_refused("x0", [] { (void)response({1e149, 0, 10.1, 0, 0}); });
+  check_refused("x0", [] { (void)response({1e-300, 0, 1e149, 0, 0}); });
+  check_refused("x0", [] { (void)response({1e-300, 0, 1e-150, 0, 0}); });  // p x0 underflows
+  check_refused("f", [] { (void)response({0, 1, 1e-149, 10.1, 0}); });
 }
 
 BOOST_AUTO_TEST_CASE(friction_that_would_underflow_is_not_taken_for_none) {
   // f / p = 1e-350 is not a double: 5e199 half-cycles, but not a motion that never stops.
-  names_the_field("f", [] { (void)response({0, 1e-150, 1e150, 1e-200, 0}); });
-  names_the_field("f", [] { (void)response({0, 1, 1e8, 1e-300, 0.1}); });
+  check_refused("f", [] { (void)response({0, 1e-150, 1e150, 1e-200, 0}); });
+  check_refused("f", [] { (void)response({0, 1, 1e8, 1e-300, 0.1}); });
   BOOST_CHECK_NO_THROW((void)response({0, 1, 1, 1e-300, 0.1}));
 }
 
 BOOST_AUTO_TEST_CASE(a_peak_that_would_underflow_is_refused) {
   // p A = V0^2 p / (2f) = 5e-451.
-  names_the_field("f", [] { (void)response({0, 1e-150, 1e-150, 1, 0}); });
+  check_refused("f", [] { (void)response({0, 1e-150, 1e-150, 1, 0}); });
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_half_cycle_limit_is_named) {
   for (const double limit : {0.0, 0.5, -1.0, 1.1e15, nan, inf}) {
-    names_the_field("half_cycle_limit", [&] {
+    check_refused("half_cycle_limit", [&] {
       (void)response({0, 1, 1, 0.1, 0.1}, {.half_cycle_limit = limit});
     });
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_message_says_the_value_and_the_bound) {
-  const std::string text = message_of<InputError>([] { (void)response({0, 1, -1, 0.1, 0.1}); });
+  const std::string text = refusal_of<InputError>([] { (void)response({0, 1, -1, 0.1, 0.1}); });
   BOOST_TEST(text == "p = -1: must be a number from 1e-150 to 1e+150");
 }
 
 BOOST_AUTO_TEST_CASE(both_frictions_vanishing_are_too_many_half_cycles) {
   const Scene<> scene{0, 1, 1, 1e-300, 1e-300};
-  const std::string text = message_of<TooManyHalfCycles>([&] { (void)response(scene); });
+  const std::string text = refusal_of<TooManyHalfCycles>([&] { (void)response(scene); });
   BOOST_TEST(text.find("f and delta") != std::string::npos, text);
   BOOST_TEST(text.find("1e+08") != std::string::npos, text);
   BOOST_CHECK_NO_THROW((void)free_peak(scene.oscillator(), scene.start()));
@@ -133,19 +121,19 @@ BOOST_AUTO_TEST_CASE(the_callers_limit_bounds_the_half_cycles) {
 BOOST_AUTO_TEST_CASE(wrong_limits_of_a_trajectory_are_named) {
   const Scene<> scene{0, 1, 1, 0.1, 0.1};
   for (const double horizon : {0.0, -1.0, nan, inf}) {
-    names_the_field("horizon",
-                    [&] { Trajectory(scene.oscillator(), scene.start(), {.horizon = horizon}); });
+    check_refused("horizon",
+                  [&] { Trajectory(scene.oscillator(), scene.start(), {.horizon = horizon}); });
   }
   const Scene<> endless{0, 1, 1, 0, 0};
-  const std::string missing = message_of<InputError>(
+  const std::string missing = refusal_of<InputError>(
       [&] { Trajectory(endless.oscillator(), endless.start(), TrajectoryOptions{}); });
   BOOST_TEST(missing.starts_with("horizon"), missing);
   const Trajectory path(scene.oscillator(), scene.start(), {.horizon = 2});
   for (const double tau : {-1e-9, 2.1, nan, inf}) {
-    names_the_field("tau", [&] { (void)path.at(tau); });
+    check_refused("tau", [&] { (void)path.at(tau); });
   }
   for (const int samples : {1, 0, -5}) {
-    names_the_field("samples", [&] { (void)path.sampled(samples); });
+    check_refused("samples", [&] { (void)path.sampled(samples); });
   }
 }
 

@@ -298,8 +298,7 @@ BOOST_AUTO_TEST_CASE(random_motions_feel_what_the_law_of_motion_says_at_many_ins
   int loaded = 0;
   for (int i = 0; i < forced_scene_count(); ++i) {
     const ForcedScene<> scene = scene_to_feel(dice);
-    const Excitation excitation =
-        std::visit([](const auto& kind) { return Excitation(kind); }, scene.excitation);
+    const Excitation& excitation = scene.excitation;
     const Oscillator oscillator = scene.motion.oscillator();
     const ForcedResponse response = run(oscillator, scene.motion.start(), excitation, scene.t_end);
     const ForcedTrajectory path(oscillator, scene.motion.start(), excitation, {scene.t_end});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "testing/printing.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
@@ -15,17 +16,9 @@ namespace {
 using namespace stillpoint::records;
 using stillpoint::InputError;
 
-/// What parsing says of a wrong value.
-template <class Parse>
-std::string refusal(const Parse& parse, const char* text) {
-  try {
-    static_cast<void>(parse("f", text));
-  } catch (const InputError& error) {
-    BOOST_TEST(error.field() == "f");
-    return error.what();
-  }
-  BOOST_FAIL(text << " was read");
-  return {};
+/// What parsing says of a wrong value of f.
+std::string refusal(const auto& parse, const char* text) {
+  return stillpoint::test::refusal_of<InputError>([&] { return parse("f", text); });
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 // The formats of the networks: ESM, K-NET, CSMIP, COSMOS and SMC. The samples of data/records hold
 // one pulse, 250 cm/s2 sin^2(pi t / 2) sin(3 pi t), in all of them.
 
-#include "refusal.hpp"
 #include "samples.hpp"
 #include "testing/printing.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
 #include "testing/folder.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>

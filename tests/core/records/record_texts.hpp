@@ -3,8 +3,8 @@
 
 // Records as text, right and wrong, for the tests of each form.
 
-#include "refusal.hpp"
 #include "testing/printing.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/record_file.hpp>

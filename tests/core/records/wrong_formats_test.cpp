@@ -2,8 +2,8 @@
 
 // Wrong files of the networks: each is refused in one line, with file and line.
 
-#include "refusal.hpp"
 #include "samples.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
   int empty = 0;
   for (int i = 0; i < 60; ++i) {
     const Task task = random_task(random);
-    const auto& [problem, limits] = task;
+    const auto& [problem, limits, seed] = task;
     const auto points = grid(problem);
     for (const Objective objective : objectives) {
       BOOST_TEST_CONTEXT(name(objective) << ", " << context_of(task)) {

@@ -4,12 +4,11 @@
 // Random tasks of several arrivals, docs/theory.md section 12.
 
 #include "random_source.hpp"
+#include "task.hpp"
 
 #include <stillpoint/design.hpp>
 
 #include <cmath>
-#include <sstream>
-#include <string>
 
 namespace stillpoint::design_test::of_arrivals {
 
@@ -23,13 +22,8 @@ inline bool within_limits(const Problem& problem, const Limits& limits, Wide f, 
          (!limits.acceleration_max || std::sqrt(f * f + p_v0 * p_v0) <= *limits.acceleration_max);
 }
 
-struct Task {
-  Problem problem;
-  Limits limits;
-};
-
 inline Task random_task(RandomSource& random) {
-  Task task{random_problem(random, 0.75, 1.5), {}};
+  Task task{random_problem(random, 0.75, 1.5), {}, random.seed()};
   task.problem.arrivals = 2 + random.pick(4);
   const double f3 = task.problem.v0 * task.problem.p / std::sqrt(8.0);
   if (random.pick(2) == 0) {
@@ -44,18 +38,6 @@ inline Task random_task(RandomSource& random) {
   }
   task.limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0.01, 0.3);
   return task;
-}
-
-inline std::string context_of(const Task& task) {
-  const Problem& now = task.problem;
-  std::ostringstream text;
-  text.precision(17);
-  text << name(now.criterion) << ", v0 = " << now.v0 << ", p = " << now.p << ", beta = " << now.beta
-       << ", arrivals = " << now.arrivals << ", f_max = " << task.limits.f_max.value_or(0)
-       << ", delta_max = " << task.limits.delta_max.value_or(0)
-       << ", acceleration_max = " << task.limits.acceleration_max.value_or(0)
-       << ", tolerance = " << task.limits.tolerance;
-  return text.str();
 }
 
 }  // namespace stillpoint::design_test::of_arrivals

@@ -40,15 +40,6 @@ bool stops_at_first_return(const Response& response) {
   return response.outcome == Outcome::stopped_at_zero && *response.half_cycles == 1;
 }
 
-std::array<bool, 5> met(const Problem& problem, double f, double delta) {
-  std::array<bool, 5> list{};
-  std::size_t i = 0;
-  for (const Constraint& constraint : constraints(problem, f, delta)) {
-    list[i++] = constraint.satisfied;
-  }
-  return list;
-}
-
 /// A half-cycle in whole numbers: f^2 + (V0 p)^2 = S^2 with S >= 3 f, p = 1.
 struct Triple {
   double f;
@@ -197,17 +188,6 @@ BOOST_AUTO_TEST_CASE(the_stop_tips_at_the_exact_bound_in_formula_and_simulation)
     }
   }
   BOOST_TEST_MESSAGE(decided << " of " << count << " decided");
-}
-
-BOOST_AUTO_TEST_CASE(the_dead_zone_tips_at_f1_to_the_last_bit) {
-  RandomSource random(305);
-  for (int i = 0; i < 5000; ++i) {
-    const Problem problem = random_problem(random, 0.1, 3);
-    const double f1 = admissible_region(problem).f1;
-    BOOST_TEST(met(problem, below(f1), 0)[0]);
-    BOOST_TEST(!met(problem, f1, 0)[0]);
-    BOOST_TEST(!met(problem, above(f1), 0)[0]);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(limits_bind_to_the_last_bit) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
+#include "task.hpp"
 
 #include <stillpoint/design.hpp>
 
@@ -205,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_mend_is_the_least_change_that_lets_a_part_in) {
   int mended = 0;
   int more_arrivals = 0;
   for (int i = 0; i < 200; ++i) {
-    Shop shop = random_shop(random, 4);
+    const Shop shop = random_shop(random, 4);
     const auto any_fits = [&](const Problem& problem, const Limits& limits) {
       return std::ranges::any_of(shop.parts, [&](const Part& part) {
         return admissible(problem, limits, part.f, part.delta);
@@ -226,18 +227,14 @@ BOOST_AUTO_TEST_CASE(a_mend_is_the_least_change_that_lets_a_part_in) {
         ++more_arrivals;
         continue;
       }
-      Limits limits = shop.limits;
-      double& input = mend.field == "beta"        ? problem.beta
-                      : mend.field == "tolerance" ? limits.tolerance
-                      : mend.field == "f_max"     ? *limits.f_max
-                      : mend.field == "delta_max" ? *limits.delta_max
-                                                  : *limits.acceleration_max;
+      Task now{problem, shop.limits};
+      double& input = now.input(mend.field);
       BOOST_TEST(mend.upwards == (mend.value > input));
       BOOST_TEST(mend.upwards == (mend.field != "tolerance"));
       input = mend.value;
-      BOOST_TEST(any_fits(problem, limits), mend.field << " = " << mend.value);
+      BOOST_TEST(any_fits(now.problem, now.limits), mend.field << " = " << mend.value);
       input = std::nextafter(mend.value, mend.upwards ? 0 : 1);
-      BOOST_TEST(!any_fits(problem, limits), mend.field << " = " << mend.value << ", less");
+      BOOST_TEST(!any_fits(now.problem, now.limits), mend.field << " = " << mend.value << ", less");
       ++mended;
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
+#include "task.hpp"
 
 #include <stillpoint/design/region.hpp>
 
@@ -28,43 +29,7 @@ constexpr double smaller = 1e-9;
 /// The same for two inputs, where the other one is found 1e-9 inside the tolerance.
 constexpr double joint_smaller = 1e-7;
 
-struct Case {
-  Problem problem;
-  Limits limits;
-
-  [[nodiscard]] bool feasible() const { return admissible_region(problem, limits).feasible; }
-
-  double& field(std::string_view name) {
-    if (name == "v0") {
-      return problem.v0;
-    }
-    if (name == "p") {
-      return problem.p;
-    }
-    if (name == "beta") {
-      return problem.beta;
-    }
-    if (name == "f_max") {
-      return *limits.f_max;
-    }
-    if (name == "delta_max") {
-      return *limits.delta_max;
-    }
-    if (name == "acceleration_max") {
-      return *limits.acceleration_max;
-    }
-    BOOST_REQUIRE(name == "tolerance");
-    return limits.tolerance;
-  }
-
-  [[nodiscard]] Case with(std::string_view name, double value) const {
-    Case changed = *this;
-    changed.field(name) = value;
-    return changed;
-  }
-};
-
-std::map<std::string, double> mends_of(const Case& now) {
+std::map<std::string, double> mends_of(const Task& now) {
   std::map<std::string, double> list;
   for (const Mend& mend : mends(now.problem, now.limits)) {
     BOOST_TEST(list.emplace(mend.field, mend.value).second);
@@ -72,15 +37,15 @@ std::map<std::string, double> mends_of(const Case& now) {
   return list;
 }
 
-void check_value(const Case& now, const std::string& field, double expected, double tolerance) {
+void check_value(const Task& now, const std::string& field, double expected, double tolerance) {
   const auto list = mends_of(now);
   BOOST_REQUIRE(list.contains(field));
   BOOST_TEST(std::abs(list.at(field) / expected - 1) <= tolerance,
              field << " = " << list.at(field) << " instead of " << expected);
 }
 
-Case random_case(RandomSource& random) {
-  Case now{random_problem(random, 0.3, 3), {}};
+Task random_task(RandomSource& random) {
+  Task now{random_problem(random, 0.3, 3), {}};
   const Region region = admissible_region(now.problem);
   if (random.pick(2) == 0) {
     now.limits.f_max = region.f3 * random.log_uniform(1e-3, 2);
@@ -97,7 +62,7 @@ Case random_case(RandomSource& random) {
   return now;
 }
 
-std::vector<std::string> fields_of(const Case& now) {
+std::vector<std::string> fields_of(const Task& now) {
   std::vector<std::string> list{"v0", "p", "beta"};
   if (now.limits.f_max) {
     list.emplace_back("f_max");
@@ -119,7 +84,7 @@ std::vector<std::string> fields_of(const Case& now) {
 BOOST_AUTO_TEST_CASE(condition_10_is_mended_in_closed_form) {
   RandomSource random(1101);
   for (int i = 0; i < 500; ++i) {
-    const Case now{random_problem(random, 0.01, 0.7), {}};
+    const Task now{random_problem(random, 0.01, 0.7), {}};
     const double v0 = now.problem.v0;
     const double p = now.problem.p;
     const double beta = now.problem.beta;
@@ -159,7 +124,7 @@ BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
   RandomSource random(1109);
   int seen = 0;
   for (int i = 0; i < 4000; ++i) {
-    const Case now = random_case(random);
+    const Task now = random_task(random);
     const auto joint = joint_mend(now.problem, now.limits);
     const bool none = mends(now.problem, now.limits).empty();
     BOOST_TEST(joint.has_value() == (none && !now.feasible()));
@@ -169,18 +134,18 @@ BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
     ++seen;
     BOOST_TEST_REQUIRE(joint->mends.size() == 2U);
     BOOST_TEST(joint->mends[0].field == "tolerance");
-    Case mended = now;
+    Task mended = now;
     for (const Mend& mend : joint->mends) {
       mended = mended.with(mend.field, mend.value);
     }
     BOOST_TEST(mended.feasible());
     double factor = 1;
     for (const Mend& mend : joint->mends) {
-      Case less = mended;
-      Case before = now;
-      const double given = before.field(mend.field);
+      Task less = mended;
+      Task before = now;
+      const double given = before.input(mend.field);
       factor = std::max(factor, mend.upwards ? mend.value / given : given / mend.value);
-      less.field(mend.field) = mend.value + joint_smaller * (given - mend.value);
+      less.input(mend.field) = mend.value + joint_smaller * (given - mend.value);
       BOOST_TEST(!less.feasible(), mend.field << " could be nearer");
     }
     // A smaller factor is not enough for any pair. (More p brings f_max nearer.)
@@ -190,13 +155,13 @@ BOOST_AUTO_TEST_CASE(what_no_input_mends_alone_two_do) {
           (field == "p" && (now.limits.f_max || now.limits.acceleration_max))) {
         continue;
       }
-      Case moved = now.with("tolerance", now.limits.tolerance / less);
-      moved.field(field) *= field == "v0" ? 1 / less : less;
+      Task moved = now.with("tolerance", now.limits.tolerance / less);
+      moved.input(field) *= field == "v0" ? 1 / less : less;
       BOOST_TEST(!moved.feasible(), field << " and the tolerance mend by less");
     }
     // No damper has more than that, for any beta.
     BOOST_TEST(mended.limits.tolerance <= joint->largest_tolerance * (1 + smaller));
-    Case wide{now.problem, {std::nullopt, std::nullopt, joint->largest_tolerance}};
+    Task wide{now.problem, {std::nullopt, std::nullopt, joint->largest_tolerance}};
     wide.problem.beta = 1e9 * wide.problem.v0 / wide.problem.p;
     BOOST_TEST(wide.with("tolerance", joint->largest_tolerance * (1 - smaller)).feasible());
     BOOST_TEST(!wide.with("tolerance", joint->largest_tolerance * (1 + smaller)).feasible());
@@ -209,7 +174,7 @@ BOOST_AUTO_TEST_CASE(of_inputs_that_mend_by_the_same_factor_beta_is_named) {
   RandomSource random(1110);
   int seen = 0;
   for (int i = 0; i < 500; ++i) {
-    const Case now{random_problem(random, 0.1, 0.7),
+    const Task now{random_problem(random, 0.1, 0.7),
                    {std::nullopt, std::nullopt, random.uniform(0.4, 0.9)}};
     if (const auto joint = joint_mend(now.problem, now.limits)) {
       ++seen;
@@ -223,12 +188,12 @@ BOOST_AUTO_TEST_CASE(what_two_inputs_mend_does_not_depend_on_the_unit_of_time) {
   // Powers of two are exact: v0 and p scale by s, Delta by s^2; p beta / v0 and the tolerance stay.
   // Near the ends of the range an input cannot go as far as elsewhere.
   for (const std::optional<double> delta_max : {std::optional<double>(), std::optional(0.01)}) {
-    const Case plain{{1, 1, 0.5}, {std::nullopt, delta_max, 0.6}};
+    const Task plain{{1, 1, 0.5}, {std::nullopt, delta_max, 0.6}};
     const JointMend expected = joint_mend(plain.problem, plain.limits).value();
     const std::string_view other = delta_max ? "v0" : "beta";
     BOOST_TEST(expected.mends[1].field == other);
     for (const double s : {0x1p-480, 0x1p-100, 0x1p100, 0x1p480}) {
-      Case scaled{{s, s, 0.5}, {std::nullopt, std::nullopt, 0.6}};
+      Task scaled{{s, s, 0.5}, {std::nullopt, std::nullopt, 0.6}};
       if (delta_max) {
         scaled.limits.delta_max = *delta_max * s * s;
       }
@@ -250,13 +215,13 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
   RandomSource random(1102);
   std::map<std::string, int> met;
   for (int i = 0; i < 2000; ++i) {
-    const Case now = random_case(random);
+    const Task now = random_task(random);
     const auto list = mends_of(now);
     BOOST_TEST((list.empty() || !now.feasible()));
     for (const auto& [field, value] : list) {
       ++met[field];
       if (field == "arrivals") {
-        Case more = now;
+        Task more = now;
         for (more.problem.arrivals = 2; static_cast<double>(more.problem.arrivals) < value;
              ++more.problem.arrivals) {
           BOOST_TEST(!more.feasible());
@@ -264,7 +229,7 @@ BOOST_AUTO_TEST_CASE(every_mend_mends_and_no_smaller_change_does) {
         BOOST_TEST(more.feasible());
         continue;
       }
-      const double old = Case(now).field(field);
+      const double old = Task(now).input(field);
       BOOST_TEST_CONTEXT(field << " from " << old << " to " << value) {
         BOOST_TEST(now.with(field, value).feasible());
         const double less = value + (old - value) * smaller;
@@ -285,7 +250,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_listed_cannot_mend_alone) {
   RandomSource random(1103);
   int unlisted = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Case now = random_case(random);
+    const Task now = random_task(random);
     if (now.feasible()) {
       continue;
     }
@@ -295,7 +260,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_listed_cannot_mend_alone) {
         continue;
       }
       ++unlisted;
-      const double old = Case(now).field(field);
+      const double old = Task(now).input(field);
       for (int k = -200; k <= 200; ++k) {
         const double value = field == "tolerance" ? (k + 200) / 401.0 : old * std::pow(1.05, k);
         BOOST_TEST(!now.with(field, value).feasible(), field << " = " << value << " would mend");
@@ -311,7 +276,7 @@ BOOST_AUTO_TEST_CASE(p_is_mended_between_its_two_sides) {
   int lowered = 0;
   int raised = 0;
   for (int i = 0; i < 2000; ++i) {
-    Case now{random_problem(random, 0.6, 1.5), {}};
+    Task now{random_problem(random, 0.6, 1.5), {}};
     now.limits.f_max = admissible_region(now.problem).f3 * random.uniform(0.5, 1);
     now.limits.tolerance = random.uniform(0.05, 0.3);
     const auto list = mends_of(now);

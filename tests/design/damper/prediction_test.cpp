@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 #include "reference.hpp"
+#include "testing/refusal.hpp"
 #include "unit_problem.hpp"
 
 #include <stillpoint/design.hpp>
@@ -109,10 +110,9 @@ BOOST_AUTO_TEST_CASE(at_f3_itself_the_motion_arrives_without_speed) {
 
 BOOST_AUTO_TEST_CASE(no_prediction_beyond_f3_or_below_zero) {
   const Problem problem{1, 1, 0.9};
-  const auto names_f = [](const InputError& error) { return error.field() == "f"; };
   for (const double f : {-1e-300, std::nextafter(admissible_region(problem).f3, 1.0), std::nan(""),
                          double(HUGE_VAL)}) {
-    BOOST_CHECK_EXCEPTION((void)predict(problem, f), InputError, names_f);
+    stillpoint::test::check_refused("f", [&] { return predict(problem, f); });
   }
 }
 

@@ -29,14 +29,6 @@ double published_cycles(double v0, double delta) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(the_published_delta1_is_too_large_by_f_squared_over_two_p_squared) {
-  const Problem problem{2, 3, 0.6, Criterion::published};
-  for (const double f : {0.1, 0.7, 1.5, 2.1}) {
-    const double sum = delta1_exact(problem, f).value() + f * f / (2 * 9);
-    BOOST_TEST(delta1_published(problem, f) == sum, boost::test_tools::tolerance(bound_tolerance));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(between_the_two_bounds_of_delta_the_motion_stops_at_zero_all_the_same) {
   const Problem problem{1, 1, 0.9, Criterion::published};
   const double f = 0.3;

@@ -250,6 +250,39 @@ BOOST_AUTO_TEST_CASE(random_dampers_stand_as_their_own_motion_says) {
   BOOST_TEST(outside > 100);
 }
 
+// With peak 1 - 2 f and acceleration f + A = 1 - f of the same rectangle beta asks for f >= 0.18,
+// and f_max or the acceleration for an f that is hardly larger: no look at an f comes to lie
+// between.
+BOOST_AUTO_TEST_CASE(a_narrow_interval_between_two_limits_is_found) {
+  const auto close = boost::test_tools::tolerance(1e-9);
+  RegionRequest by_f_max = half_period(0.64);
+  by_f_max.limits.f_max = 0.1801;
+  const RegionAnswer narrow = answer(by_f_max);
+  BOOST_TEST_REQUIRE(narrow.region.feasible);
+  BOOST_TEST(narrow.intervals->front().low == 0.18, close);
+  BOOST_TEST(narrow.intervals->front().high == 0.1801, close);
+  by_f_max.limits.f_max = 0.1799;
+  BOOST_TEST(!answer(by_f_max).region.feasible);
+  // Under a full sine with lambda = 4 p the mass feels more and more as f grows, up to k: beta
+  // against that.
+  RegionRequest by_load = by_f_max;
+  by_load.limits = {};
+  by_load.pulse = FullSine{0.5, 4};
+  const auto motion_at = [&](double f) {
+    return forced_response({1, f, 1e200}, {}, design::excitation(*by_load.pulse));
+  };
+  constexpr double low = 0.2711;
+  constexpr double high = 0.2712;
+  BOOST_TEST_REQUIRE(motion_at(high).peak_absolute_acceleration >
+                     motion_at(low).peak_absolute_acceleration);
+  by_load.problem.beta = motion_at(low).peak_amplitude;
+  by_load.limits.acceleration_max = motion_at(high).peak_absolute_acceleration;
+  const RegionAnswer loaded = answer(by_load);
+  BOOST_TEST_REQUIRE(loaded.region.feasible);
+  BOOST_TEST(loaded.intervals->front().low == low, close);
+  BOOST_TEST(loaded.intervals->front().high == high, close);
+}
+
 // Every pulse with every spring of the ranges: what one of them violates is not admissible.
 BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_counts) {
   RegionRequest task = half_period(0.9);

@@ -5,6 +5,7 @@
 // simulation says of points of the box and of the ranges: docs/theory.md section 13.
 
 #include "random_source.hpp"
+#include "task.hpp"
 
 #include <stillpoint/design.hpp>
 
@@ -14,8 +15,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <sstream>
-#include <string>
 
 namespace stillpoint::design_test::in_ranges {
 
@@ -33,12 +32,6 @@ inline Problem ranged(double v0_low, double v0, double p, double p_high, std::in
   problem.p_high = p_high;
   return problem;
 }
-
-struct Task {
-  Problem problem;
-  Limits limits;
-  std::uint64_t seed{0};  ///< that it was drawn with, one for each
-};
 
 inline Task random_task(RandomSource& random) {
   Task task{random_problem(random, 0.75, 2), {}, random.seed()};
@@ -68,22 +61,6 @@ inline Task random_task(RandomSource& random) {
   }
   task.limits.tolerance = random.pick(2) == 0 ? 0 : random.uniform(0.01, 0.2);
   return task;
-}
-
-inline std::string context_of(const Task& task) {
-  const auto& [problem, limits, seed] = task;
-  std::ostringstream text;
-  text.precision(17);
-  text << "seed " << seed << ": " << name(problem.criterion)
-       << ", v0 = " << problem.v0_low.value_or(problem.v0) << ":" << problem.v0
-       << ", p = " << problem.p << ":" << problem.stiffest_p() << ", beta = " << problem.beta
-       << ", arrivals = " << problem.arrivals << ", residual = " << problem.residual.value_or(0)
-       << ", f_max = " << limits.f_max.value_or(0)
-       << ", delta_max = " << limits.delta_max.value_or(0)
-       << ", acceleration_max = " << limits.acceleration_max.value_or(0)
-       << ", tolerance = " << limits.tolerance << " of " << limits.shape.f_low << " "
-       << limits.shape.f_high << " " << limits.shape.delta_low << " " << limits.shape.delta_high;
-  return text.str();
 }
 
 /// A damper under one hit on one spring.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "suites_of_records.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/design.hpp>
 
@@ -354,10 +355,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
                           const std::function<void(RecordDesignRequest&)>& spoil) {
     RecordDesignRequest request = three_samples();
     spoil(request);
-    BOOST_TEST_CONTEXT(field) {
-      BOOST_CHECK_EXCEPTION(static_cast<void>(design::design(request)), InputError,
-                            [&](const InputError& error) { return error.field() == field; });
-    }
+    stillpoint::test::check_refused(field, [&] { return design::design(request); });
   };
   refused("records", [](auto& request) { request.records.clear(); });
   refused("scale", [](auto& request) { request.records[0].scale = 0; });

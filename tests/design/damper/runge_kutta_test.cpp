@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check/runge_kutta.hpp"
 #include "random_source.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core.hpp>
 
@@ -36,9 +37,8 @@ IntegratedMotion integrate(double v0, double p, double f, double delta) {
 
 void check_refused(const std::string& field, const Oscillator& oscillator, double v0,
                    double tolerance) {
-  const auto names_the_field = [&](const InputError& error) { return error.field() == field; };
-  BOOST_CHECK_EXCEPTION((void)integrate_free_motion(oscillator, v0, tolerance), InputError,
-                        names_the_field);
+  stillpoint::test::check_refused(field,
+                                  [&] { return integrate_free_motion(oscillator, v0, tolerance); });
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(point_friction_alone_counts_and_times_as_in_closed_form) {
       const double half_cycles = std::ceil(1 / (2 * delta));
       const IntegratedMotion motion = integrate(v0, p, 0, delta * v0 * v0);
       BOOST_TEST(motion.stopped);
-      BOOST_TEST(static_cast<double>(motion.half_cycles) == half_cycles);
+      BOOST_TEST(motion.half_cycles == half_cycles);
       BOOST_TEST(motion.stop_position == 0);
       BOOST_TEST(std::abs(motion.stop_time * p - pi * half_cycles) <= time_tolerance * half_cycles);
       BOOST_TEST(std::abs(motion.peak_amplitude * p / v0 - 1) <= length_tolerance);
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(motions_of_many_half_cycles_are_those_of_the_map) {
     BOOST_TEST_CONTEXT("v0 = " << v0 << ", p = " << p << ", f = " << f << ", delta = " << delta
                                << ", margin = " << *expected.decision_margin) {
       BOOST_TEST(motion.stopped);
-      BOOST_TEST(static_cast<double>(motion.half_cycles) == *expected.half_cycles);
+      BOOST_TEST(motion.half_cycles == *expected.half_cycles);
       BOOST_TEST(std::abs(motion.peak_amplitude / expected.peak_amplitude - 1) <= length_tolerance);
       BOOST_TEST(std::abs(motion.stop_time - *expected.stop_time) * p <=
                  *expected.half_cycles *
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(the_error_falls_with_the_tolerance) {
   std::vector<double> errors;
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
     const IntegratedMotion motion = integrate_free_motion(oscillator, 1, tolerance);
-    BOOST_TEST(static_cast<double>(motion.half_cycles) == *exact.half_cycles);
+    BOOST_TEST(motion.half_cycles == *exact.half_cycles);
     errors.push_back(std::abs(motion.stop_time - *exact.stop_time));
     BOOST_TEST_MESSAGE("tolerance " << tolerance << ", error " << errors.back());
     BOOST_TEST(errors.back() <= 1000 * tolerance);

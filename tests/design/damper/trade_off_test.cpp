@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 #include "scan.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/design.hpp>
 
@@ -213,11 +214,10 @@ BOOST_AUTO_TEST_CASE(of_a_single_f_is_one_damper_and_of_none_is_empty) {
 BOOST_AUTO_TEST_CASE(refuses_a_wrong_count) {
   for (const std::int64_t wrong : {std::int64_t{-1}, std::int64_t{0}, std::int64_t{1},
                                    std::int64_t{1001}, std::int64_t{1'000'000'000}}) {
-    BOOST_CHECK_EXCEPTION(
-        (void)trade_off({1, 1, 1}, {}, wrong), InputError, [&](const InputError& e) {
-          return std::string(e.what()) ==
-                 "trade_off = " + std::to_string(wrong) + ": must be a whole number from 2 to 1000";
-        });
+    BOOST_TEST(stillpoint::test::refusal_of<InputError>([&] {
+                 return trade_off({1, 1, 1}, {}, wrong);
+               }) ==
+               "trade_off = " + std::to_string(wrong) + ": must be a whole number from 2 to 1000");
   }
   BOOST_TEST(trade_off({1, 1, 1}, {}, 2).size() == 2U);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
@@ -98,11 +99,9 @@ BOOST_AUTO_TEST_CASE(of_another_sweep_is_left_alone) {
   SweepSpec other = spec();
   other.resume = true;
   other.identity = R"({"f": "0.01:0.3:101"})";
-  BOOST_CHECK_EXCEPTION(
-      static_cast<void>(open_rows(other)), LeftoverError, [](const LeftoverError& error) {
-        return std::string(error.what()).find(R"(f was "0.01:0.3:100", is "0.01:0.3:101")") !=
-               std::string::npos;
-      });
+  stillpoint::test::check_contains(
+      stillpoint::test::refusal_of<LeftoverError>([&] { return open_rows(other); }),
+      {R"(f was "0.01:0.3:100", is "0.01:0.3:101")"});
   BOOST_TEST(read("rows.csv.part") == part);
 }
 

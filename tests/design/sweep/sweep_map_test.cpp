@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
 #include "testing/printing.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -107,8 +108,7 @@ BOOST_AUTO_TEST_CASE(needs_ranges_of_f_and_delta_alone) {
   }
   SweepSpec of_speeds = spec_of("0.1:0.2:3", "0:0.6:50");
   of_speeds.axes.front().axis = Axis({1, 2});
-  BOOST_CHECK_EXCEPTION(SweepMap{of_speeds}, InputError,
-                        [](const InputError& error) { return error.field() == "v0"; });
+  stillpoint::test::check_refused("v0", [&] { return SweepMap{of_speeds}; });
 }
 
 BOOST_AUTO_TEST_CASE(may_be_stopped_when_the_rows_are_complete) {

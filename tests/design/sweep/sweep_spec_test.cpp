@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "design/sweep/sweep_spec.hpp"
+#include "testing/refusal.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 
@@ -14,12 +15,8 @@ using namespace stillpoint::sweep;
 using namespace stillpoint::sweep_test;
 using enum Quantity;
 
-/// Asserts that the spec is refused, and which field is named.
-void check_refused(const SweepSpec& spec, const std::string& field) {
-  BOOST_CHECK_EXCEPTION(require_valid(spec), InputError, [&field](const InputError& error) {
-    BOOST_TEST_MESSAGE(error.what());
-    return error.field() == field;
-  });
+void check_refused(const SweepSpec& spec, const char* field) {
+  stillpoint::test::check_refused(field, [&] { require_valid(spec); });
 }
 
 SweepSpec small() {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What parts of a sweep are, and which of them a launcher gives to a process.
+#include "testing/refusal.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/part.hpp>
@@ -34,13 +36,8 @@ void check_launched(const Variables& variables, const std::string& part,
 
 void check_refused(const Variables& variables, const std::vector<std::string>& says,
                    std::optional<std::int64_t> count = {}) {
-  BOOST_CHECK_EXCEPTION(launched(variables, count), InputError, [&](const InputError& error) {
-    return std::ranges::all_of(says, [&](const std::string& part) {
-      const bool said = std::string(error.what()).find(part) != std::string::npos;
-      BOOST_TEST(said, "no " << part << " in " << error.what());
-      return said;
-    });
-  });
+  stillpoint::test::check_contains(
+      stillpoint::test::refusal_of<InputError>([&] { return launched(variables, count); }), says);
 }
 
 const Variables mpi{{"OMPI_COMM_WORLD_RANK", "2"}, {"OMPI_COMM_WORLD_SIZE", "4"}};

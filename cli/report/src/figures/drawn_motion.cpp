@@ -60,6 +60,12 @@ std::vector<State> frictionless(const DrawnMotion& motion, const Start& start,
   return largest(states) <= comparable * largest(motion.states) ? states : std::vector<State>{};
 }
 
+/// The end of a figure of a motion that comes to rest: the load is seen whole.
+double seen_until(const Excitation& excitation, double stop_time) {
+  constexpr double seen_at_rest = 1.25;
+  return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
+}
+
 }  // namespace
 
 std::int64_t sample_count(double rate, double horizon) {
@@ -130,16 +136,6 @@ DrawnMotion drawn_forced_motion(const Oscillator& oscillator, const Start& start
   }
   return motion;
 }
-
-namespace {
-
-/// The end of the figure for a motion that comes to rest: the whole load is shown.
-double seen_until(const Excitation& excitation, double stop_time) {
-  constexpr double seen_at_rest = 1.25;
-  return std::max(seen_at_rest * stop_time, duration(excitation).value_or(0));
-}
-
-}  // namespace
 
 DrawnMotion drawn_motion(const SimulationRequest& request, const Simulation& answer) {
   const Oscillator& oscillator = request.oscillator;

@@ -63,12 +63,7 @@ void judge(CheckMethod& method, const Quality& quality, const Prediction& predic
 }
 
 void take(CheckMethod& method, const IntegratedMotion& motion) {
-  method.peak_amplitude = motion.peak_amplitude;
-  method.peak_acceleration = motion.peak_acceleration;
-  method.stop_time = motion.stop_time;
-  method.arrival_speed = motion.arrival_speed;
-  method.half_cycles = static_cast<double>(motion.half_cycles);
-  method.stop_position = motion.stop_position;
+  static_cast<MotionFigures&>(method) = motion;
 }
 
 }  // namespace stillpoint::design

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace stillpoint::design {
@@ -42,7 +41,7 @@ class Slides {
 }  // namespace
 
 IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, double tolerance,
-                                       std::int64_t max_half_cycles) {
+                                       double max_half_cycles) {
   require_valid(oscillator, {0, v0});
   require_within("v0", v0, smallest_speed, largest_speed);
   require_within("tolerance", tolerance, std::numeric_limits<double>::epsilon(), 1e-2);
@@ -53,6 +52,7 @@ IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0, 
   }
   const Slides slides(a, tolerance);
   IntegratedMotion motion;
+  motion.half_cycles = 0;
   double peak = 0;
   double acceleration = 0;
   MonotonePiece now{0, {0, 1}, 1};

@@ -3,19 +3,15 @@
 
 #include <stillpoint/core/oscillator.hpp>
 
-#include <cstdint>
+#include <stillpoint/design/prediction.hpp>
 
 namespace stillpoint::design {
 
 /// What an integrator can say about a free motion that comes to rest.
-struct IntegratedMotion {
+/// peak_acceleration is the largest |x''| at the ends of the monotone pieces; arrival_speed that at
+/// the last arrival at x = 0, or 0.
+struct IntegratedMotion : MotionFigures {
   bool stopped{false};  ///< false: still moving after max_half_cycles
-  double peak_amplitude{0};
-  double peak_acceleration{0};  ///< largest |x''| at the ends of the monotone pieces
-  double arrival_speed{0};      ///< at the last arrival at x = 0; 0 where there was none
-  double stop_time{0};
-  double stop_position{0};
-  std::int64_t half_cycles{0};
 };
 
 /// The free motion from x = 0 as a series of initial-value problems, the paper's (9): adaptive
@@ -25,6 +21,6 @@ struct IntegratedMotion {
 /// for x p / v0 and v / v0. Throws InputError unless v0 > 0 and there is some friction.
 [[nodiscard]] IntegratedMotion integrate_free_motion(const Oscillator& oscillator, double v0,
                                                      double tolerance,
-                                                     std::int64_t max_half_cycles = 1000);
+                                                     double max_half_cycles = 1000);
 
 }  // namespace stillpoint::design

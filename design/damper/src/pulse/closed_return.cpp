@@ -15,6 +15,7 @@
 // | c      | where the friction alone would hold the mass, -f outwards, f inwards   |
 // | h      | the time since a slide began                                          |
 // | psi    | lambda t, the phase of the load sin psi                                |
+// | ByF    | derivatives over f, (68)                                               |
 
 namespace stillpoint::design {
 
@@ -38,6 +39,18 @@ struct Moving {
 struct Moment {
   double h{0};
   Moving motion;
+};
+
+/// Of a place and a speed at a given time.
+struct ByF {
+  double y{0};
+  double v{0};
+};
+
+/// Of where and when a slide begins.
+struct BeginByF {
+  double y{0};
+  double t{0};
 };
 
 /// (62): a slide from rest under sin(psi + lambda h), about c.
@@ -69,6 +82,13 @@ class SineSlide {
   }
   /// The same by Taylor's series, if h is close to the last instant that was not computed by it.
   [[nodiscard]] Moving near(double h, Moment& last) const;
+  /// (68), with c moving by `sign`.
+  [[nodiscard]] ByF by_f(double h, double sign, const BeginByF& begin) const {
+    const auto [sine, cosine] = elementary::sin_cos(h);
+    const double kick = (begin_.sine + c_ - y_) * begin.t;
+    return {sign + (begin.y - sign) * cosine - kick * sine,
+            (sign - begin.y) * sine - kick * cosine};
+  }
   [[nodiscard]] double time_to(double psi) const { return (psi - psi_) / lambda_; }
   [[nodiscard]] double phase(double h) const { return psi_ + lambda_ * h; }
 
@@ -247,25 +267,31 @@ class MotionSoFar {
     motion_.turns += 1;
     motion_.peak = std::max(motion_.peak, y);
   }
+  void turn_inwards(double y, double acceleration) {
+    turn(y);
+    motion_.shortfall = std::min(motion_.shortfall, 2 * acceleration * y);
+  }
   /// At rest for ever.
   [[nodiscard]] FirstReturn rest(double y) {
     motion_.clearance = y * (y - 2 * motion_.f);
     return finished();
   }
-  [[nodiscard]] FirstReturn arrival(double speed, double time, double load_after = 0) {
+  [[nodiscard]] FirstReturn arrival(double speed, double time, double need_slope,
+                                    double load_after = 0) {
     motion_.returns = true;
     motion_.speed = speed;
     motion_.clearance = speed * speed;
     motion_.time = time;
+    motion_.need_slope = need_slope;
     motion_.acceleration = load_after;
     return finished();
   }
   /// Free from a turn at y.
-  [[nodiscard]] FirstReturn free_from(double y, double time) {
-    return y > motion_.f ? free_inwards({y, 0}, time) : rest(y);
+  [[nodiscard]] FirstReturn free_from(double y, double time, double by_f) {
+    return y > motion_.f ? free_inwards({y, 0}, time, {by_f, 0}) : rest(y);
   }
   /// Free with v <= 0, (64).
-  [[nodiscard]] FirstReturn free_inwards(const Moving& now, double time) {
+  [[nodiscard]] FirstReturn free_inwards(const Moving& now, double time, const ByF& by_f) {
     const double f = motion_.f;
     const double square = now.v * now.v + now.y * (now.y - 2 * f);
     if (!(square > 0)) {
@@ -275,15 +301,17 @@ class MotionSoFar {
     }
     const double speed = std::sqrt(square);
     return arrival(speed,
-                   time + elementary::atan2(speed, -f) - elementary::atan2(-now.v, now.y - f));
+                   time + elementary::atan2(speed, -f) - elementary::atan2(-now.v, now.y - f),
+                   now.v * by_f.v + (now.y - f) * by_f.y - now.y);
   }
   /// Free with v > 0, (63).
-  [[nodiscard]] FirstReturn free_outwards(const Moving& now, double time) {
+  [[nodiscard]] FirstReturn free_outwards(const Moving& now, double time, const ByF& by_f) {
     const double f = motion_.f;
     const double radius = elementary::hypot(now.v, now.y + f);
     const double peak = (now.v * now.v + now.y * (now.y + 2 * f)) / (radius + f);
     turn(peak);
-    return free_from(peak, time + elementary::atan2(now.v, now.y + f));
+    return free_from(peak, time + elementary::atan2(now.v, now.y + f),
+                     (now.v * by_f.v + (now.y + f) * (by_f.y + 1)) / radius - 1);
   }
 
  private:
@@ -303,21 +331,28 @@ FirstReturn under_rectangle(double lambda, double f) {
   const double ends = pi / lambda;
   double from = 0;  // of a half-swing
   double y = 0;
+  double by_f = 0;
   bool outwards = true;
   for (;;) {
-    const double centre = outwards ? 1 - f : 1 + f;
+    const double sign = outwards ? -1 : 1;
+    const double centre = 1 + sign * f;
     const double h = ends - from;
     if (h <= pi) {
       const auto [half, half_cosine] = elementary::sin_cos(h / 2);
-      const Moving now{y + 2 * (centre - y) * half * half, 2 * (centre - y) * half * half_cosine};
-      return outwards ? so_far.free_outwards(now, ends) : so_far.free_inwards(now, ends);
+      const double bend = 2 * half * half;
+      const double sine = 2 * half * half_cosine;
+      const Moving now{y + (centre - y) * bend, (centre - y) * sine};
+      const ByF now_by_f{by_f + (sign - by_f) * bend, (sign - by_f) * sine};
+      return outwards ? so_far.free_outwards(now, ends, now_by_f)
+                      : so_far.free_inwards(now, ends, now_by_f);
     }
     y = 2 * centre - y;
+    by_f = 2 * sign - by_f;
     from += pi;
     so_far.turn(y);
     outwards = !outwards;
     if ((outwards ? 1 - y : y - 1) <= f) {  // held until the load ends
-      return so_far.free_from(y, ends);
+      return so_far.free_from(y, ends, by_f);
     }
   }
 }
@@ -347,28 +382,39 @@ std::optional<Release> release_of(double f, double y, double psi, double last, b
 std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
   MotionSoFar so_far(f);
   double y = 0;
+  BeginByF begin;
   Release release{elementary::asin(f), true};
   // For a pulse of a hundred natural periods. Rounding could hold a mass on the edge of a slide.
   constexpr int most_slides = 1000;
   for (int i = 0; i < most_slides; ++i) {
-    const SineSlide slide(lambda, release.psi, release.outwards ? -f : f, y);
-    const auto [event, at] = slid(slide, release.outwards, last);
+    const bool outwards = release.outwards;
+    const double sign = outwards ? -1 : 1;
+    const SineSlide slide(lambda, release.psi, sign * f, y);
+    const auto [event, at] = slid(slide, outwards, last);
+    const ByF by_f = slide.by_f(at.h, sign, begin);
     if (event == SlideEvent::load_over) {
-      return release.outwards ? so_far.free_outwards(at.motion, last / lambda)
-                              : so_far.free_inwards(at.motion, last / lambda);
+      return outwards ? so_far.free_outwards(at.motion, last / lambda, by_f)
+                      : so_far.free_inwards(at.motion, last / lambda, by_f);
     }
     const double psi = slide.phase(at.h);
     if (event == SlideEvent::arrival) {
       const double load = psi < last - pi / 2 ? 1 : std::abs(elementary::sin_cos(psi).sine);
-      return so_far.arrival(-at.motion.v, psi / lambda, load);
+      return so_far.arrival(-at.motion.v, psi / lambda, at.motion.v * by_f.v - at.motion.a * by_f.y,
+                            load);
     }
     y = at.motion.y;
-    so_far.turn(y);
+    if (outwards) {
+      so_far.turn(y);
+    } else {
+      so_far.turn_inwards(y, at.motion.a);
+    }
     constexpr double rounding = 1e-14;
     const auto next = release_of(f, y, psi, last, psi - release.psi > rounding);
     if (!next) {
       return so_far.rest(y);
     }
+    // What is held sets out where nothing accelerates it: when does not matter.
+    begin = {by_f.y, next->psi > psi ? 0 : -by_f.v / at.motion.a};
     release = *next;
   }
   return std::nullopt;

@@ -28,15 +28,19 @@ double last_that_holds(double holds_at, double fails_at, const Holds& holds, dou
 
 /// The same where what holds is that a function is >= 0, in a tenth of the steps where it is
 /// smooth: Chandrupatla's method, which bisects where the inverse parabola is not to be trusted.
-template <class Function>
-double last_not_negative(double holds_at, double fails_at, const Function& function) {
+/// Ends at once where `done(holds, fails)`.
+template <class Function, class Done>
+double last_not_negative(double holds_at, double fails_at, const Function& function,
+                         const Done& done) {
   double a = fails_at;
   double b = holds_at;
   double at_a = function(a);
   double at_b = function(b);
   double part = 0.5;
-  constexpr int patience = 50;  // where the function jumps, bisection is better than any parabola
-  for (int step = 0; std::abs(b - a) > edge_width(a, b); ++step) {
+  constexpr int patience = 50;  // where the function jumps, halves are better than any parabola
+  const auto holding = [&] { return at_a >= 0 ? a : b; };
+  const auto failing = [&] { return at_a >= 0 ? b : a; };
+  for (int step = 0; std::abs(b - a) > edge_width(a, b) && !done(holding(), failing()); ++step) {
     const double now = a + part * (b - a);
     const double at_now = function(now);
     double c = a;
@@ -58,7 +62,12 @@ double last_not_negative(double holds_at, double fails_at, const Function& funct
                    : 0.5;
     part = least < 0.5 && step < patience ? std::clamp(part, least, 1 - least) : 0.5;
   }
-  return at_a >= 0 ? a : b;
+  return holding();
+}
+
+template <class Function>
+double last_not_negative(double holds_at, double fails_at, const Function& function) {
+  return last_not_negative(holds_at, fails_at, function, [](double, double) { return false; });
 }
 
 }  // namespace stillpoint::design

@@ -6,6 +6,9 @@
 // Delta p^2/k^2, time is p tau, and only lambda/p is left.
 
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/pulse.hpp>
+
+#include <cmath>
 
 namespace stillpoint::design {
 
@@ -22,13 +25,26 @@ struct FirstReturn {
   /// f^2/(2 p^2) more, as for a hit.
   double exact_need{0};
   double published_need{0};
+  double need_slope{0};  ///< of exact_need over f, where it returns
   /// The square of the arrival speed; where the mass rests at |x| short of x = 0 the negative
   /// |x| (|x| - 2 f) or a swing's like it. Smooth in f where the one becomes the other.
   double clearance{0};
+  /// 2 a y of the turn nearest to x = 0 on the way in, with the acceleration a that turns it: what
+  /// w^2 is short of there. Infinite where it never turns on the way in.
+  double shortfall{HUGE_VAL};
 
   [[nodiscard]] double need(Criterion criterion) const {
     return criterion == Criterion::exact ? exact_need : published_need;
   }
+  [[nodiscard]] double slope(Criterion criterion) const {
+    return criterion == Criterion::exact ? need_slope : need_slope + f;
+  }
 };
+
+/// The pulse in units of k and p.
+[[nodiscard]] Pulse unit_pulse(const Pulse& pulse, double p);
+
+/// One run of the pulse with that f, in units of k and p; the pulse in its own.
+[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
 
 }  // namespace stillpoint::design

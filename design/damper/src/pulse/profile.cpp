@@ -1,34 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/profile.hpp"
 
-#include "pulse/closed_return.hpp"
 #include "pulse/edge.hpp"
+#include "pulse/neighbours.hpp"
 
 #include <stillpoint/core/elementary.hpp>
-#include <stillpoint/core/forced_motion.hpp>
-
-#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <type_traits>
 
 namespace stillpoint::design {
 
 namespace {
-
-/// More than the energy of any arrival, so the notch holds it.
-constexpr double unpassable = 1e250;
-
-Pulse unit_pulse(const Pulse& pulse, double p) {
-  return std::visit(
-      [p](const auto& kind) {
-        return Pulse(std::decay_t<decltype(kind)>{1, kind.lambda / p});
-      },
-      pulse);
-}
 
 /// The integral of |W|.
 double impulse(const Pulse& pulse) {
@@ -44,11 +29,11 @@ double impulse(const Pulse& pulse) {
 /// k.
 std::vector<double> first_grid(const Pulse& pulse) {
   constexpr double least = 1e-9;
-  constexpr int small = 4;
-  constexpr int large = 10;
+  constexpr int small = 3;
+  constexpr int large = 5;
   const double scale = std::min(1.0, impulse(pulse));
   const bool both_ways = std::holds_alternative<FullSine>(pulse);
-  const int even = both_ways ? 24 : 32;
+  const int even = both_ways ? 12 : 16;
   const int last = both_ways ? even : even / 2;
   std::vector<double> grid;
   grid.reserve(static_cast<std::size_t>(small + last + large));
@@ -62,108 +47,32 @@ std::vector<double> first_grid(const Pulse& pulse) {
   for (int i = 1; both_ways && scale < nearest_to_k && i <= large; ++i) {
     grid.push_back(scale * elementary::pow(nearest_to_k / scale, static_cast<double>(i) / large));
   }
-  // Under a long pulse the last swings before the return follow each other there.
-  constexpr double long_pulse = 1.0 / 4;
-  for (int i = 5; angular_frequency(pulse) < long_pulse && i < 2 * small; ++i) {
-    grid.push_back(scale * i / small / even);
+  // Under a rectangle the mass is held from its n-th turn on where f >= 1/(2 n + 1).
+  constexpr double below = 1 - 1e-14;
+  for (int n = 1; std::holds_alternative<Rectangle>(pulse) && n * angular_frequency(pulse) < 1;
+       ++n) {
+    grid.push_back(1.0 / (2 * n + 1));
+    grid.push_back(grid.back() * below);
   }
   std::ranges::sort(grid);
   return grid;
 }
 
-bool same_kind(const FirstReturn& a, const FirstReturn& b) {
-  return a.returns == b.returns && (!a.returns || a.turns == b.turns);
-}
-
-/// No figure that a requirement bounds has a maximum between the middle two, so no box has its
-/// largest value there.
-bool no_top_between(const FirstReturn& a, const FirstReturn& b, const FirstReturn& c,
-                    const FirstReturn& d) {
-  const auto no_top = [&](double FirstReturn::*figure) {
-    const double last = b.*figure;
-    const double after = c.*figure;
-    return (a.*figure >= last || last <= after) && (d.*figure >= after || after <= last);
-  };
-  return no_top(&FirstReturn::peak) && no_top(&FirstReturn::acceleration) &&
-         no_top(&FirstReturn::exact_need) && no_top(&FirstReturn::published_need);
-}
-
 }  // namespace
 
-FirstReturn first_return(const Pulse& pulse, double p, double f) {
-  const Pulse unit = unit_pulse(pulse, p);
-  if (const auto closed = closed_return(unit, f)) {
-    return *closed;
-  }
-  const ForcedResponse motion = forced_response({1, f, unpassable}, {}, excitation(unit));
-  const double speed = motion.arrival_speed.value_or(0);
-  const double rest = std::abs(motion.stop_position.value_or(0));
-  const double square = speed * speed;
-  return {f,
-          motion.stops_at_zero && motion.half_cycles == 1.0,
-          motion.peak_amplitude,
-          speed,
-          motion.stop_time.value_or(0),
-          motion.peak_absolute_acceleration,
-          motion.turning_points.value_or(0),
-          square / 2,
-          (square + f * f) / 2,
-          square > 0 ? square : rest * (rest - 2 * f)};
-}
-
 PulseProfile::PulseProfile(const Pulse& pulse, double p, Criterion criterion, bool k_varies)
-    : pulse_(unit_pulse(pulse, p)) {
+    : pulse_(unit_pulse(pulse, p)), criterion_(criterion) {
   for (const double f : first_grid(pulse_)) {
     const FirstReturn now = at(f);
     if (!samples_.empty()) {
-      add_changes(now, k_varies);
+      const FirstReturn before = samples_.back();
+      add_between(before, now, 0);
     }
+    largest_ = std::max(largest_, now.exact_need);
     samples_.push_back(now);
   }
-  add_maxima(criterion, k_varies);
-}
-
-/// Both sides of each change of the kind between the last sample and the next one.
-void PulseProfile::add_changes(const FirstReturn& to, bool k_varies) {
-  // The kind may change more than once between two points.
-  constexpr int most_changes = 8;
-  for (int change = 0; change < most_changes && !same_kind(samples_.back(), to); ++change) {
-    const FirstReturn before = samples_.back();
-    FirstReturn last = before;
-    FirstReturn after = to;
-    const auto same_at = [&](double f) {
-      const FirstReturn now = at(f);
-      const bool same = same_kind(before, now);
-      (same ? last : after) = now;
-      return same;
-    };
-    if (before.returns != to.returns) {
-      const double sign = before.returns ? 1 : -1;
-      constexpr double none = std::numeric_limits<double>::min();
-      const auto clearance = [&](double f) {
-        if (f != before.f && f != to.f) {
-          same_at(f);
-        }
-        return f == last.f ? std::max(sign * last.clearance, 0.0)
-                           : std::min(sign * after.clearance, -none);
-      };
-      last_not_negative(before.f, to.f, clearance);
-    } else {
-      // Closer and closer, until nothing that matters happens between the two.
-      for (const double near : {1.0 / 64, 1.0 / 4096, 0.0}) {
-        last_that_holds(last.f, after.f, same_at, near * (to.f - before.f));
-        const bool time_goes_on = (before.time <= last.time) == (after.time <= to.time);
-        if (no_top_between(before, last, after, to) && (time_goes_on || !k_varies)) {
-          break;
-        }
-      }
-    }
-    if (last.f > before.f) {
-      samples_.push_back(last);
-    }
-    if (after.f < to.f) {
-      samples_.push_back(after);
-    }
+  if (k_varies) {
+    add_maxima_over_square();
   }
 }
 
@@ -171,28 +80,102 @@ FirstReturn PulseProfile::at(double f) const {
   return first_return(pulse_, 1, f);
 }
 
-void PulseProfile::add_maxima(Criterion criterion, bool k_varies) {
-  constexpr int bits = 24;  // the value at a maximum then has all its digits
-  const auto add = [&](const auto& value) {
-    std::vector<FirstReturn> found;
-    for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
-      const FirstReturn& before = samples_[i - 1];
-      const FirstReturn& after = samples_[i + 1];
-      const FirstReturn& now = samples_[i];
-      if (same_kind(before, now) && same_kind(now, after) && now.returns &&
-          value(now) >= std::max(value(before), value(after))) {
-        const auto less = [&](double f) { return -value(at(f)); };
-        found.push_back(
-            at(boost::math::tools::brent_find_minima(less, before.f, after.f, bits).first));
-      }
-    }
-    samples_.insert(samples_.end(), found.begin(), found.end());
-    std::ranges::sort(samples_, {}, &FirstReturn::f);
-  };
-  add([&](const FirstReturn& now) { return now.need(criterion); });
-  if (k_varies) {
-    add([&](const FirstReturn& now) { return now.need(criterion) / now.f / now.f; });
+void PulseProfile::add_between(const FirstReturn& a, const FirstReturn& b, int depth) {
+  constexpr int deepest = 8;
+  if (!(a.returns || b.returns) || depth > deepest || b.f - a.f <= 2 * edge_width(a.f, b.f)) {
+    return;
   }
+  const bool smooth = is_smooth(a, b, largest_);
+  if (a.returns != b.returns || (!smooth && may_jump(a, b, depth))) {
+    add_edge(a, b, depth);
+    return;
+  }
+  const Need from = need_of(a, criterion_);
+  const Need to = need_of(b, criterion_);
+  const bool has_top = from.slope > 0 && to.slope < 0;
+  if (smooth && has_top) {
+    const FirstReturn top = maximum(a, b, need_of);
+    if (a.f < top.f && top.f < b.f) {
+      samples_.push_back(top);
+    }
+  } else if (!smooth || ((from.slope > 0 || to.slope < 0) && top_of_cubic(from, to, b.f - a.f))) {
+    const FirstReturn middle = at(a.f + (b.f - a.f) / 2);
+    add_between(a, middle, depth + 1);
+    samples_.push_back(middle);
+    add_between(middle, b, depth + 1);
+  }
+}
+
+/// Both sides of the f where the mass stops to return, or where it first misses x = 0 and comes
+/// back from another swing: there w^2 vanishes, and what it is short of on the other side.
+void PulseProfile::add_edge(const FirstReturn& a, const FirstReturn& b, int depth) {
+  const bool a_holds = b.returns ? a.returns && a.turns < b.turns : true;
+  const double turns = a.returns && b.returns ? std::min(a.turns, b.turns) : HUGE_VAL;
+  FirstReturn holds = a_holds ? a : b;
+  FirstReturn fails = a_holds ? b : a;
+  const auto clearance = [&](double f) {
+    const FirstReturn now = f == holds.f ? holds : f == fails.f ? fails : at(f);
+    const bool arrives = now.returns && now.turns <= turns;
+    (arrives ? holds : fails) = now;
+    constexpr double none = std::numeric_limits<double>::min();
+    return arrives ? now.clearance
+                   : std::min(now.returns ? -std::min(now.shortfall, now.clearance) : now.clearance,
+                              -none);
+  };
+  last_not_negative(holds.f, fails.f, clearance,
+                    [&](double, double) { return is_smooth(holds, fails, largest_); });
+  const FirstReturn& low = a_holds ? holds : fails;
+  const FirstReturn& high = a_holds ? fails : holds;
+  add_between(a, low, depth + 1);
+  if (low.f > a.f) {
+    samples_.push_back(low);
+  }
+  if (is_smooth(low, high, largest_)) {
+    add_between(low, high, depth + 1);
+  }
+  if (high.f < b.f) {
+    samples_.push_back(high);
+  }
+  add_between(high, b, depth + 1);
+}
+
+/// Where the need is largest between one that rises and one that falls: by the secant of the
+/// slopes where they are smooth, and by the crossing of the tangents where they jump.
+template <class NeedOf>
+FirstReturn PulseProfile::maximum(FirstReturn low, FirstReturn high, const NeedOf& need_of) const {
+  constexpr double close = 1e-10;  // of the need, by the tangents
+  constexpr int most_steps = 60;
+  for (int step = 0; step < most_steps; ++step) {
+    const Need rises = need_of(low, criterion_);
+    const Need falls = need_of(high, criterion_);
+    const double width = high.f - low.f;
+    const double tangents =
+        (falls.value - rises.value - falls.slope * width) / (rises.slope - falls.slope);
+    if (rises.value + rises.slope * tangents <= std::max(rises.value, falls.value) * (1 + close) ||
+        width <= 2 * edge_width(low.f, high.f)) {
+      break;
+    }
+    const double secant = width * rises.slope / (rises.slope - falls.slope);
+    const double least = edge_width(low.f, high.f);
+    const FirstReturn now =
+        at(low.f + std::clamp(step % 2 == 0 ? secant : tangents, least, width - least));
+    (need_of(now, criterion_).slope > 0 ? low : high) = now;
+  }
+  return need_of(low, criterion_).value > need_of(high, criterion_).value ? low : high;
+}
+
+void PulseProfile::add_maxima_over_square() {
+  std::vector<FirstReturn> found;
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const FirstReturn& a = samples_[i - 1];
+    const FirstReturn& b = samples_[i];
+    if (a.returns && b.returns && b.f - a.f > 2 * edge_width(a.f, b.f) &&
+        need_over_square(a, criterion_).slope > 0 && need_over_square(b, criterion_).slope < 0) {
+      found.push_back(maximum(a, b, need_over_square));
+    }
+  }
+  samples_.insert(samples_.end(), found.begin(), found.end());
+  std::ranges::sort(samples_, {}, &FirstReturn::f);
 }
 
 }  // namespace stillpoint::design

@@ -17,11 +17,8 @@ namespace stillpoint::design {
 /// rounding would decide how fast the mass comes back.
 inline constexpr double nearest_to_k = 1 - 1e-4;
 
-/// One run of the pulse with that f, in units of k and p; the pulse is in its own units.
-[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
-
-/// Motions over f, dense enough to know where the mass returns and where the motion changes its
-/// kind: there two neighbours differ by a relative 1e-14.
+/// Motions over f, close enough to know where the mass returns, where the need jumps and where it
+/// is largest: both sides of a jump differ by a relative 1e-14, and each local maximum is a sample.
 class PulseProfile {
  public:
   /// Also with the maxima of need/f^2 if k has a range: docs/theory.md section 15.
@@ -31,10 +28,15 @@ class PulseProfile {
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
 
  private:
-  void add_changes(const FirstReturn& to, bool k_varies);
-  void add_maxima(Criterion criterion, bool k_varies);
+  void add_between(const FirstReturn& a, const FirstReturn& b, int depth);
+  void add_edge(const FirstReturn& a, const FirstReturn& b, int depth);
+  template <class NeedOf>
+  [[nodiscard]] FirstReturn maximum(FirstReturn low, FirstReturn high, const NeedOf& need_of) const;
+  void add_maxima_over_square();
 
   Pulse pulse_;
+  Criterion criterion_;
+  double largest_{0};  ///< need so far
   std::vector<FirstReturn> samples_;
 };
 

@@ -17,6 +17,11 @@ namespace {
 /// More than the rounding of a motion in other units, and less than any manufacturing accuracy.
 constexpr double edge_rounding = 1e-13;
 
+void insert(std::vector<FirstReturn>& points, const std::vector<FirstReturn>& more) {
+  points.insert(points.end(), more.begin(), more.end());
+  std::ranges::sort(points, {}, &FirstReturn::f);
+}
+
 }  // namespace
 
 PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const PulseProblem& problem,
@@ -34,17 +39,21 @@ PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const Pulse
   find_islands();
 }
 
-/// The margin of the requirements that do not concern Delta: the smallest, as a fraction of its
-/// limit; they hold if this is >= 0.
-double PulseRegion::room(const FirstReturn& motion) const {
+/// By how much f_max, beta and the limit of acceleration are kept, as parts of them: >= 0 where
+/// they are.
+PulseRegion::Rooms PulseRegion::rooms(const FirstReturn& motion) const {
   if (!motion.returns) {
-    return -1;
+    return {-1, -1, -1};
   }
   const auto left = [](double value, double limit) {
     return std::isinf(limit) ? 1 : (limit - value) / limit;
   };
-  return std::min({left(motion.f, f_max_), left(motion.peak, beta_),
-                   left(motion.acceleration, acceleration_max_)});
+  return {left(motion.f, f_max_), left(motion.peak, beta_),
+          left(motion.acceleration, acceleration_max_)};
+}
+
+double PulseRegion::room(const FirstReturn& motion) const {
+  return std::ranges::min(rooms(motion));
 }
 
 void PulseRegion::find_islands() {
@@ -57,38 +66,96 @@ void PulseRegion::find_islands() {
     std::ranges::sort(points, {}, &FirstReturn::f);
   }
   if (std::isfinite(acceleration_max_)) {
-    // It may be met between two samples that do not meet it.
-    std::vector<FirstReturn> found;
-    constexpr int bits = 24;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      const double now = points[i].acceleration;
-      if (now > acceleration_max_ && now <= points[i - 1].acceleration &&
-          now <= points[i + 1].acceleration) {
-        const auto acceleration = [&](double f) { return at(f).acceleration; };
-        found.push_back(at(boost::math::tools::brent_find_minima(acceleration, points[i - 1].f,
-                                                                 points[i + 1].f, bits)
-                               .first));
+    add_minima(
+        points, [&](const FirstReturn& now) { return now.acceleration; }, acceleration_max_);
+  }
+  add_overlaps(points);
+  islands_ = where(points, [&](const FirstReturn& now) { return room(now); });
+}
+
+/// Where one of two neighbours keeps what the other one does not, both may be kept between them:
+/// the edge of the one requirement is where the other one is known.
+void PulseRegion::add_overlaps(std::vector<FirstReturn>& points) const {
+  std::vector<FirstReturn> found;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const FirstReturn& a = points[i - 1];
+    const FirstReturn& b = points[i];
+    const Rooms of_a = rooms(a);
+    const Rooms of_b = rooms(b);
+    const auto kept_by_one = [](double one, double other) { return std::max(one, other) >= 0; };
+    if (holds(a) || holds(b) || !std::ranges::equal(of_a, of_b, kept_by_one)) {
+      continue;
+    }
+    for (std::size_t limit = 0; limit < of_a.size(); ++limit) {
+      if (of_a[limit] < 0) {
+        found.push_back(
+            at(last_not_negative(b.f, a.f, [&](double f) { return rooms(at(f))[limit]; })));
       }
     }
-    points.insert(points.end(), found.begin(), found.end());
-    std::ranges::sort(points, {}, &FirstReturn::f);
   }
+  insert(points, found);
+}
+
+/// A figure may be within its limit between two points where it is not.
+template <class Figure>
+void PulseRegion::add_minima(std::vector<FirstReturn>& points, const Figure& figure,
+                             double limit) const {
+  constexpr int bits = 24;
+  std::vector<FirstReturn> found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const FirstReturn& before = points[i == 0 ? 0 : i - 1];
+    const FirstReturn& after = points[std::min(i + 1, points.size() - 1)];
+    const double now = figure(points[i]);
+    if (now > limit && now <= figure(before) && now <= figure(after) && before.f < after.f) {
+      const auto value = [&](double f) { return figure(at(f)); };
+      found.push_back(
+          at(boost::math::tools::brent_find_minima(value, before.f, after.f, bits).first));
+    }
+  }
+  insert(points, found);
+}
+
+/// The intervals in which `room` is >= 0, a little inside of their edges.
+template <class Room>
+std::vector<Island> PulseRegion::where(const std::vector<FirstReturn>& points,
+                                       const Room& room) const {
   const auto edge = [&](double inside, double outside) {
     return last_not_negative(inside, outside, [&](double f) { return room(at(f)); });
   };
+  std::vector<Island> found;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!holds(points[i])) {
+    if (room(points[i]) < 0) {
       continue;
     }
     const double low = i == 0 ? points[i].f : edge(points[i].f, points[i - 1].f);
-    while (i + 1 < points.size() && holds(points[i + 1])) {
+    while (i + 1 < points.size() && room(points[i + 1]) >= 0) {
       ++i;
     }
     const double high = i + 1 == points.size() ? points[i].f : edge(points[i].f, points[i + 1].f);
     if (low * (1 + edge_rounding) <= high * (1 - edge_rounding)) {
-      islands_.push_back({low * (1 + edge_rounding), high * (1 - edge_rounding)});
+      found.push_back({low * (1 + edge_rounding), high * (1 - edge_rounding)});
     }
   }
+  return found;
+}
+
+std::vector<Island> PulseRegion::left_by_delta(const Island& island, double tolerance,
+                                               double use) const {
+  if (std::isinf(delta_max_)) {
+    return {island};
+  }
+  const double most = use * delta_max_ * (1 - shape_.delta_low * tolerance) /
+                      (1 + shape_.delta_high * tolerance) * (1 - edge_rounding);
+  const auto need = [&](const FirstReturn& now) { return now.need(criterion_); };
+  std::vector<FirstReturn> points{at(island.low)};
+  for (const FirstReturn& now : profile_->samples()) {
+    if (island.low < now.f && now.f < island.high) {
+      points.push_back(now);
+    }
+  }
+  points.push_back(at(island.high));
+  add_minima(points, need, most);
+  return where(points, [&](const FirstReturn& now) { return most - need(now); });
 }
 
 double PulseRegion::use_of_delta(double low, double high, double tolerance) const {
@@ -102,46 +169,29 @@ double PulseRegion::most_tolerance() const {
   return std::max(widest_tolerance, asked_);
 }
 
-std::optional<FrictionBox> PulseRegion::cheapest_box(const Island& island, double tolerance) const {
-  const double ratio = high_of(1, tolerance) / low_of(1, tolerance);
-  const double last = island.high / ratio;
-  if (island.low > last) {
-    return std::nullopt;
+double PulseRegion::room_for(const Island& island, double tolerance, double use) const {
+  double widest = 0;
+  for (const Island& part : left_by_delta(island, tolerance, use)) {
+    widest = std::max(widest, part.high / part.low);
   }
-  const auto use = [&](double low) { return use_of_delta(low, low * ratio, tolerance); };
-  const FrictionBox at_last{last, use(last)};
-  if (at_last.use <= 1 || profile_->need_falls(island.low, island.high, criterion_)) {
-    return at_last;
-  }
-  // The box that needs least, according to the samples.
-  const auto rough = [&](double low) {
-    return profile_->rough_need_between(low, low * ratio, criterion_);
-  };
-  constexpr int steps = 100;
-  const double step = elementary::pow(last / island.low, 1.0 / steps);
-  double best = last;
-  double least = rough(last);
-  double low = island.low;
-  for (int i = 0; i < steps; ++i, low *= step) {
-    const double now = rough(low);
-    if (now < least) {
-      best = low;
-      least = now;
-    }
-  }
-  constexpr double aside = 1e-4;
-  if (best == last && use(last - (last - island.low) * aside) >= at_last.use) {
-    return at_last;
-  }
-  constexpr int bits = 24;
-  const auto [at, value] = boost::math::tools::brent_find_minima(
-      use, std::max(island.low, best / step), std::min(last, best * step), bits);
-  return value < at_last.use ? FrictionBox{at, value} : at_last;
+  return widest * low_of(1, tolerance) / high_of(1, tolerance) - 1;
 }
 
-std::optional<double> PulseRegion::box_in(const Island& island, double tolerance) const {
-  const auto box = cheapest_box(island, tolerance);
-  return box && box->use <= 1 ? std::optional(box->low) : std::nullopt;
+std::optional<double> PulseRegion::box_in(const Island& island, double tolerance,
+                                          double use) const {
+  const double ratio = high_of(1, tolerance) / low_of(1, tolerance);
+  const double last = island.high / ratio;
+  if (last < island.low) {
+    return std::nullopt;
+  }
+  if (use_of_delta(last, island.high, tolerance) <= use * (1 - edge_rounding)) {
+    return last;
+  }
+  const std::vector<Island> parts = left_by_delta(island, tolerance, use);
+  const auto part = std::find_if(parts.rbegin(), parts.rend(), [ratio](const Island& now) {
+    return now.low * ratio <= now.high;
+  });
+  return part == parts.rend() ? std::nullopt : std::optional(part->high / ratio);
 }
 
 bool PulseRegion::feasible() const {

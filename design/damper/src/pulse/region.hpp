@@ -11,6 +11,7 @@
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/search.hpp>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -22,12 +23,6 @@ namespace stillpoint::design {
 struct Island {
   double low{0};
   double high{0};
-};
-
-/// The low end of a box of f, and the part of delta_max that it needs.
-struct FrictionBox {
-  double low{0};
-  double use{0};
 };
 
 /// In the units of WorstReturn.
@@ -43,11 +38,11 @@ class PulseRegion {
   [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
   /// The largest need of a box, over what delta_max leaves for it: at most 1 if it fits.
   [[nodiscard]] double use_of_delta(double low, double high, double tolerance) const;
-  /// The box of that tolerance that needs the least Delta; empty if none fits in f.
-  [[nodiscard]] std::optional<FrictionBox> cheapest_box(const Island& island,
-                                                        double tolerance) const;
-  /// Its low end, where the need is within delta_max.
-  [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance) const;
+  /// The highest low end of a box of that tolerance whose need is within that part of delta_max.
+  [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance,
+                                             double use = 1) const;
+  /// What the widest interval has beyond such a box, as a part of it; negative where none fits.
+  [[nodiscard]] double room_for(const Island& island, double tolerance, double use) const;
   /// The tolerance of f, as far as delta_max allows.
   [[nodiscard]] double widest_box(const Island& island, double f) const {
     return widest(island, f, HUGE_VAL);
@@ -86,9 +81,20 @@ class PulseRegion {
   [[nodiscard]] double most_tolerance() const;
 
  private:
+  using Rooms = std::array<double, 3>;
+  [[nodiscard]] Rooms rooms(const FirstReturn& motion) const;
   [[nodiscard]] double room(const FirstReturn& motion) const;
   [[nodiscard]] bool holds(const FirstReturn& motion) const { return room(motion) >= 0; }
   void find_islands();
+  void add_overlaps(std::vector<FirstReturn>& points) const;
+  template <class Figure>
+  void add_minima(std::vector<FirstReturn>& points, const Figure& figure, double limit) const;
+  template <class Room>
+  [[nodiscard]] std::vector<Island> where(const std::vector<FirstReturn>& points,
+                                          const Room& room) const;
+  /// The intervals of an island whose need is within what a box of that tolerance leaves of it.
+  [[nodiscard]] std::vector<Island> left_by_delta(const Island& island, double tolerance,
+                                                  double use) const;
   [[nodiscard]] double widest(const Island& island, double f, double delta_free) const;
 
   std::shared_ptr<const WorstReturn> profile_;

@@ -39,8 +39,7 @@ struct PulseTask {
     if (inner.low < inner.high && region.box_in(inner, region.asked())) {
       island = inner;
     }
-    const auto cheapest = region.cheapest_box(island, region.asked());
-    if (cheapest && cheapest->use <= 1 - inset) {
+    if (region.box_in(island, region.asked(), 1 - inset)) {
       most_use = 1 - inset;
     }
   }
@@ -93,13 +92,12 @@ double middle_of_largest_box(const PulseTask& task) {
   const double most = std::min(by_edges, region.most_tolerance());
   constexpr double rounding = 1e-15;
   double tolerance = std::max(region.asked(), most * (1 - rounding));
-  if (tolerance > region.asked() && !region.box_in(island, tolerance)) {
-    tolerance = last_not_negative(region.asked(), tolerance, [&](double now) {
-      const auto box = region.cheapest_box(island, now);
-      return box ? 1 - box->use : -1;
-    });
+  const auto room = [&](double now) { return region.room_for(island, now, task.most_use); };
+  if (tolerance > region.asked() && room(tolerance) < 0) {
+    tolerance = last_not_negative(region.asked(), tolerance, room);
   }
-  return region.middle_of(region.box_in(island, tolerance).value_or(island.low), tolerance);
+  return region.middle_of(region.box_in(island, tolerance, task.most_use).value_or(island.low),
+                          tolerance);
 }
 
 /// The samples between two f, with both ends, and with more where they are few.
@@ -125,7 +123,7 @@ std::vector<FirstReturn> looks_between(const PulseTask& task, double low, double
 PulseBest bracketed(const PulseTask& task) {
   PulseBest best;
   const double tolerance = task.region.asked();
-  const auto box = task.region.box_in(task.island, tolerance);
+  const auto box = task.region.box_in(task.island, tolerance, task.most_use);
   if (task.objective == Objective::robust) {
     if (box) {
       best.consider(task, task.region.middle_of(*box, tolerance));

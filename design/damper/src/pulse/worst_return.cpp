@@ -231,26 +231,12 @@ double WorstReturn::need_between(double low, double high, Criterion criterion) c
   return most_near(high, criterion) <= known ? known : std::max(known, at(high).need(criterion));
 }
 
-bool WorstReturn::need_falls(double low, double high, Criterion criterion) const {
-  const auto from = std::ranges::lower_bound(samples_, low, {}, &FirstReturn::f);
-  const auto to = std::ranges::upper_bound(samples_, high, {}, &FirstReturn::f);
-  const auto needs_more = [criterion](const FirstReturn& one, const FirstReturn& other) {
-    return one.need(criterion) > other.need(criterion);
-  };
-  return is_single() && std::is_sorted(from, to, needs_more);
-}
-
-/// No need at f is larger: for one pulse and spring the samples have the local maxima.
+/// No need at f is larger: of one pulse and spring the samples have the local maxima.
 double WorstReturn::most_near(double f, Criterion criterion) const {
   const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
   return is_single() && after != samples_.begin() && after != samples_.end()
              ? std::max((after - 1)->need(criterion), after->need(criterion))
              : HUGE_VAL;
-}
-
-double WorstReturn::rough_need_between(double low, double high, Criterion criterion) const {
-  return std::max({need_near(low, criterion), need_near(high, criterion),
-                   need_of_samples(low, high, criterion)});
 }
 
 double WorstReturn::need_of_samples(double low, double high, Criterion criterion) const {
@@ -260,19 +246,6 @@ double WorstReturn::need_of_samples(double low, double high, Criterion criterion
     most = std::max(most, now->need(criterion));
   }
   return most;
-}
-
-double WorstReturn::need_near(double f, Criterion criterion) const {
-  const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
-  if (after == samples_.end()) {
-    return samples_.back().need(criterion);
-  }
-  if (after == samples_.begin()) {
-    return after->need(criterion);
-  }
-  const FirstReturn& before = *(after - 1);
-  const double part = (f - before.f) / (after->f - before.f);
-  return before.need(criterion) + part * (after->need(criterion) - before.need(criterion));
 }
 
 }  // namespace stillpoint::design

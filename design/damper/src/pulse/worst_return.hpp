@@ -28,11 +28,7 @@ class WorstReturn {
   /// The largest need from low to high: of both ends and of the samples between them, which have
   /// the local maxima.
   [[nodiscard]] double need_between(double low, double high, Criterion criterion) const;
-  /// The same with the ends linear between samples, without a run.
-  [[nodiscard]] double rough_need_between(double low, double high, Criterion criterion) const;
-  /// The samples from low to high need less and less: so does every box that begins higher up.
-  [[nodiscard]] bool need_falls(double low, double high, Criterion criterion) const;
-  /// The pulse and the spring, of this problem's, with the largest peak at f.
+  /// Of the problem that this is of, the one pulse and spring with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 
  private:
@@ -51,7 +47,6 @@ class WorstReturn {
   [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
   [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
   [[nodiscard]] double most_near(double f, Criterion criterion) const;
-  [[nodiscard]] double need_near(double f, Criterion criterion) const;
 
   Criterion criterion_;  ///< whose largest need the samples have
   double weakest_{1};    ///< k_low / k

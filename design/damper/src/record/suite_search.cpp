@@ -9,6 +9,7 @@
 #include "record/suite_search.hpp"
 
 #include "record/suite_offspring.hpp"
+#include "record/suite_valleys.hpp"
 
 #include "search/nlopt_fence.hpp"
 
@@ -73,42 +74,6 @@ struct Ranked {
 /// One number for NLopt in the order of the ranks: admissible below 1, others above.
 double merit(const SuiteRank& rank) {
   return rank.off > 0 ? 1 + rank.off : rank.value / (1 + rank.value);
-}
-
-/// The local minima of a grid, best first; at most `most`.
-std::vector<std::size_t> valleys(std::int64_t points, std::size_t variables,
-                                 const std::vector<SuiteRank>& ranks, std::size_t most) {
-  const auto side = static_cast<std::size_t>(points);
-  std::size_t around = 1;
-  for (std::size_t i = 0; i < variables; ++i) {
-    around *= 3;
-  }
-  const auto is_valley = [&](std::size_t index) {
-    for (std::size_t step = 0; step < around; ++step) {
-      std::size_t neighbour = 0;
-      std::size_t stride = 1;
-      bool inside = true;
-      for (std::size_t i = 0, left = index, move = step; i < variables;
-           ++i, left /= side, move /= 3, stride *= side) {
-        const std::size_t place = left % side + move % 3;  // one more than the neighbour's
-        inside = inside && place >= 1 && place <= side;
-        neighbour += (place - 1) * stride;
-      }
-      if (inside && std::pair(ranks[neighbour], neighbour) < std::pair(ranks[index], index)) {
-        return false;
-      }
-    }
-    return true;
-  };
-  std::vector<std::size_t> list;
-  for (std::size_t i = 0; i < ranks.size(); ++i) {
-    if (is_valley(i)) {
-      list.push_back(i);
-    }
-  }
-  std::ranges::sort(list, {}, [&](std::size_t i) { return std::pair(ranks[i], i); });
-  list.resize(std::min(list.size(), most));
-  return list;
 }
 
 /// Leaves NLopt if the user has stopped the search.
@@ -258,6 +223,16 @@ class Search {
     return figures;
   }
 
+  std::vector<Ranked> all_ranked(const std::vector<std::vector<double>>& units) {
+    const std::vector<SuiteFigures> figures = figures_at(units);
+    std::vector<Ranked> list;
+    list.reserve(units.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      list.push_back({units[i], figures[i], rank_of(figures[i])});
+    }
+    return list;
+  }
+
   /// Scans boxes around the best point, where a local search is caught between limits: if it finds
   /// a better one, around that, else a smaller box.
   void zoom() {
@@ -277,10 +252,9 @@ class Search {
         }
         units.push_back(std::move(unit));
       }
-      const std::vector<SuiteFigures> figures = figures_at(units);
       const SuiteRank before = best_.rank;
-      for (std::size_t index = 0; index < size; ++index) {
-        keep({units[index], figures[index], rank_of(figures[index])});
+      for (const Ranked& now : all_ranked(units)) {
+        keep(now);
       }
       if (!is_better(before)) {
         reach *= shrinkage;
@@ -368,10 +342,7 @@ class Search {
   }
 
   void add_generation(std::vector<Ranked>& kept, const std::vector<std::vector<double>>& units) {
-    const std::vector<SuiteFigures> figures = figures_at(units);
-    for (std::size_t k = 0; k < units.size(); ++k) {
-      kept.push_back({units[k], figures[k], rank_of(figures[k])});
-    }
+    std::ranges::move(all_ranked(units), std::back_inserter(kept));
     std::ranges::stable_sort(kept, {}, &Ranked::rank);
     kept.resize(std::min(kept.size(), kept_points));
   }

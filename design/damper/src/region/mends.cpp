@@ -63,6 +63,11 @@ Input<Case> beta_of(const Problem& problem) {
           [](Case& now, double value) { now.problem.beta = value; }};
 }
 
+Case with_p(Case now, double p) {
+  now.problem.p = p;
+  return now;
+}
+
 /// The p at which a box has the most room between f2 and f4, the root of (34).
 double roomiest_p(const Case& now) {
   const double v0 = now.problem.v0;
@@ -77,11 +82,7 @@ template <class Amplitude, class Strip, class All>
 std::optional<double> mended_p(const Case& base, const Amplitude& amplitude, const Strip& strip,
                                const All& all) {
   const auto [least, most] = valid_p(base.problem);
-  const auto with = [&](double p) {
-    Case changed = base;
-    changed.problem.p = p;
-    return changed;
-  };
+  const auto with = [&](double p) { return with_p(base, p); };
   // More p helps the amplitude and can only harm the stop, so both are tested one after the other.
   // With a limit of the acceleration the p that fit are one interval; if it is not empty, the p
   // with the most room is in it, as far as the other conditions let it.
@@ -138,11 +139,7 @@ std::optional<double> mended_p(const Case& base, int n) {
   }
   constexpr double inside = 1e-9;
   return nearest_fit(base.problem.p, *p * (*p > base.problem.p ? 1 + inside : 1 - inside),
-                     [&](double value) {
-                       Case changed = base;
-                       changed.problem.p = value;
-                       return all(changed);
-                     });
+                     [&](double value) { return all(with_p(base, value)); });
 }
 
 /// The p that is nearest in either direction. More p helps the peak and the return and harms the
@@ -150,11 +147,7 @@ std::optional<double> mended_p(const Case& base, int n) {
 std::optional<double> stepped_p(const Case& base) {
   constexpr double step = 1.02;
   constexpr int most_steps = 700;  // a factor of a million
-  const auto fits = [&](double p) {
-    Case changed = base;
-    changed.problem.p = p;
-    return has_damper(changed);
-  };
+  const auto fits = [&](double p) { return has_damper(with_p(base, p)); };
   for (double factor = step; factor < elementary::pow(step, most_steps); factor *= step) {
     for (const double p : {base.problem.p * factor, base.problem.p / factor}) {
       const auto [least, most] = valid_p(base.problem);

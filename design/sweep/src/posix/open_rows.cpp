@@ -46,22 +46,6 @@ class StreamSink : public RowSink {
   SweepState nothing_;
 };
 
-/// A part that is there already.
-class WholePart : public RowSink {
- public:
-  explicit WholePart(const SweepState& found) : found_(found) {}
-
-  [[nodiscard]] const SweepState& found() const override { return found_; }
-  [[nodiscard]] bool complete() const override { return true; }
-  void write(std::string_view /*bytes*/) override {}
-  void reached(const SweepState& /*state*/) override {}
-  void finish(const SweepState& /*state*/, std::string_view /*header*/) override {}
-  LeftRows leave() override { return {}; }
-
- private:
-  SweepState found_;
-};
-
 /// The identity of what FILE.part is to become.
 std::string task_of(const SweepSpec& spec) {
   if (!spec.part) {
@@ -126,7 +110,7 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
   }
   if (spec.part) {
     if (const auto found = find_part(label_of(spec), "sweep", read_seal); found && spec.resume) {
-      return std::make_unique<WholePart>(found->state);
+      return std::make_unique<NoRows>(found->state);
     }
   }
   const std::string task = task_of(spec);

@@ -45,6 +45,8 @@ struct ForcedResponse : Response {
   std::optional<double> locked_from;
   std::optional<double> largest_load_while_locked;  ///< |W| in g, which the structure then feels
   bool cancelled{false};                            ///< go_on returned false
+
+  [[nodiscard]] bool operator==(const ForcedResponse&) const = default;
 };
 // decision_margin here: the smallest relative distance of a compared quantity from what it was
 // compared with, at the instant of the decision. Unlike that of a free motion it does not refer to

@@ -35,6 +35,8 @@ struct Response {
   std::optional<double> stop_position;    ///< signed
   std::optional<double> arrival_speed;    ///< at the last arrival at x = 0, before the notch acts
   std::optional<double> decision_margin;  ///< docs/theory.md section 6; empty also if not asked for
+
+  [[nodiscard]] bool operator==(const Response&) const = default;
 };
 // Counts are doubles that hold integers: exact below 2^53, and the closed forms go far beyond that.
 

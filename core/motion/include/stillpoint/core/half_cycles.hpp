@@ -30,6 +30,8 @@ struct HalfCycle {
   /// end at x = 0, or where the notch has a width and is felt as an acceleration.
   std::optional<double> impulse;
   bool last{false};  ///< the motion ends with it
+
+  [[nodiscard]] bool operator==(const HalfCycle&) const = default;
 };
 
 /// Walks through a free motion half-cycle by half-cycle, in constant memory, times included. With

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/design/prediction.hpp>
+
 #include <string_view>
 
 namespace stillpoint::design {
 
 /// An independent method for the same quantities, and its distance from the prediction.
-struct CheckMethod {
+struct CheckMethod : MotionFigures {
   std::string_view name;  ///< half_cycle_map or runge_kutta
   double tolerance{0};    ///< for relative_error
-  double peak_amplitude{0};
-  double peak_acceleration{0};
-  double stop_time{0};
-  double arrival_speed{0};
-  double half_cycles{0};
-  double stop_position{0};
   /// The largest of |stop_position| / peak_amplitude, the error of arrival_speed over v0, and the
   /// relative errors of the other three.
   double relative_error{0};

@@ -35,8 +35,6 @@ class List {
                 const std::optional<SweepUnits>& units = {});
   List(const List&) = delete;
   List& operator=(const List&) = delete;
-  List(List&&) = delete;
-  List& operator=(List&&) = delete;
   ~List();
 
   [[nodiscard]] const std::vector<Quantity>& columns() const { return columns_; }

@@ -16,8 +16,6 @@ class Output {
   Output() = default;
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
-  Output(Output&&) = delete;
-  Output& operator=(Output&&) = delete;
   ~Output();  ///< removes what was not committed
 
   void print(std::string_view text) { printed_ += text; }

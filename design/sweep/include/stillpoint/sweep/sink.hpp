@@ -25,8 +25,6 @@ class RowSink {
   RowSink() = default;
   RowSink(const RowSink&) = delete;
   RowSink& operator=(const RowSink&) = delete;
-  RowSink(RowSink&&) = delete;
-  RowSink& operator=(RowSink&&) = delete;
   virtual ~RowSink() = default;
 
   /// What an interrupted sweep had written.
@@ -48,14 +46,20 @@ class RowSink {
 /// Where no rows go.
 class NoRows : public RowSink {
  public:
-  [[nodiscard]] const SweepState& found() const override { return nothing_; }
+  NoRows() = default;
+  /// They are there already.
+  explicit NoRows(const SweepState& whole) : found_(whole), complete_(true) {}
+
+  [[nodiscard]] const SweepState& found() const override { return found_; }
+  [[nodiscard]] bool complete() const override { return complete_; }
   void write(std::string_view /*bytes*/) override {}
   void reached(const SweepState& /*state*/) override {}
   void finish(const SweepState& /*state*/, std::string_view /*header*/) override {}
   LeftRows leave() override { return {}; }
 
  private:
-  SweepState nothing_;
+  SweepState found_;
+  bool complete_{false};
 };
 
 /// Another sweep left files, or is still writing them, and this sweep must not touch them.

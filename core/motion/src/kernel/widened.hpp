@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The inputs of a motion in another scalar; exact where Wide holds every double.
+
+#include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/core/surface.hpp>
+
+#include <optional>
+#include <variant>
+
+namespace stillpoint {
+
+template <class Real>
+using AnyExcitation = std::variant<NoExcitation, BasicHarmonic<Real>, BasicHalfSine<Real>,
+                                   BasicFullSine<Real>, BasicRectangle<Real>, BasicRecord<Real>>;
+
+template <class Wide>
+BasicOscillator<Wide> widened(const Oscillator& oscillator) {
+  return {Wide(oscillator.p), Wide(oscillator.f), Wide(oscillator.delta),
+          std::optional<Wide>(oscillator.hold)};
+}
+
+template <class Wide>
+BasicStart<Wide> widened(const Start& start) {
+  return {Wide(start.x0), Wide(start.v0)};
+}
+
+template <class Wide>
+BasicSurface<Wide> widened(const Surface& surface) {
+  BasicSurface<Wide> wide{std::optional<Wide>(surface.notch_width), {}};
+  for (const FrictionZone& zone : surface.zones) {
+    wide.zones.push_back({Wide(zone.to), Wide(zone.f)});
+  }
+  return wide;
+}
+
+template <class Wide>
+struct Widen {
+  AnyExcitation<Wide> operator()(const NoExcitation& none) const { return none; }
+  AnyExcitation<Wide> operator()(const Harmonic& e) const {
+    return BasicHarmonic<Wide>{Wide(e.k), Wide(e.lambda), Wide(e.phase),
+                               std::optional<Wide>(e.duration)};
+  }
+  AnyExcitation<Wide> operator()(const HalfSine& e) const {
+    return BasicHalfSine<Wide>{Wide(e.k), Wide(e.lambda)};
+  }
+  AnyExcitation<Wide> operator()(const FullSine& e) const {
+    return BasicFullSine<Wide>{Wide(e.k), Wide(e.lambda)};
+  }
+  AnyExcitation<Wide> operator()(const Rectangle& e) const {
+    return BasicRectangle<Wide>{Wide(e.k), Wide(e.lambda)};
+  }
+  AnyExcitation<Wide> operator()(const Record& e) const {
+    return BasicRecord<Wide>{
+        {e.values.begin(), e.values.end()}, Wide(e.step), {e.times.begin(), e.times.end()}};
+  }
+};
+
+template <class Wide>
+AnyExcitation<Wide> widened(const Excitation& excitation) {
+  return std::visit(Widen<Wide>(), excitation);
+}
+
+}  // namespace stillpoint

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "pulse/first_return.hpp"
+
+#include "pulse/closed_return.hpp"
+
+#include <stillpoint/core/forced_motion.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace stillpoint::design {
+
+namespace {
+
+/// More than any arrival has: the notch holds it.
+constexpr double unpassable = 1e250;
+
+/// By the forced run of core, without a slope.
+FirstReturn forced_return(const Pulse& unit, double f) {
+  const ForcedResponse motion = forced_response({1, f, unpassable}, {}, excitation(unit));
+  const double speed = motion.arrival_speed.value_or(0);
+  const double rest = std::abs(motion.stop_position.value_or(0));
+  FirstReturn found;
+  found.f = f;
+  found.returns = motion.stops_at_zero && motion.half_cycles == 1.0;
+  found.peak = motion.peak_amplitude;
+  found.speed = speed;
+  found.time = motion.stop_time.value_or(0);
+  found.acceleration = motion.peak_absolute_acceleration;
+  found.turns = motion.turning_points.value_or(0);
+  found.exact_need = speed * speed / 2;
+  found.published_need = (speed * speed + f * f) / 2;
+  found.clearance = speed > 0 ? speed * speed : rest * (rest - 2 * f);
+  return found;
+}
+
+}  // namespace
+
+Pulse unit_pulse(const Pulse& pulse, double p) {
+  return std::visit(
+      [p](const auto& kind) {
+        return Pulse(std::decay_t<decltype(kind)>{1, kind.lambda / p});
+      },
+      pulse);
+}
+
+FirstReturn first_return(const Pulse& pulse, double p, double f) {
+  const Pulse unit = unit_pulse(pulse, p);
+  if (const auto closed = closed_return(unit, f)) {
+    return *closed;
+  }
+  FirstReturn motion = forced_return(unit, f);
+  constexpr double aside = 1e-6;  // half of the digits
+  motion.need_slope =
+      (motion.exact_need - forced_return(unit, f * (1 - aside)).exact_need) / (f * aside);
+  return motion;
+}
+
+}  // namespace stillpoint::design

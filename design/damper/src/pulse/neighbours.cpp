@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "pulse/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::design {
+
+Need need_of(const FirstReturn& motion, Criterion criterion) {
+  return {motion.need(criterion), motion.slope(criterion)};
+}
+
+Need need_over_square(const FirstReturn& motion, Criterion criterion) {
+  const auto [need, slope] = need_of(motion, criterion);
+  const double f = motion.f;
+  return {need / f / f, (slope - 2 * need / f) / f / f};
+}
+
+bool top_of_cubic(const Need& a, const Need& b, double step) {
+  const double chord = (b.value - a.value) / step;
+  // Its slope over the part x of the step: a + 2 (3 c - 2 a - b) x + 3 (a + b - 2 c) x^2.
+  const double linear = 3 * chord - 2 * a.slope - b.slope;
+  const double square = 3 * (a.slope + b.slope - 2 * chord);
+  const double root = linear * linear - square * a.slope;
+  constexpr double visible = 1e-4;
+  const double most = std::max(a.slope, -b.slope) * step * 4 / 27;
+  if (!(root > 0) || most <= visible * std::max(a.value, b.value)) {
+    return false;
+  }
+  const double twist = -(linear + std::copysign(std::sqrt(root), linear));
+  const double first = twist / square;
+  const double second = a.slope / twist;
+  const auto inside = [](double x) { return x > 0 && x < 1; };
+  return inside(first) || inside(second);
+}
+
+bool is_smooth(const FirstReturn& a, const FirstReturn& b, double largest) {
+  constexpr double unexplained = 1e-4;
+  constexpr double of_change = 0.05;
+  const double change = b.exact_need - a.exact_need;
+  const double by_slopes = (b.f - a.f) * (a.need_slope + b.need_slope) / 2;
+  const double least = std::min(a.exact_need, b.exact_need);
+  const double allowed = unexplained * largest +
+                         (a.turns == b.turns ? of_change * std::min(std::abs(change), least) : 0);
+  return a.returns && b.returns && std::abs(change - by_slopes) <= allowed;
+}
+
+bool may_jump(const FirstReturn& a, const FirstReturn& b, int depth) {
+  constexpr int patient = 5;
+  const FirstReturn& fewer = a.turns < b.turns ? a : b;
+  const double step = (a.turns < b.turns ? -1 : 1) * fewer.exact_need / fewer.need_slope;
+  return a.turns != b.turns && (depth >= patient || (step >= 0 && step <= b.f - a.f));
+}
+
+}  // namespace stillpoint::design
