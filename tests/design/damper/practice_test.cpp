@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_source.hpp"
 
+#include <stillpoint/core/half_cycles.hpp>
 #include <stillpoint/design.hpp>
 
 #include <boost/test/unit_test.hpp>
