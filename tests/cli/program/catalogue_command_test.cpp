@@ -89,8 +89,8 @@ const std::vector<Wrong> wrong_uses{
     {design("--catalogue ."), {"catalogue .", "cannot be read"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05 --trade-off 5",
      {"trade-off and pulse cannot be combined"}},
-    {design("--trade-off 0"), {"trade_off = 0", "from 2 to 1000"}},
-    {design("--trade-off 1000000000"), {"trade_off", "from 2 to 1000"}},
+    {design("--trade-off 0"), {"trade-off = 0", "from 2 to 1000"}},
+    {design("--trade-off 1000000000"), {"trade-off", "from 2 to 1000"}},
     {design("--trade-off many"), {"trade-off", "many"}},
     {"region --v0 1 --p 1 --beta 1 --trade-off 5", {"trade-off"}}};
 
