@@ -26,8 +26,6 @@ class Progress {
   explicit Progress(Line line, double end = 0, double begun_with = 0);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  Progress(Progress&&) = delete;
-  Progress& operator=(Progress&&) = delete;
   ~Progress();
 
   /// To be called now and then, with what is done: false after an interrupt.

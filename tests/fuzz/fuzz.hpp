@@ -90,8 +90,6 @@ class MemoryFile {
   }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
-  MemoryFile(MemoryFile&&) = delete;
-  MemoryFile& operator=(MemoryFile&&) = delete;
   ~MemoryFile() { ::close(descriptor_); }
 
   /// Puts `text` in place of what is there.

@@ -17,8 +17,6 @@ class Result {
   explicit Result(std::unique_ptr<answers::Answer> answer) : answer_(std::move(answer)) {}
   Result(const Result&) = delete;
   Result& operator=(const Result&) = delete;
-  Result(Result&&) = delete;
-  Result& operator=(Result&&) = delete;
   virtual ~Result() = default;
 
   /// The JSON as a dict, always the same one.

@@ -77,8 +77,6 @@ class Depth {
   }
   Depth(const Depth&) = delete;
   Depth& operator=(const Depth&) = delete;
-  Depth(Depth&&) = delete;
-  Depth& operator=(Depth&&) = delete;
   ~Depth() { Py_LeaveRecursiveCall(); }
 };
 

@@ -37,8 +37,6 @@ class Mask {
   explicit Mask(mode_t mask) : before_(::umask(mask)) {}
   Mask(const Mask&) = delete;
   Mask& operator=(const Mask&) = delete;
-  Mask(Mask&&) = delete;
-  Mask& operator=(Mask&&) = delete;
   ~Mask() { ::umask(before_); }
 
  private:

@@ -33,8 +33,6 @@ class WriteLimit {
   }
   WriteLimit(const WriteLimit&) = delete;
   WriteLimit& operator=(const WriteLimit&) = delete;
-  WriteLimit(WriteLimit&&) = delete;
-  WriteLimit& operator=(WriteLimit&&) = delete;
   ~WriteLimit() {
     ::setrlimit(RLIMIT_FSIZE, &before_);
     std::signal(SIGXFSZ, handler_);

@@ -18,8 +18,6 @@ class Answer {
   Answer() = default;
   Answer(const Answer&) = delete;
   Answer& operator=(const Answer&) = delete;
-  Answer(Answer&&) = delete;
-  Answer& operator=(Answer&&) = delete;
   virtual ~Answer() = default;
 
   [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;

@@ -26,8 +26,6 @@ class TemporaryPage {
   TemporaryPage();
   TemporaryPage(const TemporaryPage&) = delete;
   TemporaryPage& operator=(const TemporaryPage&) = delete;
-  TemporaryPage(TemporaryPage&&) = delete;
-  TemporaryPage& operator=(TemporaryPage&&) = delete;
   ~TemporaryPage();
 
   [[nodiscard]] std::string path() const { return (folder_ / "page.html").string(); }
