@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/edge.hpp"
+#include "pulse/pulse_run.hpp"
 #include "pulse/worst_return.hpp"
 #include "pulse_request.hpp"
 #include "pulse_scan.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "finding.hpp"
+#include "pulse/pulse_run.hpp"
 #include "pulse/region.hpp"
 #include "pulse/search.hpp"
 #include "pulse/verdict.hpp"

@@ -6,7 +6,6 @@
 // Delta p^2/k^2, time is p tau, and only lambda/p is left.
 
 #include <stillpoint/design/problem.hpp>
-#include <stillpoint/design/pulse.hpp>
 
 #include <cmath>
 
@@ -40,11 +39,5 @@ struct FirstReturn {
     return criterion == Criterion::exact ? need_slope : need_slope + f;
   }
 };
-
-/// The pulse in units of k and p.
-[[nodiscard]] Pulse unit_pulse(const Pulse& pulse, double p);
-
-/// One run of the pulse with that f, in units of k and p; the pulse is in its own units.
-[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
 
 }  // namespace stillpoint::design

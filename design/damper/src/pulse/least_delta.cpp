@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "pulse/pulse_run.hpp"
 #include "pulse/worst_return.hpp"
 
 #include <stillpoint/design/pulse.hpp>

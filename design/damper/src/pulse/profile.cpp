@@ -3,6 +3,7 @@
 
 #include "pulse/edge.hpp"
 #include "pulse/neighbours.hpp"
+#include "pulse/pulse_run.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/first_return.hpp"
+#include "pulse/pulse_run.hpp"
 
 #include "pulse/closed_return.hpp"
 
