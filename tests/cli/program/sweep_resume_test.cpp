@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(is_forgotten_with_its_part) {
 BOOST_AUTO_TEST_CASE(refuses_another_task) {
   check_refused("--times", {"rows.csv.part", "columns was", "other options"});
   check_refusal(run("sweep --v0 1 --p 1 --f 0.1 --delta 0 --output rows.csv --resume"),
-                {"kind was \"forced\", is \"free\""});
+                {R"(kind was "forced", is "free")"});
 }
 
 BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {

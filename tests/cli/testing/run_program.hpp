@@ -69,7 +69,8 @@ class Sandbox : public test::Folder {
   /// Runs the program with this directory as its own.
   [[nodiscard]] ProgramRun run(const Arguments& arguments,
                                const Surroundings& surroundings = {}) const;
-  /// The same of a run that must end well.
+  /// The same of a run that must end well. Some tests look only at the files that it writes.
+  // NOLINTNEXTLINE(modernize-use-nodiscard)
   ProgramRun succeed(const Arguments& arguments, const Surroundings& surroundings = {}) const;
   /// The report of such a run with --json, whose numbers are finite. Standard error may say that
   /// the damper locks, and nothing else.

@@ -55,7 +55,7 @@ auto first_event_in_zone(Drive& drive, Piece& piece, const Sliding<Real>& from, 
       const Real near(0.25);  // of 1/p: there the acceleration has hardly changed
       if (expected < near) {
         const Real far = drive.expects_arrival_after(expected);
-        const auto end = drive.first_event(piece, limit, edge_ahead);
+        auto end = drive.first_event(piece, limit, edge_ahead);
         drive.expects_arrival_after(far);
         return end;
       }
