@@ -145,8 +145,8 @@ void PulseProfile::add_edge(const FirstReturn& a, const FirstReturn& b, int dept
 template <class NeedOf>
 FirstReturn PulseProfile::maximum(FirstReturn low, FirstReturn high, const NeedOf& need_of) const {
   constexpr double close = 1e-10;  // of the need, by the tangents
-  constexpr int most_steps = 60;
-  for (int step = 0; step < most_steps; ++step) {
+  constexpr int most_motions = 60;
+  for (int step = 0; step < most_motions; ++step) {
     const Need rises = need_of(low, criterion_);
     const Need falls = need_of(high, criterion_);
     const double width = high.f - low.f;
