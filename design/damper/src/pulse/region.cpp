@@ -83,7 +83,8 @@ void PulseRegion::add_overlaps(std::vector<FirstReturn>& points) const {
     const Rooms of_a = rooms(a);
     const Rooms of_b = rooms(b);
     const auto kept_by_one = [](double one, double other) { return std::max(one, other) >= 0; };
-    if (holds(a) || holds(b) || !std::ranges::equal(of_a, of_b, kept_by_one)) {
+    if (holds(a) || holds(b) ||
+        !std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), kept_by_one)) {
       continue;
     }
     for (std::size_t limit = 0; limit < of_a.size(); ++limit) {
