@@ -141,13 +141,14 @@ void print_kinds(const std::vector<Record>& records, int rounds) {
   }
 }
 
-/// 20,000 samples of half a period, in which hardly anything happens.
+/// Half a period, which the mass follows in small slides.
 Record slow() {
+  constexpr std::size_t samples = 20'000;
   Record record;
   record.step = 0.01;
-  record.values.resize(20'000);
-  for (std::size_t i = 0; i < record.values.size(); ++i) {
-    record.values[i] = 0.3 * std::sin(std::numbers::pi * static_cast<double>(i) / 20'000);
+  record.values.resize(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    record.values[i] = 0.3 * std::sin(std::numbers::pi * static_cast<double>(i) / samples);
   }
   return record;
 }
@@ -156,7 +157,8 @@ void print_instruction_sets(int rounds) {
   const Record record = slow();
   const Case one({"", 0.005, 0.02, 0, {}}, record);
   RecordBatchResult result;
-  fmt::print("\nA slow load of 20,000 samples: {:.1f} one by one", measured(one, rounds).scalar);
+  fmt::print("\nA slow load of {} samples: {:.1f} one by one", record.values.size(),
+             measured(one, rounds).scalar);
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());

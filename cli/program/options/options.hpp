@@ -105,8 +105,7 @@ struct OptionTraits {
   FileUse file{FileUse::none};
   std::vector<std::string_view> values{};  ///< all values that a text may have; empty: any text
   bool first_is_default{false};            ///< of the values
-  bool repeats{
-      false};  ///< may be given several times; for a file, only by commands that take a suite
+  bool repeats{false};  ///< may be given several times; a file, to commands that take a suite
   RangeEnd range{RangeEnd::none};  ///< for designs LOW:HIGH is a value as well
   DesignFor design{DesignFor::both};
   Load load{Load::none};

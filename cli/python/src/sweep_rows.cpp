@@ -89,26 +89,30 @@ class RowsInMemory final : public sweep::RowSink {
   std::vector<char> bytes_;
 };
 
+/// Apart, for its json() would hide the type of that name.
+namespace merged {
+
 /// What parts hold, which is less than a report of the sweep has.
-struct MergedRows {
-  sweep::Merged merged;
+struct Rows {
+  sweep::Merged found;
   std::size_t parts;
   std::optional<std::string> output;
 };
 
-nlohmann::ordered_json json(const MergedRows& rows) {
-  return {
-      {"rows", rows.merged.rows},
-      {"parts", rows.parts},
-      {"output", rows.output ? nlohmann::ordered_json(*rows.output) : nlohmann::ordered_json()}};
+nlohmann::ordered_json json(const Rows& all) {
+  return {{"rows", all.found.rows},
+          {"parts", all.parts},
+          {"output", all.output ? nlohmann::ordered_json(*all.output) : nlohmann::ordered_json()}};
 }
 
-report::Document document(const MergedRows& rows) {
+report::Document document(const Rows& all) {
   report::Document said;
   said.title = "Sweep";
-  said.verdict = fmt::format("{} rows of {} parts.", rows.merged.rows, rows.parts);
+  said.verdict = fmt::format("{} rows of {} parts.", all.found.rows, all.parts);
   return said;
 }
+
+}  // namespace merged
 
 /// From the header of a file.
 py::dtype dtype_of(const std::string& header) {
@@ -198,12 +202,12 @@ std::unique_ptr<Sweep> merged_reduction(const std::vector<std::string>& parts) {
 std::unique_ptr<Sweep> merged_rows(const std::vector<std::string>& parts,
                                    const std::optional<std::string>& output) {
   RowsInMemory memory;
-  const sweep::Merged merged = interruptible([&](const std::stop_token& stop) {
+  const sweep::Merged found = interruptible([&](const std::stop_token& stop) {
     return output ? sweep::merge(*output, parts, {stop, {}})
                   : sweep::merge(memory, parts, {stop, {}});
   });
   return std::make_unique<Sweep>(
-      answers::answer_of(MergedRows{merged, parts.size(), output}),
+      answers::answer_of(merged::Rows{found, parts.size(), output}),
       output ? py::object(py::none()) : memory.take(dtype_of(memory.header())));
 }
 
