@@ -93,12 +93,16 @@ Axis axis(const Option& option, const nlohmann::json& value, Command command) {
   return Axis(std::move(values));
 }
 
+std::string must_be_text(const Option& option) {
+  return option.traits.file == FileUse::none ? "must be a string" : "must be a path";
+}
+
 /// One line for each, as repeated flags give them.
 std::string joined_texts(const Option& option, const nlohmann::json& list) {
   std::string text;
   for (const nlohmann::json& entry : list) {
     if (!entry.is_string()) {
-      throw InputError(std::string(option.name), entry.dump(), "must be a string in quotes");
+      throw InputError(std::string(option.name), entry.dump(), must_be_text(option));
     }
     text += (text.empty() ? "" : "\n") + entry.get<std::string>();
   }
@@ -138,7 +142,7 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
         return joined_texts(option, value);
       }
       if (!value.is_string()) {
-        throw wrong_type("a string in quotes");
+        throw InputError(std::string(option.name), value.dump(), must_be_text(option));
       }
       return value.get<std::string>();
     case OptionKind::flag:
