@@ -3,6 +3,7 @@
 
 // Parts that are JSON: of a sweep without rows and of a design under records.
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/text_file.hpp>
@@ -28,6 +29,7 @@ template <class Part, class Rows>
                              std::string_view whole,
                              Part (*part_from)(const nlohmann::ordered_json&), const Rows& rows) {
   constexpr std::size_t largest_file = std::size_t{1} << 30U;
+  cancellation_point();
   const std::string text = records::read_text_file("part", path, largest_file);
   try {
     sweep::require_json_object(text, {.kind = "part", .path = path});
