@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "friction_check.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
@@ -20,18 +22,15 @@ void require_speed(const char* field, double value, double speed, const char* wh
                                smallest_speed, largest_speed));
 }
 
-/// A friction, or the load that a notch holds.
-void require_friction(const char* field, double f, double p) {
-  require_within(field, f, 0, largest_square);
-  const double phi = f / p;
-  if (f != 0 && !(phi >= smallest_friction_speed && phi <= largest_speed)) {
+}  // namespace
+
+void require_friction(const std::string& field, double f, double p) {
+  require_within(field.c_str(), f, 0, largest_speed * p);
+  if (f != 0 && f / p < smallest_friction_speed) {
     throw InputError(field, f,
-                     fmt::format("{} / p must be 0 or from {} to {} (p = {})", field,
-                                 smallest_friction_speed, largest_speed, p));
+                     fmt::format("must be 0 or at least {} p (p = {})", smallest_friction_speed, p));
   }
 }
-
-}  // namespace
 
 void require_valid(const Oscillator& oscillator) {
   require_within("p", oscillator.p, smallest_speed, largest_speed);
