@@ -19,6 +19,8 @@
 
 namespace stillpoint::report {
 
+inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction/1";
+
 /// The digest of everything else in a part.
 [[nodiscard]] nlohmann::ordered_json digest_json(const nlohmann::ordered_json& report);
 
