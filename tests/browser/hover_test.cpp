@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(shows_what_a_cell_of_a_map_stands_for) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(shows_its_own_place_where_nothing_is_near) {
+BOOST_AUTO_TEST_CASE(shows_its_own_place_if_nothing_is_near) {
   std::size_t count = 0;
   for_each_ticked_figure([&count](const json& figure) {
     const json& hover = figure["hover_corner"];
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(shows_its_own_place_where_nothing_is_near) {
   BOOST_TEST(count >= 6U);  // the three regions at least, at both widths
 }
 
-BOOST_AUTO_TEST_CASE(shows_nothing_beside_the_plot) {
+BOOST_AUTO_TEST_CASE(shows_nothing_outside_the_plot) {
   for_each_figure([](const json& figure) {
     BOOST_TEST(figure["hover_title"]["readout"] == "");
     BOOST_TEST(figure["hover_title"]["ring"].is_null());

@@ -57,7 +57,7 @@ bool overlap(const json& a, const json& b) {
 
 BOOST_AUTO_TEST_SUITE(layout)
 
-BOOST_AUTO_TEST_CASE(all_pages_open_without_a_complaint) {
+BOOST_AUTO_TEST_CASE(all_pages_open_without_errors) {
   for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
     BOOST_TEST(seen(scheme).size() == pages().reports.size());
     for_each_look(scheme, [scheme](const std::string& look, const json& facts) {
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(all_pages_open_without_a_complaint) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(nothing_lies_beside_the_window) {
+BOOST_AUTO_TEST_CASE(nothing_extends_beyond_the_window) {
   for_each_look(Scheme::light, [](const std::string& /*look*/, const json& facts) {
     BOOST_TEST(facts["scroll_width"] <= facts["width"]);
     for (const auto& [id, figure] : facts["figures"].items()) {
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(nothing_lies_beside_the_window) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(words_of_a_figure_have_room) {
+BOOST_AUTO_TEST_CASE(text_of_a_figure_has_room) {
   for_each_figure([](const json& figure) {
     const json& texts = figure["texts"];
     BOOST_TEST(texts.size() >= 8U);  // title, two labels, ticks
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(words_of_a_figure_have_room) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(words_of_a_figure_are_large_enough_to_read) {
+BOOST_AUTO_TEST_CASE(text_of_a_figure_is_large_enough_to_read) {
   for_each_figure([](const json& figure) {
     for (const json& text : figure["texts"]) {
       BOOST_TEST(text["pixels"] >= smallest_text, text.dump());

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(drags_the_plot) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(goes_back_to_the_whole) {
+BOOST_AUTO_TEST_CASE(returns_to_the_whole) {
   for_each_figure([](const json& figure) {
     const json& zoom = figure["zoom"];
     BOOST_TEST(zoom["restored"] == zoom["before"]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -42,16 +43,6 @@ auto kinds_of(std::index_sequence<I...> /*rest*/) {
   return std::array{kind_of<std::variant_alternative_t<I + 1, Excitation>>()...};
 }
 
-std::vector<std::string_view> names_where(bool (*holds)(const ExcitationKind&)) {
-  std::vector<std::string_view> names;
-  for (const ExcitationKind& kind : excitation_kinds()) {
-    if (holds(kind)) {
-      names.push_back(kind.name);
-    }
-  }
-  return names;
-}
-
 }  // namespace
 
 std::span<const ExcitationKind> excitation_kinds() {
@@ -67,11 +58,16 @@ const ExcitationKind* find_excitation_kind(std::string_view name) {
 }
 
 std::vector<std::string_view> excitation_names() {
-  return names_where([](const ExcitationKind&) { return true; });
+  std::vector<std::string_view> names;
+  std::ranges::transform(excitation_kinds(), std::back_inserter(names), &ExcitationKind::name);
+  return names;
 }
 
 std::vector<std::string_view> pulse_names() {
-  return names_where([](const ExcitationKind& kind) { return kind.pulse != nullptr; });
+  std::vector<std::string_view> names = excitation_names();
+  std::erase_if(names,
+                [](std::string_view name) { return find_excitation_kind(name)->pulse == nullptr; });
+  return names;
 }
 
 }  // namespace stillpoint::cli

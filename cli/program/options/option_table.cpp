@@ -102,7 +102,6 @@ OptionTraits of(Load load, OptionTraits traits = {}) {
   traits.load = load;
   return traits;
 }
-
 /// Where the numbers go.
 OptionTraits goes(FileUse file = FileUse::none) {
   return {.role = output, .file = file};

@@ -57,7 +57,7 @@ using stillpoint::test::contains;
 
 BOOST_AUTO_TEST_SUITE(figure)
 
-BOOST_AUTO_TEST_CASE(is_drawn_as_the_golden_file_says) {
+BOOST_AUTO_TEST_CASE(matches_the_golden_file) {
   Figure figure = one_of_everything();
   figure.map = {};  // its bytes are zlib's
   const std::string drawn = svg(figure, Frame::alone);
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(is_drawn_as_the_golden_file_says) {
              "look at the figure.svg that this test has written; if it is right, it is golden");
 }
 
-BOOST_AUTO_TEST_CASE(puts_what_it_draws_where_the_axes_say) {
+BOOST_AUTO_TEST_CASE(draws_points_where_the_axes_say) {
   // The plot is 370 x 270: x = 5 is at 185, y = 2.5 a quarter from the top, at 67.5.
   const std::string text = svg(one_of_everything(), Frame::in_page);
   BOOST_TEST(contains(text, "data-plot=\"66 28 370 270\""));
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(labels_keep_clear_of_each_other_at_the_corner) {
 }
 
 // Of the range of a low figure, +-0.35 by halves would be 0 alone.
-BOOST_AUTO_TEST_CASE(a_low_figure_has_two_values_beside_it_at_least) {
+BOOST_AUTO_TEST_CASE(a_low_figure_has_at_least_two_values_beside_it) {
   Figure figure = one_of_everything();
   figure.height = 160;
   figure.y = {"W", -0.37, 0.31};
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
   BOOST_TEST(contains(text, ">far off</text>"));
 }
 
-BOOST_AUTO_TEST_CASE(draws_an_inset_outside_of_the_plot_that_zooms) {
+BOOST_AUTO_TEST_CASE(draws_an_inset_outside_the_plot_that_zooms) {
   Figure figure = one_of_everything();
   figure.inset = {{"", 4.9, 5.1}, {"", 2.4, 2.6}};
   const std::string text = svg(figure, Frame::in_page);
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(draws_an_inset_outside_of_the_plot_that_zooms) {
   BOOST_TEST(!contains(lens.substr(0, lens.find("/>")), "-"));
 }
 
-BOOST_AUTO_TEST_CASE(prose_breaks_no_number_and_no_short_equation) {
+BOOST_AUTO_TEST_CASE(prose_does_not_break_numbers_or_short_equations) {
   BOOST_TEST(prose("a peak of 9.8 m/s2") == "a peak of 9.8\u00a0m/s2");
   BOOST_TEST(prose("rest at x = 0") == "rest at x\u00a0=\u00a00");
   BOOST_TEST(prose("delta = 0.03 = 5.9 mm") == "delta\u00a0=\u00a00.03 =\u00a05.9\u00a0mm");

@@ -40,7 +40,7 @@ json method(const json& report, const std::string& name, const std::string& sett
 BOOST_FIXTURE_TEST_SUITE(accuracy_command, Sandbox)
 
 // data/reference, made without the kernel.
-BOOST_AUTO_TEST_CASE(reference_is_that_of_the_tables) {
+BOOST_AUTO_TEST_CASE(reference_matches_the_tables) {
   const json free = reported(s1);
   BOOST_TEST(free["schema"] == "stillpoint/accuracy-report/1");
   BOOST_TEST(free["reference"]["peak_amplitude"] == 0.98019998000399900);
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(kernel_is_the_one_that_simulate_uses_and_is_right) {
 }
 
 // Each method gets closer with a finer setting, and its errors are shown with a coarse one.
-BOOST_AUTO_TEST_CASE(integrators_are_as_good_as_their_setting) {
+BOOST_AUTO_TEST_CASE(integrators_meet_their_tolerance) {
   const json report = reported(s1);
   const double coarse = method(report, "dopri5", "tolerance 1e-06")["end_error"];
   const double fine = method(report, "dopri5", "tolerance 1e-12")["end_error"];
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
+BOOST_AUTO_TEST_CASE(a_run_of_minutes_is_refused) {
   const json report = reported("accuracy --v0 1 --p 1 --f 1e-4 --delta 1e-4");
   const json fine = method(report, "RK4", "step 0.001");
   BOOST_TEST(fine["wall_time_s"].is_null());
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(what_would_take_minutes_is_not_run) {
 }
 
 // Friction holds the mass: each of these used to run without end.
-BOOST_AUTO_TEST_CASE(where_nothing_moves_it_says_so) {
+BOOST_AUTO_TEST_CASE(says_so_if_nothing_moves) {
   for (const Arguments& still : {Arguments("accuracy --v0 0.1 --p 1 --f 0.1 --delta 0.2"),
                                  Arguments("accuracy --v0 0 --p 1 --f 0.1 --delta 0 --excitation "
                                            "rectangle --k 0.05 --lambda 1")}) {

@@ -82,7 +82,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_design_within_an_acceleration_names_the_least_notch
   BOOST_TEST(contains(text, "61.526 mm wide"), text);
 }
 
-BOOST_FIXTURE_TEST_CASE(of_a_comparison_says_how_far_the_kernel_is_off, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(of_a_comparison_gives_the_error_of_the_kernel, Sandbox) {
   const std::string text = run("accuracy --v0 1 --p 1 --f 0.26 --delta 0.37").out;
   BOOST_TEST(lines_of(text).at(1).starts_with("  The kernel of simulate is off by "), text);
 }
@@ -130,7 +130,7 @@ BOOST_FIXTURE_TEST_CASE(of_a_load_below_friction_says_that_nothing_moves, Sandbo
   BOOST_TEST(lines_of(text).at(1).starts_with("  It never moves: "), text);
 }
 
-BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_near_it_is_to_another, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(of_a_motion_says_how_close_it_is_to_another_outcome, Sandbox) {
   const Arguments near("simulate --v0 1 --p 1 --f 0 --delta 0.4999");
   BOOST_TEST(contains(run(near).out, "of another count or outcome"));
   const Arguments far("simulate --v0 1 --p 1 --f 0.26 --delta 0.37");

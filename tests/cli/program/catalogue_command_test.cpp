@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(serves_a_pulse) {
   BOOST_TEST(none.json()["region"]["mends"][0]["input"] == "beta");
 }
 
-BOOST_AUTO_TEST_CASE(may_be_spelled_in_many_ways) {
+BOOST_AUTO_TEST_CASE(may_be_written_in_many_ways) {
   const json expected = reported(design("--catalogue few.csv"));
   const std::vector<std::string> spellings{
       "name,f,delta\r\nweak,0.05,0.4\r\ngood,0.26,0.37\r\nfair,0.2,0.4\r\nstrong,0.4,0.4",
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(the_objective_chooses_among_those_with_the_tolerance) {
   BOOST_TEST(best("acceleration", "0.3") == "good");  // of fair, 25 % is left above Delta
 }
 
-BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_of_each) {
+BOOST_AUTO_TEST_CASE(without_a_part_that_fits_ends_with_3_and_says_why_for_each) {
   const ProgramRun answer = run(design("--catalogue few.csv --tolerance 0.5 --json"));
   BOOST_TEST(answer.exit_code == 3);
   const json report = answer.json();
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(is_drawn_by_region_and_works_with_arrivals) {
   BOOST_TEST(!contains(figure, "1 of the 3 parts lies outside"));  // in the caption
 }
 
-BOOST_AUTO_TEST_CASE(is_not_written_over_and_is_a_key_of_a_scene) {
+BOOST_AUTO_TEST_CASE(is_not_overwritten_and_may_be_in_a_scene) {
   check_refusal(run(design("--catalogue few.csv --output few.csv")),
                 {"few.csv", "would overwrite the catalogue few.csv"});
   BOOST_TEST(read("few.csv") == few);

@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
 }
 
 /// The rows are those that `region` lists for the same point.
-BOOST_AUTO_TEST_CASE(limits_that_are_given_have_their_rows) {
+BOOST_AUTO_TEST_CASE(given_limits_have_rows) {
   const Arguments limits("--f-max 0.3 --delta-max 0.45");
   const json report = reported(design(0.9, limits));
   const json again = reported(
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(limits_that_are_given_have_their_rows) {
   BOOST_TEST(report["constraints"] == again["constraints"]);
 }
 
-BOOST_AUTO_TEST_CASE(motion_is_that_of_the_closed_forms) {
+BOOST_AUTO_TEST_CASE(motion_matches_the_closed_forms) {
   const json report = reported(design(0.9));
   const double f = number(report, "design", "f");
   const double radius = std::hypot(1, f);
@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
   BOOST_TEST(simulated["response"] == report["response"]);
 }
 
-BOOST_AUTO_TEST_CASE(repeats_itself_apart_from_wall_times) {
+BOOST_AUTO_TEST_CASE(is_reproducible_apart_from_wall_times) {
   const std::vector<Arguments> problems{design(0.9), design(0.9, "--algorithm GN_CRS2_LM"),
                                         "design --velocity 0.4 --period 3 --max-displacement 0.16"};
   for (const Arguments& arguments : problems) {
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(for_people_names_every_part) {
   BOOST_TEST(text.out.find('{') == std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(goes_into_a_file_as_the_same_json) {
+BOOST_AUTO_TEST_CASE(is_the_same_json_in_a_file) {
   const ProgramRun text = succeed(design(0.9, "--output report.json"));
   BOOST_TEST(text.out.starts_with("Damper design"));
   const std::string written = read("report.json");
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(search, Sandbox)
 
-BOOST_AUTO_TEST_CASE(optimum_stands_beside_that_along_f) {
+BOOST_AUTO_TEST_CASE(optimum_is_shown_beside_that_along_f) {
   constexpr double same = 2e-9;  // both stay a relative 1e-9 inside open edges
   const Arguments plain("design --v0 1 --p 1 --beta 2 --tolerance 0.05");
   for (const std::string objective : {"robust", "amplitude", "time", "acceleration"}) {

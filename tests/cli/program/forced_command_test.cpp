@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_stops_says_where_and_when) {
   BOOST_TEST(response["final_velocity"] == 0);
 }
 
-BOOST_AUTO_TEST_CASE(of_a_motion_that_never_stops_has_null_for_what_does_not_exist) {
+BOOST_AUTO_TEST_CASE(of_a_motion_that_never_stops_has_null_for_missing_values) {
   const json report = reported(free_at_rest("--excitation rectangle --k 0.5 --lambda 2"));
   check_fields(
       report["response"],
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(of_a_motion_that_never_stops_has_null_for_what_does_not_exi
   check_fields(report["input"]["excitation"], {"phase:null", "duration:number"});
 }
 
-BOOST_AUTO_TEST_CASE(of_nothing_that_moves_is_at_rest_from_the_beginning) {
+BOOST_AUTO_TEST_CASE(of_a_mass_that_never_moves_is_at_rest_from_the_start) {
   const json report = reported(at_rest("--excitation harmonic --k 0.1 --lambda 1 --t-end 9"));
   const json& response = report["response"];
   BOOST_TEST(response["peak_amplitude"] == 0);

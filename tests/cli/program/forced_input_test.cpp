@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(flag_overrides_the_scene) {
   BOOST_TEST(near(other["input"]["excitation"]["duration"], 2 * pi / 3, 1e-15));
 }
 
-BOOST_AUTO_TEST_CASE(flag_puts_a_record_in_the_place_of_the_wave_of_a_scene_and_back) {
+BOOST_AUTO_TEST_CASE(flag_replaces_the_wave_of_a_scene_with_a_record_and_back) {
   write("w.txt", "0.3\n-0.2\n");
   write("wave.json", R"({"p": 1, "f": 0.1, "delta": 0.01,
                          "excitation": {"type": "half-sine", "k": 9, "lambda": 2}})");
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
   BOOST_TEST(reported(harmonic)["input"]["excitation"]["record_units"].is_null());
 }
 
-BOOST_AUTO_TEST_CASE(scene_of_an_excitation_serves_other_commands_with_a_note) {
+BOOST_AUTO_TEST_CASE(scene_with_an_excitation_serves_other_commands_with_a_note) {
   const Surroundings surroundings{.input = R"({"v0": 1, "p": 1, "beta": 0.9,
                            "excitation": {"type": "half-sine", "k": 1, "lambda": 2}})"};
   const ProgramRun design = succeed("design - --json", surroundings);
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(half_a_turn_of_the_phase_mirrors_the_motion) {
   check_same_motion(there, here);
 }
 
-BOOST_AUTO_TEST_CASE(harmonic_of_a_duration_needs_no_end_and_may_have_one) {
+BOOST_AUTO_TEST_CASE(harmonic_with_a_duration_may_have_an_end_but_needs_none) {
   const Arguments ending = pulse("harmonic", "--duration 9");
   const json whole = reported(ending)["response"];
   check_response_fields(whole);
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
   check_same_motion(answer(0.25, "--record-scale 4"), expected, 0);
 }
 
-BOOST_AUTO_TEST_CASE(record_with_times_is_one_with_a_step) {
+BOOST_AUTO_TEST_CASE(record_with_times_equals_one_with_a_step) {
   write("s5.txt", column_file(record_s5()));
   const json by_step = reported(joined(s5, "--record-step 0.02"))["response"];
   std::vector<Row> rows = record_s5();
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(record_with_times_is_one_with_a_step) {
   check_same_motion(reported(s5)["response"], by_step, 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
+BOOST_AUTO_TEST_CASE(record_is_in_seconds_with_physical_input) {
   // From rest H = g / omega^2 makes p = 1; tau = omega t with omega = pi.
   write("s5.txt", column_file(record_s5()));
   const json dimensionless =
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(record_is_in_seconds_where_the_input_is_physical) {
   BOOST_TEST(report["physical"]["excitation_duration_s"].is_null());
 }
 
-BOOST_AUTO_TEST_CASE(waves_are_in_tau_also_where_the_input_is_physical) {
+BOOST_AUTO_TEST_CASE(waves_may_be_in_tau_with_physical_input) {
   const json report = reported(
       "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 "
       "--excitation harmonic --k 0.1 --lambda 0.7 --t-end 30");
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(waves_are_in_tau_also_where_the_input_is_physical) {
 }
 
 // p is the natural frequency, so lambda / p times 2 pi / 3 is the other one.
-BOOST_AUTO_TEST_CASE(waves_are_reported_in_si_where_the_input_is_physical) {
+BOOST_AUTO_TEST_CASE(waves_are_reported_in_si_with_physical_input) {
   const Arguments scene(
       "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 --k 0.1 --lambda 0.7 --t-end 30 "
       "--excitation");

@@ -72,7 +72,7 @@ std::set<std::string> offered(const Sandbox& sandbox, const std::string& line) {
 
 BOOST_FIXTURE_TEST_SUITE(bash, Sandbox)
 
-BOOST_AUTO_TEST_CASE(offers_the_options_of_each_command_and_no_other) {
+BOOST_AUTO_TEST_CASE(offers_only_the_options_of_each_command) {
   write_script(*this);
   for (const cli::CommandHelp& help : cli::all_commands()) {
     const std::string command(cli::name(help.command));
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(offers_the_options_of_each_command_and_no_other) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(offers_files_where_one_is_meant_and_nothing_for_a_number) {
+BOOST_AUTO_TEST_CASE(offers_files_for_file_options_and_nothing_for_numbers) {
   write_script(*this);
   write("scene.json", "{}");
   const std::set<std::string> scene{"scene.json"};
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(name_every_option) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_CASE(the_tables_of_the_theory_are_those_of_the_library) {
+BOOST_AUTO_TEST_CASE(the_tables_of_the_theory_match_the_library) {
   const std::string page =
       text_of(std::filesystem::path(STILLPOINT_DATA_DIR).parent_path() / "docs/theory.md");
   const std::string tables = cli::tolerance_tables();

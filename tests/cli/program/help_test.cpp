@@ -46,7 +46,7 @@ std::vector<std::string> words_of(const std::string& text) {
 
 BOOST_FIXTURE_TEST_SUITE(help, Sandbox)
 
-BOOST_AUTO_TEST_CASE(of_the_program_names_its_commands_with_examples) {
+BOOST_AUTO_TEST_CASE(of_the_program_lists_its_commands_with_examples) {
   for (const char* flag : {"--help", "-h"}) {
     const ProgramRun answer = succeed({flag});
     BOOST_TEST(answer.err.empty(), answer.err);
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(of_the_program_names_its_commands_with_examples) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_a_command_names_its_options_and_no_other) {
+BOOST_AUTO_TEST_CASE(of_a_command_lists_only_its_options) {
   for (const Command command : commands) {
     const ProgramRun answer = succeed({std::string(name(command)), "--help"}, of_width("1000"));
     BOOST_TEST(answer.err.empty(), answer.err);
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(examples_work) {
   BOOST_TEST(tried >= 10);
 }
 
-BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_and_80_where_that_is_unknown) {
+BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_or_80_columns) {
   for (const Command command : commands) {
     const Arguments help{std::string(name(command)), "--help"};
     const auto whole = words_of(run(help, of_width("1000")).out);
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_and_80_where_that_is_unknown) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(is_printed_by_the_command_help_as_well) {
+BOOST_AUTO_TEST_CASE(is_also_printed_by_the_help_command) {
   BOOST_TEST(run("help").out == run("--help").out);
   BOOST_TEST(run("help help").out == run("--help").out);
   for (const Command command : commands) {
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(is_printed_by_the_command_help_as_well) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(is_short_where_nothing_is_asked) {
+BOOST_AUTO_TEST_CASE(is_short_without_a_command) {
   const ProgramRun answer = run({});
   BOOST_TEST(answer.exit_code == 2);
   BOOST_TEST(answer.out.empty(), answer.out);

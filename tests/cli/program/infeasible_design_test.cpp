@@ -25,7 +25,7 @@ Arguments design(double beta, const Arguments& more = {}) {
 
 BOOST_FIXTURE_TEST_SUITE(infeasible, Sandbox)
 
-BOOST_AUTO_TEST_CASE(says_why_and_what_would_mend_it) {
+BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
   const ProgramRun run_of_json = run(design(0.6, "--json"));
   BOOST_TEST(run_of_json.exit_code == 3);
   BOOST_TEST(run_of_json.err.empty(), run_of_json.err);
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
 }
 
 // (f3 - f2)/(0.2 f3 + 0.2 f2) of 0.2, and a quarter of it for Delta, as they can be asked for.
-BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_mended_on_each_side) {
+BOOST_AUTO_TEST_CASE(a_two_sided_tolerance_is_mended_on_each_side) {
   const Arguments too_much = design(0.75, "--tolerance-f 0.8:1.2 --tolerance-delta 0.05");
   const std::string out = run(too_much).out;
   const std::string box = "0.9040843148 to 1.095915685 times f and 0.9760210787 to 1.023978921";
@@ -77,14 +77,14 @@ BOOST_AUTO_TEST_CASE(a_tolerance_of_each_side_is_mended_on_each_side) {
       0.75, "--tolerance-f 0.9040843148:1.095915685 --tolerance-delta 0.9760210787:1.023978921"));
 }
 
-BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_four_do_not_tell_apart) {
+BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_agree_to_four) {
   const ProgramRun text = run(design(0.8, "--tolerance 0.222198"));
   BOOST_TEST(!contains(text.out, "22.22 %"), text.out);
   BOOST_TEST(contains(text.out, "22.2198 %"), text.out);
 }
 
 /// A tolerance that no damper has gets an explanation: the theory's largest is 36.3 %.
-BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_where_one_is_not_enough) {
+BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_if_one_is_not_enough) {
   const Arguments impossible = design(0.6, "--tolerance 0.5");
   const ProgramRun text = run(impossible);
   BOOST_TEST(text.exit_code == 3);
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(report_goes_into_a_file_all_the_same) {
+BOOST_AUTO_TEST_CASE(report_is_still_written_to_a_file) {
   BOOST_TEST(run(design(0.6, "--output report.json")).exit_code == 3);
   BOOST_TEST(json::parse(read("report.json"))["region"]["feasible"] == false);
 }

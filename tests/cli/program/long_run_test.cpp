@@ -40,12 +40,12 @@ BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(is_refused_at_once_where_a_trajectory_of_it_would_be_too_long) {
+BOOST_AUTO_TEST_CASE(is_refused_at_once_if_its_trajectory_would_be_too_long) {
   check_refused(*this, {endless("--trajectory motion.csv"),
                         {"t_end = 1000000000", "too many for a trajectory"}});
 }
 
-BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end,
+BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_clears_it_at_the_end,
                      *boost::unit_test::precondition(if_terminals)) {
   const Surroundings interrupted{.error_is_terminal = true, .interrupt = true};
   const ProgramRun stopped = run(endless(), interrupted);
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_takes_it_away_at_the_end,
   BOOST_TEST(std::ranges::count(stopped.err, '\n') == 1);
 }
 
-BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_where_nobody_watches) {
+BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_without_a_terminal) {
   const ProgramRun stopped = run(endless({}, "1e12"), {.interrupt_once_heard = true});  // days
   BOOST_TEST(stopped.exit_code == 130);
   const auto lines = stopped.err_lines();
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_where_nobody_watches) {
 }
 
 // At most V0/(2 f) half-cycles: 1e11 of them. A run that the limit refuses is not announced.
-BOOST_AUTO_TEST_CASE(of_free_motion_says_beforehand_that_it_takes_minutes) {
+BOOST_AUTO_TEST_CASE(of_free_motion_warns_beforehand_that_it_takes_minutes) {
   const Arguments free("simulate --v0 1 --p 1 --f 5e-12 --delta 1e-15 --half-cycle-limit");
   const ProgramRun stopped = run(joined(free, "1e12"), {.interrupt_once_heard = true});
   const auto lines = stopped.err_lines();

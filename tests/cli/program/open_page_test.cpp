@@ -51,7 +51,7 @@ BOOST_FIXTURE_TEST_CASE(shows_the_page_that_is_written, Sandbox) {
   BOOST_TEST(seen(*this) == path("page.html").string() + "\n");
 }
 
-BOOST_FIXTURE_TEST_CASE(shows_a_temporary_page_where_none_is_asked_for, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(shows_a_temporary_page_if_none_is_written, Sandbox) {
   write_browser(*this);
   fs::create_directory(path("tmp"));
   // The first that can be run is taken; %s is the page.
@@ -77,7 +77,7 @@ struct InstalledProgram : Sandbox {
   Surroundings surroundings;
 };
 
-BOOST_FIXTURE_TEST_CASE(explores_with_the_page_that_is_installed, InstalledProgram) {
+BOOST_FIXTURE_TEST_CASE(explores_with_the_installed_page, InstalledProgram) {
   const std::string page = "usr/share/stillpoint/stillpoint.html";
   write(page, "<html></html>");
   BOOST_TEST(run({"explore", "path"}, surroundings).out == path(page).string() + "\n");
@@ -118,11 +118,11 @@ BOOST_FIXTURE_TEST_CASE(links_only_what_the_page_can_show, InstalledProgram) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(says_how_to_make_the_page_that_is_not_there, InstalledProgram) {
+BOOST_FIXTURE_TEST_CASE(says_how_to_build_a_missing_page, InstalledProgram) {
   check_refusal(run({"explore"}, surroundings), {"explore", "not installed", "./dev explorer"});
 }
 
-BOOST_FIXTURE_TEST_CASE(is_refused_where_there_is_no_browser, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(is_refused_without_a_browser, Sandbox) {
   Surroundings nothing = with_browser("no-such-browser");
   nothing.environment.emplace_back("PATH", path("").string());
   const auto before = contents();
@@ -134,7 +134,7 @@ BOOST_FIXTURE_TEST_CASE(is_refused_where_there_is_no_browser, Sandbox) {
   check_refusal(run(region, no_room), {"open", "temporary page"});
 }
 
-BOOST_FIXTURE_TEST_CASE(is_not_done_after_a_wrong_input, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(does_not_happen_after_wrong_input, Sandbox) {
   write_browser(*this);
   check_refusal(run(joined(region, "--f -1"), with_browser(path("browser.sh").string())),
                 {"f = -1"});

@@ -59,7 +59,7 @@ Surroundings into_file(const fs::path& path) {
 
 BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 
-BOOST_AUTO_TEST_CASE(replaces_an_old_one_by_a_new_one) {
+BOOST_AUTO_TEST_CASE(replaces_an_old_file) {
   write("report.json", std::string(100'000, '#'));
   fs::create_hard_link(path("report.json"), path("old"));
   succeed(design("--output report.json"));
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(replaces_an_old_one_by_a_new_one) {
   BOOST_TEST(contents().size() == 2U);
 }
 
-BOOST_AUTO_TEST_CASE(may_lie_in_another_directory) {
+BOOST_AUTO_TEST_CASE(may_be_in_another_directory) {
   fs::create_directory(path("reports"));
   succeed(design("--output reports/new.json"));
   succeed(design({"--output", path("reports/absolute.json").string()}));
@@ -89,14 +89,14 @@ BOOST_AUTO_TEST_CASE(keeps_a_link_and_replaces_what_it_points_to) {
   BOOST_TEST(contents().size() == 3U);
 }
 
-BOOST_AUTO_TEST_CASE(keeps_a_link_to_what_does_not_exist_yet) {
+BOOST_AUTO_TEST_CASE(keeps_a_link_to_a_missing_file) {
   fs::create_symlink("later.json", path("link.json"));
   succeed(design("--output link.json"));
   BOOST_TEST(fs::is_symlink(path("link.json")));
   BOOST_TEST(is_report(read("link.json")));
 }
 
-BOOST_AUTO_TEST_CASE(is_refused_where_links_lead_in_a_circle) {
+BOOST_AUTO_TEST_CASE(is_refused_if_links_form_a_loop) {
   fs::create_symlink("b.json", path("a.json"));
   fs::create_symlink("a.json", path("b.json"));
   const auto before = contents();
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(has_the_permissions_of_any_new_file) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_the_trajectory_is_replaced_alike) {
+BOOST_AUTO_TEST_CASE(of_the_trajectory_is_replaced_the_same_way) {
   write("motion.csv", "old");
   fs::create_hard_link(path("motion.csv"), path("old"));
   const Mask set(0027);
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(may_be_the_standard_output) {
   BOOST_TEST(contents().empty());
 }
 
-BOOST_AUTO_TEST_CASE(that_is_the_standard_output_is_added_to_and_not_replaced) {
+BOOST_AUTO_TEST_CASE(that_is_standard_output_is_appended_to) {
   write("log", "a line from before\n");
   succeed(design("--output /dev/stdout"), into_file(path("log")));
   const std::string log = read("log");

@@ -32,7 +32,7 @@ const Arguments isolator("design --velocity 0.4 --max-displacement 0.16");
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_CASE(scales_are_those_worked_out_by_hand, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(scales_match_those_worked_out_by_hand, Sandbox) {
   const json report = reported(joined(isolator, "--period 3 --mass 2e5"));
   const json& quantities = report["physical"];
   check_fields(quantities, {"length_unit_m:number", "time_unit_s:number", "f:number",
@@ -70,7 +70,7 @@ BOOST_FIXTURE_TEST_CASE(damper_is_the_dimensionless_one_in_units, Sandbox) {
   BOOST_TEST(quantities["peak_m"].get<double>() <= 0.16);
 }
 
-BOOST_FIXTURE_TEST_CASE(stiffness_and_mass_stand_for_a_period, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(stiffness_and_mass_give_the_period, Sandbox) {
   const json by_period = reported(joined(isolator, "--period 3 --mass 2e5"));
   const json by_stiffness =
       reported(joined(isolator, {"--stiffness", in_full(stiffness), "--mass", "2e5"}));
@@ -89,7 +89,7 @@ BOOST_FIXTURE_TEST_CASE(forces_and_energies_need_a_mass, Sandbox) {
                             "energy_per_passage_j:null", "delta_m:number", "peak_m:number"});
 }
 
-BOOST_FIXTURE_TEST_CASE(gravity_changes_the_unit_of_f_alone, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(gravity_changes_only_the_unit_of_f, Sandbox) {
   const json earth = reported(joined(isolator, "--period 3"))["physical"];
   const json moon = reported(joined(isolator, "--period 3 --gravity 1.62"))["physical"];
   BOOST_TEST(near(moon["f"].get<double>() * 1.62, earth["f"].get<double>() * gravity, 1e-9));
@@ -127,7 +127,7 @@ BOOST_FIXTURE_TEST_CASE(mends_are_in_units_too_and_mend, Sandbox) {
   succeed(problem("0.4", in_full(period), "0.13"));
 }
 
-BOOST_FIXTURE_TEST_CASE(mends_of_the_text_mend_as_they_are_printed, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(mends_as_printed_make_it_feasible, Sandbox) {
   const ProgramRun text = run("design --velocity 0.4 --period 3 --max-displacement 0.13");
   const std::regex figure("max_displacement +at least ([.0-9]+) mm");
   std::smatch found;

@@ -78,7 +78,7 @@ BOOST_FIXTURE_TEST_CASE(rows_are_the_motions_one_by_one, Sandbox) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(of_frequencies_and_stiffnesses_are_those_of_periods, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(of_frequencies_and_stiffnesses_match_those_of_periods, Sandbox) {
   const Arguments rest("--velocity 0.4 --f 0.02 --delta-m 1mm");
   const auto peaks = [&](const Arguments& isolator) {
     const SweepTable table = rows(*this, joined(isolator, rest));
@@ -97,7 +97,7 @@ BOOST_FIXTURE_TEST_CASE(of_frequencies_and_stiffnesses_are_those_of_periods, San
   BOOST_TEST(near(by_stiffness.second, by_period.second, row_tolerance));
 }
 
-BOOST_FIXTURE_TEST_CASE(designs_are_those_of_design, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(designs_match_design, Sandbox) {
   const SweepTable table = rows(
       *this,
       "--velocity 0.4 --period 2.8s --max-displacement 120mm:150mm:3 --delta-max-m 5.5mm --times");
@@ -116,7 +116,7 @@ BOOST_FIXTURE_TEST_CASE(designs_are_those_of_design, Sandbox) {
   BOOST_TEST(table.at(2, "feasible") == "true");
 }
 
-BOOST_FIXTURE_TEST_CASE(ranges_of_hits_and_springs_are_those_of_design, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(ranges_of_hits_and_springs_match_design, Sandbox) {
   using Spring = std::pair<Arguments, std::string>;
   for (const auto& [spring, column] :
        {Spring{{"--period", "2660ms:2.94s"}, "period"},
@@ -218,7 +218,7 @@ BOOST_FIXTURE_TEST_CASE(real_notches_are_in_metres, Sandbox) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(scenes_and_columns_and_files_serve, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(scenes_columns_and_files_work_too, Sandbox) {
   write("scene.json", R"({"velocity": "0.4m/s", "period": ["2s", 3], "f": 0.02,
       "delta_m": "1mm:3mm:3", "mass": "1200t"})");
   const ProgramRun by_scene = succeed("sweep scene.json --columns period,delta-m,peak_m");

@@ -270,12 +270,12 @@ BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
   BOOST_TEST(read("page.html").size() < 1'000'000U);
 }
 
-BOOST_AUTO_TEST_CASE(make_the_directory_that_they_go_to) {
+BOOST_AUTO_TEST_CASE(create_their_directory) {
   succeed(joined(plain, "--svg new/figures"));
   BOOST_TEST(std::filesystem::exists(path("new/figures/region.svg")));
 }
 
-BOOST_AUTO_TEST_CASE(need_a_directory_that_can_be_made) {
+BOOST_AUTO_TEST_CASE(are_refused_if_their_directory_cannot_be_created) {
   write("none", "a file");
   const ProgramRun answer = run(joined(plain, "--svg none --html page.html"));
   BOOST_TEST(answer.exit_code == 2);

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(cross_check_has_the_pulse_and_an_integrator) {
 }
 
 // The same run by hand.
-BOOST_AUTO_TEST_CASE(response_under_the_pulse_is_that_of_simulate) {
+BOOST_AUTO_TEST_CASE(response_under_the_pulse_matches_simulate) {
   const json report = reported(asked);
   const json by_hand = reported({"simulate", "--p", "1", "--f", in_full(report["design"]["f"]),
                                  "--delta", in_full(report["design"]["delta"]), "--excitation",
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(a_length_of_a_pulse_may_be_given_as_any_range) {
 }
 
 // `design` says the same of the region, whether it finds a damper or not.
-BOOST_AUTO_TEST_CASE(region_is_that_of_the_design) {
+BOOST_AUTO_TEST_CASE(region_matches_the_design) {
   write("parts.csv", "name,f,delta\nweak,0.05,0.4\ngood,0.2,0.4\nstrong,0.3,0.4\n");
   const Arguments near_fault{STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"};
   for (const Arguments& task :
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_makes_the_reduction_poor_is_said) {
+BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
   const Arguments bad(
       "design --pulse rectangle --k 0.5 --lambda 3 --p 1 --beta 0.6 --objective amplitude");
   const json report = reported(bad);
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(what_makes_the_reduction_poor_is_said) {
   check_contains(page, {"the pulse is not short", "f/k = "});
 }
 
-BOOST_AUTO_TEST_CASE(no_design_says_what_mends_it_in_terms_of_the_pulse) {
+BOOST_AUTO_TEST_CASE(without_a_design_the_mends_are_in_terms_of_the_pulse) {
   Arguments tight = without(asked, "--beta");
   tight = joined(tight, "--beta 0.02");
   const ProgramRun run = this->run(joined(tight, "--json"));
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(no_design_says_what_mends_it_in_terms_of_the_pulse) {
 }
 
 /// For a pulse given in seconds the suggested change is in seconds, as it can be given.
-BOOST_AUTO_TEST_CASE(a_duration_mends_as_it_is_printed) {
+BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
   const auto lasting = [](const std::string& duration) {
     return joined({"design", "--pulse-duration", duration},
                   "--pulse half-sine --k 0.5g --period 2.8s --max-displacement 20mm");
@@ -317,7 +317,7 @@ const std::vector<Wrong> wrong_pulses{
     {joined(region, "--arrivals 2"), {"arrivals = 2", "with a pulse"}},
     {joined(region, "--residual 0.1"), {"pulse = rectangle", "has no design with a residual"}},
     {joined(region, "--v0 1"), {"v0 and pulse cannot be combined"}},
-    {joined(region, "--delta 1"), {"f is missing", "--f"}},
+    {joined(region, "--delta 1"), {"f is missing", "give f as well"}},
     {joined(region, "--f nan"), {"f = ", "finite number"}},
     {joined(region, "--objective time"), {"--objective", "not an option of region"}},
     {without(region, "--k"), {"k is missing", "--k"}},

@@ -76,7 +76,7 @@ const std::vector<Wrong> wrong_inputs{
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on, Recorded) {
+BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded) {
   write("list.csv", "file,scale\na.txt,-3\n# a comment\n");
   const json report = reported(joined(held, "--records-list list.csv"));
   BOOST_TEST(report["schema"] == "stillpoint/record-design-report/1");
@@ -96,7 +96,7 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_passes_the_load_on, Recorded
   BOOST_TEST(near(mean["worst"]["peak_absolute_acceleration"], 0.8, hand_tolerance));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_said_to, Recorded) {
+BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   const ProgramRun answer = run({"design", "--record", "a.txt", "--period", "2.8s", "--search-f",
                                  "0.02:0.02", "--search-delta-m", "1mm:1mm", "--hold", "100"});
   BOOST_TEST(
@@ -118,7 +118,7 @@ BOOST_FIXTURE_TEST_CASE(records_may_be_dimensionless, Recorded) {
   BOOST_TEST(near(report["worst"]["peak_absolute_acceleration"], 0.4, hand_tolerance));
 }
 
-BOOST_FIXTURE_TEST_CASE(the_report_is_that_of_simulate, Recorded) {
+BOOST_FIXTURE_TEST_CASE(the_report_matches_simulate, Recorded) {
   const json report = reported(
       "design --record a.txt --period 2.8 --max-displacement 0.3 --residual-m 5mm --hold 0.1");
   const json& design = report["design"];
@@ -170,7 +170,7 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Recor
   BOOST_TEST(contains(page, "Each colour names the first limit that is violated there."));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_damper_without_friction_is_said_never_to_rest, Recorded) {
+BOOST_FIXTURE_TEST_CASE(a_damper_without_friction_is_reported_never_to_rest, Recorded) {
   const json report = failed_report(*this,
                                     "design --record a.txt --period 2.8 --search-f 0:0 "
                                     "--search-delta-m 0:0 --max-displacement 1",

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(merge_to_the_design_of_one_run) {
 }
 
 /// What the limits would have to be is searched for from the same scan.
-BOOST_AUTO_TEST_CASE(merge_to_the_lack_of_a_design) {
+BOOST_AUTO_TEST_CASE(merge_to_no_design) {
   check_merged_design(joined(task, {"--max-displacement", "1mm"}), 3, {3});
 }
 
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(say_what_they_are) {
   BOOST_TEST(part(task, 70, 70).out == "70-of-70.json: 0 of 61 dampers\n");
 }
 
-BOOST_AUTO_TEST_CASE(may_be_shown_as_one_run_is) {
+BOOST_AUTO_TEST_CASE(are_shown_like_a_single_run) {
   const Arguments names = split(task, 2);
   const ProgramRun answer = merge(names, {"--json", "--html", "page.html", "--threads", "1"});
   BOOST_TEST_REQUIRE(answer.exit_code == 0, answer.err);
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
   BOOST_TEST(contents() == before);
 }
 
-BOOST_AUTO_TEST_CASE(that_are_missing_doubled_or_torn_are_refused) {
+BOOST_AUTO_TEST_CASE(that_are_missing_repeated_or_truncated_are_refused) {
   const Arguments names = split(task, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
   check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "and so is"});

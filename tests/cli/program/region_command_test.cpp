@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(judges_a_point) {
 }
 
 /// An admissible point has all three blocks; another still has its hits.
-BOOST_AUTO_TEST_CASE(a_point_says_what_it_serves) {
+BOOST_AUTO_TEST_CASE(a_point_says_which_hits_it_works_for) {
   const json good = reported(region("--f 0.3 --delta 0.4 --acceleration-max 1.1"));
   BOOST_TEST(near(good["works_for"]["v0"][0], std::sqrt(0.8), 1e-15));
   BOOST_TEST(near(good["works_for"]["p"][1], std::sqrt(1.1 * 1.1 - 0.3 * 0.3), 1e-15));
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(edge_at_zero_is_zero) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(friction_beyond_measure_is_refused_or_reported_in_finite_numbers) {
+BOOST_AUTO_TEST_CASE(huge_friction_is_refused_or_reported_in_finite_numbers) {
   for (const char* f : {"1e150", "1e300"}) {
     const Arguments arguments = region({"--f", f, "--delta", "1"});
     const ProgramRun text = run(arguments);
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
 }
 
 /// A suggested change is in the terms given: for a stiffness it is a stiffness.
-BOOST_AUTO_TEST_CASE(mends_speak_of_the_stiffness_where_it_was_given) {
+BOOST_AUTO_TEST_CASE(mends_name_the_stiffness_if_it_was_given) {
   const auto isolator = [](const std::string& stiffness) {
     return Arguments{"region", "--velocity", "0.4", "--stiffness", stiffness, "--max-displacement",
                      "0.1",    "--mass",     "1e5"};

@@ -26,7 +26,7 @@ const std::string plain = R"({"v0": 1, "p": 1, "beta": 0.9, "tolerance": 0.1})";
 
 BOOST_FIXTURE_TEST_SUITE(scene, Sandbox)
 
-BOOST_AUTO_TEST_CASE(from_a_file_or_from_standard_input_is_as_good_as_flags) {
+BOOST_AUTO_TEST_CASE(from_a_file_or_standard_input_equals_flags) {
   write("scene.json", plain);
   const json by_flags = run("design --v0 1 --p 1 --beta 0.9 --tolerance 0.1 --json").json();
   const json by_file = run("design scene.json --json").json();
@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(from_a_file_or_from_standard_input_is_as_good_as_flags) {
   BOOST_TEST(without_wall_times(by_input) == without_wall_times(by_flags));
 }
 
-BOOST_AUTO_TEST_CASE(may_stand_before_or_behind_the_flags) {
+BOOST_AUTO_TEST_CASE(may_come_before_or_after_the_flags) {
   write("scene.json", plain);
   for (const Arguments& arguments : std::vector<Arguments>{"design scene.json --json --beta 0.8",
                                                            "design --beta 0.8 scene.json --json",
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(gives_way_to_flags_that_exclude_its_keys) {
 }
 
 // Under the pulse of a scene a motion is what design checks its damper with.
-BOOST_AUTO_TEST_CASE(with_a_pulse_is_followed_by_simulate) {
+BOOST_AUTO_TEST_CASE(with_a_pulse_excites_the_motion_of_simulate) {
   write("scene.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1})");
   const Arguments damper("--f 0.01 --delta 0.0008");
   const Arguments simulate = joined("simulate --p 1", damper);
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
   BOOST_TEST(input["beta"] == 5);
 }
 
-BOOST_AUTO_TEST_CASE(serves_several_commands_and_says_what_one_does_not_use) {
+BOOST_AUTO_TEST_CASE(serves_several_commands_and_names_unused_keys) {
   write("scene.json", R"({"v0": 1, "p": 1, "beta": 0.9, "objective": "time", "f": 0.3,
       "delta": 0.4, "samples": 7})");
   const ProgramRun design = succeed("design scene.json --json");
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(serves_several_commands_and_says_what_one_does_not_use) {
   BOOST_TEST(contains(region.err, "objective"));
 }
 
-BOOST_AUTO_TEST_CASE(given_with_the_project_all_work) {
+BOOST_AUTO_TEST_CASE(shipped_with_the_project_all_work) {
   std::filesystem::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {

@@ -58,7 +58,7 @@ std::string underscored(std::string name) {
 
 BOOST_AUTO_TEST_SUITE(scene_schema)
 
-BOOST_AUTO_TEST_CASE(is_the_one_that_the_options_make) {
+BOOST_AUTO_TEST_CASE(matches_the_options) {
   std::ifstream file(data_dir / "schemas/scene.schema.json");
   std::ostringstream text;
   text << file.rdbuf();
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(allow_the_reports_that_the_docs_show) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(allow_a_field_more_but_none_less) {
+BOOST_AUTO_TEST_CASE(allow_extra_fields_but_none_missing) {
   json report = run(plain_design).json();
   report["colour"] = "red";
   BOOST_TEST(report_faults(report).empty());

@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_holds_is_passed_on_in_full) {
   BOOST_TEST((ranged.find("  weak hits         below ") != std::string::npos), ranged);
 }
 
-BOOST_AUTO_TEST_CASE(metrics_are_those_of_the_reference) {
+BOOST_AUTO_TEST_CASE(metrics_match_the_reference) {
   const json response = reported(simulate("0.02", "0.02"), impatient())["response"];
   BOOST_TEST(near(response["peak_amplitude"], 0.98019998000399900, 1e-15));
   BOOST_TEST(near(response["stop_time"], 34.598868822426208, 1e-14));
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(metrics_are_those_of_the_reference) {
   BOOST_TEST(longer["half_cycles"] == 424);
 }
 
-BOOST_AUTO_TEST_CASE(half_cycles_follow_one_another) {
+BOOST_AUTO_TEST_CASE(half_cycles_are_contiguous) {
   const json report = reported(simulate("0.02", "0.02"), impatient());
   const json& list = report["half_cycles"];
   BOOST_TEST_REQUIRE(list.size() == 11U);

@@ -62,7 +62,7 @@ const std::vector<Wrong> wrong_inputs{
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_CASE(each_point_is_that_of_simulate, Recorded) {
+BOOST_FIXTURE_TEST_CASE(each_point_matches_simulate, Recorded) {
   const json report = reported(asked);
   BOOST_TEST(report["input"]["combine"] == "max");
   const json& points = report["records"][0]["points"];
@@ -126,7 +126,7 @@ BOOST_FIXTURE_TEST_CASE(the_table_has_the_numbers_of_the_report, Recorded) {
 }
 
 /// A notch that holds every load: the structure feels all of it, from the beginning.
-BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_said_to, Recorded) {
+BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   const Arguments locked = but("--hold", "100");
   for (const json& point : reported(locked)["combined"]) {
     BOOST_TEST(point["locked_from_s"] == 0);
@@ -141,7 +141,7 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_said_to, Recorded) {
   BOOST_TEST(run(but("--delta-m", "0")).err.empty());
 }
 
-BOOST_FIXTURE_TEST_CASE(what_does_not_exist_is_left_out, Recorded) {
+BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {
   const Arguments endless("spectrum --record a.txt --period 2s --f 0 --delta-m 0");
   BOOST_TEST(reported(endless)["combined"][0]["residual_m"] == nullptr);
   const ProgramRun table = run(joined(endless, "--table -"));

@@ -83,7 +83,7 @@ const Arguments free_columns("peak_amplitude half_cycles outcome stop_position s
 
 BOOST_FIXTURE_TEST_SUITE(grid, Sandbox)
 
-BOOST_AUTO_TEST_CASE(has_the_metrics_of_simulate_and_turns_its_last_axis_first) {
+BOOST_AUTO_TEST_CASE(matches_simulate_and_varies_its_last_axis_first) {
   const Arguments fs("0 0.02 0.4");
   const Arguments deltas("0 0.03 0.7");
   const SweepTable table = table_of(run(sweep("--f 0,0.02,0.4 --delta 0,0.03,0.7 --times")));
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(has_the_metrics_of_simulate_and_turns_its_last_axis_first) 
   BOOST_TEST(table.at(3, "outcome") == "stopped_in_dead_zone");
 }
 
-BOOST_AUTO_TEST_CASE(has_the_transmitted_acceleration_where_it_is_asked_for) {
+BOOST_AUTO_TEST_CASE(has_the_transmitted_acceleration_if_asked_for) {
   const Arguments column("peak_absolute_acceleration");
   for (const char* x0 : {"0", "0.5"}) {  // in lanes, and one by one
     const SweepTable table =
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(columns_of_a_list_are_the_ends_of_ranges) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_problems_takes_a_pulse_in_place_of_the_velocity) {
+BOOST_AUTO_TEST_CASE(of_problems_takes_a_pulse_instead_of_the_velocity) {
   const Arguments task("--pulse half-sine --p 1 --beta 0.6 --tolerance 0.1");
   const SweepTable table =
       table_of(run(joined(joined("sweep --k 0.2,0.4:0.5,1.5 --lambda 2,1.8:2.2", task),
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(of_problems_in_metres_takes_parts_in_metres) {
       {"plain.csv, line 1: the column delta is dimensionless"});
 }
 
-BOOST_AUTO_TEST_CASE(range_is_even_and_ends_where_it_says) {
+BOOST_AUTO_TEST_CASE(range_is_evenly_spaced_and_ends_exactly) {
   const SweepTable even = table_of(run(sweep("--f 0.1:0.7:4 --delta 0")));
   BOOST_TEST_REQUIRE(even.rows.size() == 4U);
   BOOST_TEST(even.number(0, "f") == 0.1);

@@ -43,7 +43,7 @@ bool same(double a, double b) {
 
 BOOST_FIXTURE_TEST_SUITE(npy, Sandbox)
 
-BOOST_AUTO_TEST_CASE(holds_what_the_csv_holds) {
+BOOST_AUTO_TEST_CASE(has_the_values_of_the_csv) {
   const Arguments outcomes(
       "stopped_at_zero stopped_in_dead_zone never_stops caught_at_start running");
   const Arguments forced(
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 
-BOOST_AUTO_TEST_CASE(holds_what_standard_output_would) {
+BOOST_AUTO_TEST_CASE(is_what_standard_output_would_be) {
   write("rows.csv", "old");
   const ProgramRun answer = succeed(sweep(joined(grid, "--output rows.csv")));
   BOOST_TEST(answer.err.empty(), answer.err);

@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(interrupted_standard_output_ends_with_a_whole_row) {
 }
 
 /// Hours of work are announced once, in the log.
-BOOST_AUTO_TEST_CASE(long_sweep_says_how_long_it_will_take_where_nobody_watches) {
+BOOST_AUTO_TEST_CASE(long_sweep_says_how_long_it_will_take_without_a_terminal) {
   const ProgramRun stopped =
       run("sweep --v0 1 --p 1 --f 1e-4:1:1000000 --delta 1e-4:1:1000000 --output /dev/null",
           {.interrupt_once_heard = true});
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(long_sweep_says_how_long_it_will_take_where_nobody_watches)
 }
 
 /// A list that comes slowly, and is never finished.
-BOOST_AUTO_TEST_CASE(interrupt_is_answered_while_a_list_is_waited_for) {
+BOOST_AUTO_TEST_CASE(interrupt_ends_the_wait_for_a_list) {
   fs::path list = path("list");
   BOOST_TEST_REQUIRE(::mkfifo(list.c_str(), 0600) == 0);
   const int writer = ::open(list.c_str(), O_RDWR | O_CLOEXEC);

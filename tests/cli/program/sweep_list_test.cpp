@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(of_problems_is_designed) {
   BOOST_TEST(table.at(1, "f").empty());
 }
 
-BOOST_AUTO_TEST_CASE(of_many_entries_comes_through_whole_and_in_order) {
+BOOST_AUTO_TEST_CASE(of_many_entries_is_complete_and_in_order) {
   std::string text = "f,delta\n";
   constexpr int entries = 40'000;  // more than fit into the reader's buffer
   for (int i = 0; i < entries; ++i) {
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
   BOOST_TEST(std::isnan(file.number(1, "stop_time")));
 }
 
-BOOST_AUTO_TEST_CASE(without_entries_gives_none) {
+BOOST_AUTO_TEST_CASE(without_entries_gives_no_rows) {
   BOOST_TEST(run(sweep(), with_input("f,delta\n")).out ==
              "f,delta,peak_amplitude,half_cycles,outcome,stop_position\n");
 }

@@ -59,13 +59,13 @@ BOOST_AUTO_TEST_CASE(of_a_grid_merge_to_the_bytes_of_the_whole) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(may_be_more_than_there_are_entries) {
+BOOST_AUTO_TEST_CASE(may_outnumber_the_entries) {
   const Arguments three("sweep --v0 1 --p 1 --f 0,0.1,0.2 --delta 0.3");
   check_merged(three, 5, "csv");
   check_merged(three, 5, "npy");
 }
 
-BOOST_AUTO_TEST_CASE(of_lists_designs_and_forced_motions_do_too) {
+BOOST_AUTO_TEST_CASE(of_lists_designs_and_forced_motions_merge_too) {
   write("list.csv", "f,delta\n0.1,0.2\n\n0.3,0.1\n0.02,0.03\n0.05,0\n0.2,0.25\n");
   const Arguments v0_and_p("sweep --v0 1 --p 1");
   check_merged(joined(v0_and_p, "--list list.csv"), 3, "csv");
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
   BOOST_TEST((read("merged") == read("whole.csv")));
 }
 
-BOOST_AUTO_TEST_CASE(that_are_missing_or_doubled_are_refused) {
+BOOST_AUTO_TEST_CASE(that_are_missing_or_repeated_are_refused) {
   const Arguments names = split(grid, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
   check_refused({names[2]}, {"2/3", "is missing", "2"});
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(that_are_missing_or_doubled_are_refused) {
 }
 
 /// Wherever it is cut and whichever byte is changed.
-BOOST_AUTO_TEST_CASE(that_are_torn_are_refused) {
+BOOST_AUTO_TEST_CASE(that_are_truncated_are_refused) {
   for (const char* extension : {"csv", "npy"}) {
     const Arguments names = split(grid, 2, extension);
     const std::string& torn = names[0];
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(that_are_torn_are_refused) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(whose_seal_has_numbers_that_are_no_integers_are_refused) {
+BOOST_AUTO_TEST_CASE(whose_seal_has_non_integers_are_refused) {
   const Arguments names = split(grid, 2);
   const std::string whole = read(names[0]);
   for (const std::string_view key : {"part", "entries", "rows", "outcomes", "digest", "rest"}) {
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(of_a_list_that_has_changed_are_refused) {
 
 /// At a byte of its choice the kernel ends a merge as SIGKILL does; where the signal is ignored, no
 /// more fits, as on a full disk.
-BOOST_AUTO_TEST_CASE(whose_merge_is_cut_short_leave_the_old_file_as_it_was) {
+BOOST_AUTO_TEST_CASE(whose_merge_is_interrupted_leave_the_old_file_unchanged) {
   for (const char* extension : {"csv", "npy"}) {
     const Arguments names = split(grid, 3, extension);
     const std::string whole = [&] {
@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(whose_merge_is_cut_short_leave_the_old_file_as_it_was) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_a_reduction_whose_merge_is_cut_short_leave_the_old_file_as_it_was) {
+BOOST_AUTO_TEST_CASE(of_a_reduction_whose_merge_is_interrupted_leave_the_old_file_unchanged) {
   const Arguments names = split(joined(grid, {"--reduce"}), 2, "json");
   write("merged", "old");
   {

@@ -169,7 +169,7 @@ struct Reduced : Parts {
 
 BOOST_FIXTURE_TEST_SUITE(reductions, Reduced)
 
-BOOST_AUTO_TEST_CASE(say_what_the_rows_say) {
+BOOST_AUTO_TEST_CASE(match_the_rows) {
   check_true(motions, asked);
   check_true(designs,
              "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4 --histogram "
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(of_parts_merge_to_the_bytes_of_the_whole) {
       2);
 }
 
-BOOST_AUTO_TEST_CASE(of_parts_that_are_not_right_are_refused) {
+BOOST_AUTO_TEST_CASE(of_wrong_parts_are_refused) {
   const Arguments sweep = joined(motions, "--reduce");
   static_cast<void>(split(sweep, 2));
   static_cast<void>(run(joined(sweep, "--best stop_time:2 --part 2/2 --output foreign.json")));

@@ -34,7 +34,7 @@ ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Argumen
 
 BOOST_FIXTURE_TEST_SUITE(list, Sandbox)
 
-BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_mended) {
+BOOST_AUTO_TEST_CASE(with_a_wrong_entry_can_be_corrected) {
   constexpr int count = 3000;
   const std::string right = rows(count, "0.1,0.5");
   BOOST_TEST(resume(*this, right).exit_code == 0);

@@ -77,7 +77,7 @@ struct Interrupted : Sandbox {
 
 BOOST_FIXTURE_TEST_SUITE(interrupt, Interrupted)
 
-BOOST_AUTO_TEST_CASE(keeps_the_rows_and_says_how_to_go_on) {
+BOOST_AUTO_TEST_CASE(keeps_the_rows_and_says_how_to_continue) {
   BOOST_TEST(stopped.out.empty(), stopped.out);
   BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
   BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
@@ -126,13 +126,13 @@ BOOST_AUTO_TEST_CASE(refuses_a_part_that_is_too_short) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(cuts_off_what_came_after_its_checkpoint) {
+BOOST_AUTO_TEST_CASE(drops_what_came_after_its_checkpoint) {
   write("rows.csv.part", read("rows.csv.part") + "0.0010");
   BOOST_TEST(resume().exit_code == 0);
   BOOST_TEST(read("rows.csv") == whole);
 }
 
-BOOST_AUTO_TEST_CASE(refuses_a_part_without_its_checkpoint_and_one_that_is_none) {
+BOOST_AUTO_TEST_CASE(refuses_a_part_with_no_checkpoint_or_an_invalid_one) {
   const std::string text = read("rows.csv.part.json");
   fs::remove(path("rows.csv.part.json"));
   check_refused({}, {"rows.csv.part.json", "is missing"});
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(between_the_last_two_steps_is_tidied_up) {
 
 /// A checkpoint without its part: nothing is left to go on with, whatever stands under the name of
 /// the result, unless that is the result of this very sweep.
-BOOST_AUTO_TEST_CASE(without_its_part_begins_anew) {
+BOOST_AUTO_TEST_CASE(starts_again_without_its_part) {
   json left = checkpoint();
   fs::remove(path("rows.csv.part"));
   write("rows.csv", "of another day");
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(killed, Sandbox)
 
-BOOST_AUTO_TEST_CASE(at_any_moment_leaves_what_can_be_resumed) {
+BOOST_AUTO_TEST_CASE(can_be_resumed_from_any_moment) {
   // Half of it must take longer than the tenth of a second before the first checkpoint.
   const std::string f = "0.001:0.01:240";
   for (const std::string name : {"rows.csv", "rows.npy"}) {
@@ -246,12 +246,12 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(resume_option, Sandbox)
 
-BOOST_AUTO_TEST_CASE(begins_where_nothing_is_left) {
+BOOST_AUTO_TEST_CASE(starts_afresh_without_leftovers) {
   const ProgramRun answer = succeed(sweep("--output rows.csv --resume --json"));
   BOOST_TEST(answer.json()["resumed_at"] == 0);
 }
 
-BOOST_AUTO_TEST_CASE(goes_on_with_one_that_just_began) {
+BOOST_AUTO_TEST_CASE(continues_one_that_has_just_begun) {
   write("rows.csv.part", "");
   const ProgramRun answer = succeed(sweep("--output rows.csv --resume --json"));
   BOOST_TEST(answer.json()["resumed_at"] == 0);

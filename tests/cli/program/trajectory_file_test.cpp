@@ -40,7 +40,7 @@ const Arguments eleven("simulate --v0 1 --p 1 --f 0.02 --delta 0.02");
 
 BOOST_FIXTURE_TEST_SUITE(trajectory_file, Sandbox)
 
-BOOST_AUTO_TEST_CASE(ends_where_it_is_told_to) {
+BOOST_AUTO_TEST_CASE(ends_where_asked) {
   const auto shorter = simulation(*this, joined(eleven, "--samples 10 --t-end 5"));
   BOOST_TEST(shorter.end("tau") == 5);
   // The report is that of the whole motion.
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(under_a_load_ends_with_the_motion) {
   BOOST_TEST(near(endless.end("tau"), std::numbers::pi / 2 + 20 * std::numbers::pi, 1e-13));
 }
 
-BOOST_AUTO_TEST_CASE(goes_with_the_report_into_two_files) {
+BOOST_AUTO_TEST_CASE(is_written_beside_the_report) {
   succeed(joined(eleven, "--trajectory motion.csv --output report.json"));
   BOOST_TEST(contents().size() == 2U);
   BOOST_TEST(json::parse(read("report.json"))["response"]["half_cycles"] == 11);
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(goes_with_the_report_into_two_files) {
   BOOST_TEST(read_csv(read("motion.csv")).rows.size() >= 1000U);
 }
 
-BOOST_AUTO_TEST_CASE(and_report_cannot_be_the_same_file) {
+BOOST_AUTO_TEST_CASE(cannot_be_the_same_file_as_the_report) {
   for (const char* same : {"one", "./one"}) {
     const ProgramRun both = run(joined(eleven, {"--trajectory", "one", "--output", same}));
     BOOST_TEST(both.exit_code == 2);

@@ -152,7 +152,7 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_unit, data::make(wrong_units), wrong) {
   check_refused(*this, wrong);
 }
 
-BOOST_FIXTURE_TEST_CASE(natural_frequency_stands_for_its_period, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(natural_frequency_gives_the_period, Sandbox) {
   // 1/4 and 4 are exact.
   const Arguments rest("--velocity 0.4 --max-displacement 0.2");
   BOOST_TEST(without_wall_times(reported(joined("design --natural-frequency 0.25Hz", rest))) ==
@@ -217,7 +217,7 @@ BOOST_FIXTURE_TEST_CASE(pulses_of_a_design_are_in_seconds, Sandbox) {
   succeed("region scene.json --velocity 0.2");
 }
 
-BOOST_FIXTURE_TEST_CASE(trajectories_end_at_their_second, Sandbox) {
+BOOST_FIXTURE_TEST_CASE(trajectories_end_at_the_given_second, Sandbox) {
   const ProgramRun answer = succeed(
       "simulate --velocity 0.4 --period 2.8 --f 0.02 --delta-m 1mm --trajectory - --end-time "
       "1s --samples 11");

@@ -44,7 +44,7 @@ void prepare(const Sandbox& sandbox) {
 
 BOOST_FIXTURE_TEST_SUITE(written_files, Sandbox)
 
-BOOST_AUTO_TEST_CASE(never_are_what_is_read) {
+BOOST_AUTO_TEST_CASE(are_never_files_that_are_read) {
   prepare(*this);
   const auto forced = joined(simulate, record);
   const auto before = contents();
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(never_are_what_is_read) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_a_scene_are_looked_at_as_well) {
+BOOST_AUTO_TEST_CASE(of_a_scene_count_too) {
   const std::string text = R"({"v0": 1, "p": 1, "beta": 0.9, "output": "s.json"})";
   write("s.json", text);
   check_refusal(run("design s.json"), {"output s.json", "scene s.json"});

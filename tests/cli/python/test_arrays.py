@@ -17,7 +17,7 @@ def dampers(count):
     return random.uniform(0.01, 0.4, count), random.uniform(0, 0.6, count)
 
 
-def test_motions_are_those_of_a_sweep(program):
+def test_motions_match_a_sweep(program):
     f, delta = dampers(300)
     np.savetxt("list.csv", np.column_stack([f, delta]), "%.17g", ",", header="f,delta", comments="")
     program.run("sweep", "--times", v0=1.25, p=0.75, list="list.csv", output="rows.npy")
@@ -29,7 +29,7 @@ def test_motions_are_those_of_a_sweep(program):
     assert stillpoint.peak(f, delta, 1.25, 0.75).tobytes() == found.peak_amplitude.tobytes()
 
 
-def test_single_damper_is_that_of_simulate():
+def test_single_damper_matches_simulate():
     for f, delta in zip(*dampers(20)):
         response = stillpoint.simulate(v0=1, p=1, f=f, delta=delta).response
         found = stillpoint.motions(f, delta, 1, 1, times=True, acceleration=True)
@@ -40,7 +40,7 @@ def test_single_damper_is_that_of_simulate():
             assert value == response[name], name
 
 
-def test_more_than_a_block_is_as_its_parts():
+def test_several_blocks_equal_their_parts():
     f, delta = dampers(600_000)  # a block has 262 144
     whole = stillpoint.motions(f, delta, 1, 1)
     part = stillpoint.motions(f[250_000:300_000], delta[250_000:300_000], 1, 1)
@@ -127,7 +127,7 @@ def references(function, objects):
     return [after - count for after, count in zip(counts(), before)]
 
 
-def test_references_are_given_back():
+def test_references_are_released():
     f, delta = dampers(1000)
     options = {"v0": 1.5, "p": 1.25, "beta": 2.5}
     wrong = {"v0": "a", "p": 1.25, "beta": 2.5}

@@ -43,7 +43,7 @@ INPUTS = [
 
 
 @pytest.mark.parametrize("command,options", INPUTS)
-def test_report_is_that_of_the_program(program, command, options):
+def test_report_matches_the_program(program, command, options):
     (program.folder / "parts.csv").write_text("name,f,delta\na,0.2,0.3\nb,0.26,0.37\n")
     found = getattr(stillpoint, command)(**options)
     wanted = timeless(program.report(command, **options))
@@ -54,7 +54,7 @@ def test_report_is_that_of_the_program(program, command, options):
 @pytest.mark.parametrize("command,name", [
     ("design", "isolator"), ("design", "pulse"), ("design", "parts"), ("design", "varying_hits"),
     ("region", "plain"), ("spectrum", "spectrum")])
-def test_scene_is_that_of_the_program(program, command, name, monkeypatch):
+def test_scene_matches_the_program(program, command, name, monkeypatch):
     program.folder = ROOT  # where the files of the scenes are
     monkeypatch.chdir(ROOT)
     scene = ROOT / f"data/scenes/{name}.json"
@@ -84,7 +84,7 @@ def test_fields_of_the_report_are_attributes():
 
 
 @pytest.mark.parametrize("beta", [0.9, 0.5])
-def test_region_of_three_floats_is_that_of_all_others(beta):
+def test_region_of_three_floats_equals_the_general_call(beta):
     quick = stillpoint.region(v0=1.0, p=1.0, beta=beta)
     slow = stillpoint.region(v0=1, p=1, beta=beta)
     assert type(quick) is not type(slow)
@@ -101,7 +101,7 @@ def test_axis_of_a_spectrum_may_be_an_array():
     assert found.report == stillpoint.spectrum(period="1.1,2.3,2.9", **damper).report
 
 
-def test_trajectory_is_that_of_the_program(program):
+def test_trajectory_matches_the_program(program):
     motion = {"v0": 1, "p": 1, "f": 0.02, "delta": 0.02}
     program.run("simulate", trajectory="rows.csv", samples=50, **motion)
     wanted = np.loadtxt("rows.csv", delimiter=",", skiprows=1)
@@ -112,7 +112,7 @@ def test_trajectory_is_that_of_the_program(program):
     assert stillpoint.simulate(t_end=3, **motion).trajectory["tau"][-1] == 3
 
 
-def test_text_is_that_of_the_program(program):
+def test_text_matches_the_program(program):
     motion = {"v0": 1, "p": 1, "f": 0.02, "delta": 0.02}
     found = stillpoint.simulate(**motion)
     assert str(found) == program.run("simulate", **motion).stdout
@@ -147,7 +147,7 @@ PARTED = {"record": [str(RECORD)], "period": 2.8, "max_displacement": "400mm", "
           "search_delta_m": "0:50mm", "scan_points": 100}
 
 
-def test_parts_of_a_design_are_those_of_the_program(program):
+def test_parts_of_a_design_match_the_program(program):
     first = stillpoint.design(part="1/2", output="here-{part}.json", **PARTED)
     program.run("design", part="1/2", output="there-{part}.json", **PARTED)
     here, there = (program.folder / f"{name}-1-of-2.json" for name in ("here", "there"))

@@ -38,7 +38,7 @@ SLOW = {"excitation": "harmonic", "k": 0.2, "lambda_": 0.35, "t_end": 1e12}
     ("sweep", {"v0": 1, "p": 1, "f": "-1:1:5", "delta": 0}),
     ("sweep", {"v0": 1, "p": 1, "f": 0.1, "delta": 0, "columns": "colour"}),
 ])
-def test_text_is_that_of_the_program(program, command, options):
+def test_text_matches_the_program(program, command, options):
     with pytest.raises(stillpoint.InputError) as caught:
         getattr(stillpoint, command)(**options)
     assert str(caught.value) == program.error(command, **options)
@@ -64,7 +64,7 @@ def test_what_only_python_can_get_wrong_is_named(options, text):
     assert str(caught.value) == text
 
 
-def test_scene_that_holds_itself_is_refused():
+def test_recursive_scene_is_refused():
     scene = {}
     scene["excitation"] = scene
     with pytest.raises(RecursionError):
@@ -83,7 +83,7 @@ def test_scene_is_refused_as_the_program_does(program):
         assert str(caught.value) == program.error(command, scene="scene.json")
 
 
-def test_doubtful_value_is_warned_of(program):
+def test_doubtful_value_gives_a_warning(program):
     options = {"velocity": 0.4, "period": 2.8, "max_displacement": 150}
     with pytest.warns(UserWarning) as caught:
         stillpoint.design(**options)
@@ -158,7 +158,7 @@ def test_interrupt_ends_arrays(interrupt):
             stillpoint.motions([1e-6] * 1000, 1e-12, 1, 1)
 
 
-def test_scene_and_paths_are_taken_or_refused_by_name(program):
+def test_scenes_and_paths_are_accepted_or_refused_by_name(program):
     plain = {"v0": 1, "p": 1, "beta": 0.9}
     assert stillpoint.region(types.MappingProxyType(plain)).report == stillpoint.region(plain).report
     for scene in (5, [1], b"x", 1j):

@@ -55,7 +55,7 @@ def test_region_is_drawn(tmp_path):
         assert done.stderr == "without matplotlib there is no picture\n"
 
 
-def test_suite_is_designed_for(tmp_path):
+def test_design_for_a_suite_of_records(tmp_path):
     records = [ROOT / "data/records/near_fault_pulse.txt", ROOT / "data/records/strong_motion.AT2"]
     done = run("suite.py", *records, folder=tmp_path)
     assert done.returncode == 0, done.stderr

@@ -21,7 +21,7 @@ SWEEPS = [
 
 
 @pytest.mark.parametrize("options", SWEEPS)
-def test_rows_are_those_of_the_program(program, options):
+def test_rows_match_the_program(program, options):
     flags = {key: value for key, value in options.items() if value != ""}
     arguments = ["--times"] if "times" in options else []
     program.run("sweep", *arguments, output="rows.npy", **flags)
@@ -31,7 +31,7 @@ def test_rows_are_those_of_the_program(program, options):
     assert found.table.tobytes() == wanted.tobytes()
 
 
-def test_rows_beyond_the_memory_are_refused():
+def test_rows_that_exceed_memory_are_refused():
     with pytest.raises(stillpoint.InputError, match="^the table takes .* GB of memory: give output"):
         stillpoint.sweep(v0=1, p=1, f="0:1:30000000", delta="0:1:30000000")
 
@@ -50,7 +50,7 @@ def test_list_is_read(program):
     assert found.table["f"].tolist() == [0.1, 0.2]
 
 
-def test_report_is_that_of_the_program(program):
+def test_report_matches_the_program(program):
     axes = {"v0": 1, "p": 1, "f": "0.001:0.35:20", "delta": "0:0.5:20"}
     wanted = timeless(program.report("sweep", output="rows.npy", **axes))
     found = timeless(stillpoint.sweep(**axes).report)
@@ -70,7 +70,7 @@ REDUCED = [
 
 
 @pytest.mark.parametrize("options", REDUCED)
-def test_reduction_is_that_of_the_program(program, options):
+def test_reduction_matches_the_program(program, options):
     flags = {key: value for key, value in options.items() if value is not True}
     arguments = ["--times"] if "times" in options else []
     done = program.run("sweep", "--reduce", "--json", *arguments, **flags)
@@ -119,7 +119,7 @@ def test_reduced_parts_merge_with_those_of_the_program(program):
 
 
 @pytest.mark.parametrize("suffix", ["npy", "csv"])
-def test_rows_of_parts_are_those_of_the_whole(program, suffix):
+def test_rows_of_parts_match_the_whole(program, suffix):
     axes = {"v0": 1, "p": 1, "f": "0:0.35:20", "delta": "0:0.5:21"}
     parts = [f"rows-{i}-of-3.{suffix}" for i in (3, 1, 2)]
     for i in (1, 2, 3):
@@ -184,7 +184,7 @@ def test_output_goes_to_a_file(program):
     assert (program.folder / "here.csv").read_bytes() == (program.folder / "there.csv").read_bytes()
 
 
-def test_fronts_are_those_of_the_designs():
+def test_fronts_match_the_designs():
     table = stillpoint.sweep(v0=1, p=1, beta=[0.9, 1.2], arrivals=2, trade_off=3).table.reshape(2, 3)
     assert np.array_equal(table["trade_off"], [[1, 2, 3]] * 2)
     for front, beta in zip(table, [0.9, 1.2]):
@@ -207,7 +207,7 @@ def test_no_result_depends_on_threads():
     assert one.table.tobytes() == many.table.tobytes()
 
 
-def test_record_is_what_the_program_follows():
+def test_record_matches_the_program():
     found = stillpoint.read_record(ROOT / "data/records/near_fault_pulse.txt")
     assert found.times.shape == found.accelerations.shape and found.times[0] == 0
     assert found.times.dtype == found.accelerations.dtype == np.float64

@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(long_lines_break_at_spaces) {
 }
 
 /// A line ends within neither "f = 0.02" nor "5.9 mm".
-BOOST_AUTO_TEST_CASE(no_line_break_parts_a_number_from_its_name_or_unit) {
+BOOST_AUTO_TEST_CASE(no_line_break_separates_a_number_from_its_name_or_unit) {
   std::string verdict;
   for (int i = 0; i < 60; ++i) {
     verdict += std::string(static_cast<std::size_t>(i % 7) + 1, 'w') + " f = 0.02 of 5.9 mm, ";
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(no_line_break_parts_a_number_from_its_name_or_unit) {
   BOOST_TEST(count > 30U);
 }
 
-BOOST_AUTO_TEST_CASE(details_are_for_who_asks) {
+BOOST_AUTO_TEST_CASE(details_are_shown_on_request) {
   Document document{.title = "t", .verdict = "v"};
   document.section("shown").line("one");
   document.detail("hidden").line("two");

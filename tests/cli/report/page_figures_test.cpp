@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "drawn_pages.hpp"
 #include "testing/contains.hpp"
-
-#include <stillpoint/report/report.hpp>
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
+#include <stillpoint/report/report.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -26,55 +26,15 @@ using figures::HtmlPage;
 namespace {
 
 using stillpoint::test::contains;
-
-const Figure& figure(const HtmlPage& page, const std::string& id) {
-  const auto found = std::ranges::find(page.figures, id, &Figure::id);
-  BOOST_TEST_REQUIRE((found != page.figures.end()), id);
-  return *found;
-}
-
-template <class Things>
-bool has(const Things& things, const std::string& name) {
-  return std::ranges::any_of(things, [&](const auto& thing) { return thing.name == name; });
-}
-
-/// The one of that name.
-template <class Things>
-const auto& named(const Things& things, const std::string& name) {
-  const auto found =
-      std::ranges::find_if(things, [&](const auto& now) { return now.name == name; });
-  BOOST_TEST_REQUIRE((found != things.end()), name);
-  return *found;
-}
-
-bool has_note(const Figure& figure, const std::string& text) {
-  return std::ranges::count(figure.notes, text, &figures::FigureNote::text) == 1;
-}
-
-/// 2.8 s, 0.4 m/s, 100 t.
-HtmlPage isolator(double room_m = 0.15) {
-  design::PhysicalIsolator isolator;
-  isolator.period_s = 2.8;
-  isolator.mass_kg = 1e5;
-  design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
-  design::DesignRequest request;
-  const double p = physical.scales.p;
-  request.problem = {.v0 = p, .p = p, .beta = room_m / physical.scales.length_m};
-  return page(DesignReport{design::design(request), physical});
-}
+using stillpoint::test::figure;
+using stillpoint::test::has;
+using stillpoint::test::isolator;
+using stillpoint::test::named;
 
 HtmlPage region(double beta, double f, double delta) {
   const design::RegionRequest request{
       .problem = {.v0 = 1, .p = 1, .beta = beta}, .f = f, .delta = delta};
   return page(RegionReport{request, design::answer(request)});
-}
-
-HtmlPage motion(const Oscillator& oscillator, const Excitation& excitation = {}) {
-  SimulationRequest request;
-  request.oscillator = oscillator;
-  request.excitation = excitation;
-  request.start = {0, 1};
-  return page(MotionReport{request, simulate(request)});
 }
 
 }  // namespace
@@ -156,149 +116,6 @@ BOOST_AUTO_TEST_CASE(the_hits_are_those_of_the_design_with_the_range_that_it_wor
     reached = drawn.areas[i].outline[1].x;
   }
   BOOST_TEST(reached == drawn.x.most);
-}
-
-BOOST_AUTO_TEST_CASE(the_motion_is_labelled_in_place_beside_one_without_friction) {
-  const HtmlPage page = isolator();
-  const Figure& drawn = figure(page, "motion");
-  BOOST_TEST(std::ranges::any_of(drawn.notes, [](const figures::FigureNote& note) {
-    return contains(note.text, "peak 13") && contains(note.text, " mm");
-  }));
-  BOOST_TEST(has_note(drawn, "rest 0 mm"));
-  BOOST_TEST(has(drawn.curves, "limit 150 mm"));
-  // Without friction the peak is V0/p = 0.4 m/s * 2.8 s/(2 pi) = 178.25 mm.
-  const auto& ghost = named(drawn.curves, "without friction");
-  const double peak = std::ranges::max(ghost.strokes[0], {}, &figures::FigurePoint::y).y;
-  BOOST_TEST(peak == 178.25, boost::test_tools::tolerance(1e-3));  // of samples
-}
-
-BOOST_AUTO_TEST_CASE(many_half_cycles_become_an_envelope_of_the_whole_motion) {
-  const HtmlPage page = motion({1, 1e-3, 1e-4});  // 424 half-cycles
-  const Figure& drawn = figure(page, "motion");
-  BOOST_TEST(has(drawn.curves, "envelope"));
-  BOOST_TEST(!has(drawn.curves, "x"));
-  BOOST_TEST(drawn.title == "Motion");              // not only its beginning
-  const HtmlPage longer = motion({1, 1e-4, 1e-4});  // 2254 half-cycles
-  BOOST_TEST(contains(figure(longer, "motion").caption, "is still moving where the figure ends"));
-  BOOST_TEST(contains(figure(longer, "energy").caption, "where the figure ends"));
-  BOOST_TEST(has_note(drawn, "rest 0"));
-  BOOST_TEST(has_note(drawn, "peak 0.999"));
-  BOOST_TEST(!has(figure(motion({1, 0.02, 0.02}), "motion").curves, "envelope"));
-}
-
-/// Without a notch a peak is 2 f lower than the one before it, half a period or pi earlier. A
-/// column of time holds only a part of these 100 half-cycles.
-BOOST_AUTO_TEST_CASE(the_envelope_goes_through_the_peaks) {
-  constexpr double f = 0.005;
-  const HtmlPage page = motion({1, f, 0});
-  const auto& outline = figure(page, "motion").curves.front().strokes[0];
-  const auto peak = [](double half_cycles) { return 1 - 2 * f * half_cycles; };
-  constexpr double before = 4;  // half-cycles, from where a column's neighbours reach
-  constexpr double behind = 3;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const double now = outline[i].x / std::numbers::pi;
-    const double away = i < outline.size() / 2 ? outline[i].y : -outline[i].y;
-    if (now < 90) {
-      BOOST_TEST(away >= peak(now + behind), away << " after " << now << " half-cycles");
-      BOOST_TEST(away <= peak(now - before), away << " after " << now << " half-cycles");
-    }
-  }
-}
-
-/// At rest after 50 half-cycles, before a tenth of the load is over: most columns hold no state.
-BOOST_AUTO_TEST_CASE(the_envelope_of_a_long_rest_is_a_line) {
-  const Harmonic load{.k = 1e-3, .lambda = 0.01, .duration = 2000};
-  const Figure drawn = figure(motion({1, 0.01, 0}, load), "motion");
-  const auto& envelope = named(drawn.curves, "envelope");
-  for (const figures::FigurePoint& at : envelope.strokes[0]) {
-    BOOST_TEST(std::abs(at.y) <= 1, at.y << " at " << at.x);  // V0/p
-    // A rest off x = 0 is within (f + k)/p^2.
-    BOOST_TEST((at.x < 300 || std::abs(at.y) <= 0.011), at.y << " at " << at.x);
-  }
-}
-
-/// |W| <= 0.05 < f. There is a limit of the axis although there is nothing to measure.
-BOOST_AUTO_TEST_CASE(a_mass_that_a_load_does_not_move_is_a_line_over_the_whole_load) {
-  SimulationRequest request;
-  request.oscillator = {1, 0.3, 0.4};
-  const Harmonic load{.k = 0.05, .lambda = 3, .duration = 40};
-  request.excitation = load;
-  const HtmlPage drawn = page(MotionReport{request, simulate(request)});
-  const Figure& still = figure(drawn, "motion");
-  BOOST_TEST(still.caption == "The mass does not move.");
-  BOOST_TEST(still.x.most == 40);
-  BOOST_TEST(still.y.most > 1);
-  BOOST_TEST(still.y.least < -1);
-  BOOST_TEST(!has(still.curves, "without friction"));
-}
-
-/// The notch takes what is left of the speed at once, at the stop too: nothing is rounded off.
-BOOST_AUTO_TEST_CASE(the_stop_of_a_forced_motion_is_a_jump) {
-  const Figure drawn = figure(motion({1, 0.3, 0.4}, HalfSine{0.05, 3}), "phase");
-  const auto& jumps = named(drawn.curves, "jump at x = 0");
-  BOOST_TEST(jumps.strokes.back().front().y < -0.1);
-  BOOST_TEST(jumps.strokes.back().back().y == 0);
-  SimulationRequest zones;
-  zones.oscillator = {1, 0.1, 0};
-  zones.start = {0, 1};
-  zones.surface.zones = {{0.2, 0.3}, {0.5, 0.15}};
-  const HtmlPage without = page(MotionReport{zones, simulate(zones)});
-  BOOST_TEST(!has(figure(without, "phase").curves, "jump at x = 0"));
-}
-
-/// The record of 0.35 g moves the free mass a hundred times as far as the one with this notch.
-BOOST_AUTO_TEST_CASE(a_motion_without_friction_is_left_out_where_it_only_crosses_the_figure) {
-  const Harmonic load{.k = 0.35, .lambda = 1, .duration = 20};
-  SimulationRequest request;
-  request.oscillator = {1, 0.345, 0};
-  request.excitation = load;
-  const auto drawn = [&] {
-    return figure(page(MotionReport{request, simulate(request)}), "motion");
-  };
-  BOOST_TEST(!has(drawn().curves, "without friction"));
-  request.oscillator.f = 0.1;
-  BOOST_TEST(has(drawn().curves, "without friction"));
-}
-
-/// Caught at its first return; the load lasts 40.
-BOOST_AUTO_TEST_CASE(the_time_locked_is_shaded_above_the_whole_load) {
-  const Harmonic load{.k = 0.05, .lambda = 3, .duration = 40};
-  const HtmlPage page = motion({1, 0.3, 0.4}, load);
-  const Figure& moving = figure(page, "motion");
-  const Figure& below = page.figures.at(1);
-  BOOST_TEST(below.id == "excitation");
-  BOOST_TEST(below.below);
-  BOOST_TEST(below.x.most == moving.x.most);
-  BOOST_TEST(below.x.most >= 40);
-  for (const Figure* const drawn : {&moving, &below}) {
-    BOOST_TEST_REQUIRE(!drawn->bands.empty());
-    BOOST_TEST(contains(drawn->bands.front().name, "locked from"));
-    BOOST_TEST(drawn->bands.front().to == drawn->x.most);
-    BOOST_TEST(drawn->bands.front().from < 5);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_phase_portrait_is_smooth_and_directed) {
-  const HtmlPage page = isolator();
-  BOOST_TEST(figure(page, "phase").curves.front().smooth);
-  BOOST_TEST(figure(page, "phase").curves.front().directed);
-}
-
-/// A motion over 3 under a load that lasts 2000: too few points would be joined by a curve that
-/// leaves the frame.
-BOOST_AUTO_TEST_CASE(a_short_motion_under_a_long_load_is_drawn_finely) {
-  const Harmonic load{.k = 1e-3, .lambda = 0.01, .duration = 2000};
-  const Figure drawn = figure(motion({1, 0.3, 0.4}, load), "phase");
-  const auto& arc = drawn.curves.front().strokes[0];
-  BOOST_TEST(arc.size() > 100U);
-  for (std::size_t i = 1; i < arc.size(); ++i) {
-    BOOST_TEST(std::abs(arc[i].y - arc[i - 1].y) < 0.05 * (drawn.y.most - drawn.y.least));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_phase_portrait_speaks_of_a_notch_where_one_acts_alone) {
-  BOOST_TEST(contains(figure(isolator(), "phase").caption, "the notch takes its energy"));
-  BOOST_TEST(!contains(figure(motion({1, 0.1, 0}), "phase").caption, "notch"));
 }
 
 BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {

@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(pages_have_the_figures_that_they_announce) {
 }
 
 /// beta = 0.6 < 1/sqrt(2): the verdict is the reason, and every mend has a row.
-BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_mend_it) {
+BOOST_AUTO_TEST_CASE(an_empty_region_says_why_and_what_would_help) {
   const design::RegionRequest request{.problem = {.v0 = 1, .p = 1, .beta = 0.6}};
   const RegionReport report{request, design::answer(request)};
   const Document made = document(report);

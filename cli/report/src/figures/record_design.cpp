@@ -77,62 +77,91 @@ std::string shortfall_title(const design::RecordDesign& result, const FigureUnit
   return "No damper meets the limits";
 }
 
+/// The values of the objective where every limit is met; none if least > most.
+struct ShownValues {
+  double least{HUGE_VAL};
+  double most{0};
+
+  /// Of one shade.
+  [[nodiscard]] double width() const {
+    return most > least ? (most - least) / static_cast<double>(shades.size()) : 1;
+  }
+};
+
+ShownValues shown_values(const design::SuiteMap& map, const design::RecordDesignRequest& task) {
+  ShownValues shown;
+  for (const SuiteFigures& figures : map.figures) {
+    if (admissible(figures, task.limits)) {
+      shown.least = std::min(shown.least, value_of(figures, task.objective));
+      shown.most = std::max(shown.most, value_of(figures, task.objective));
+    }
+  }
+  return shown;
+}
+
+/// Each cell has the shade of its value, or the colour of the first limit that it violates.
+void add_cells(figures::FigureMap& drawn, const design::SuiteMap& map, const ShownValues& shown,
+               const design::RecordDesignRequest& task) {
+  drawn.columns = static_cast<std::int64_t>(map.f.size());
+  drawn.rows = static_cast<std::int64_t>(map.delta.size());
+  for (std::size_t row = 0; row < map.delta.size(); ++row) {
+    for (std::size_t column = 0; column < map.f.size(); ++column) {
+      const SuiteFigures& figures = map.figures[column * map.delta.size() + row];
+      const std::size_t fault = broken_index(figures, task.limits);
+      const double place = (value_of(figures, task.objective) - shown.least) / shown.width();
+      const std::size_t shade = fault < broken.size()
+                                    ? shades.size() + fault
+                                    : std::min(static_cast<std::size_t>(place), shades.size() - 1);
+      drawn.cells.push_back(static_cast<std::uint8_t>(shade));
+    }
+  }
+}
+
+void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
+                const design::RecordDesignRequest& task, const FigureUnits& units) {
+  const auto words = [&](double value) { return objective_words(task, value, units); };
+  const auto& [least, most] = shown;
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    drawn.palette.emplace_back(shades.at(i));
+    const double from = least + shown.width() * static_cast<double>(i);
+    drawn.names.push_back(
+        least > most ? "" : format("{} to {}", words(from), words(from + shown.width())));
+  }
+  if (least <= most) {
+    drawn.key.push_back(
+        {format("{}: from {}", name(task.objective), words(least)), shades.front()});
+    drawn.key.push_back({format("to {}", words(most)), shades.back()});
+  }
+  drawn.labels.resize(shades.size());  // what is good has its shades
+}
+
+void add_faults(figures::FigureMap& drawn) {
+  for (std::size_t i = 0; i < broken.size(); ++i) {
+    drawn.labels.emplace_back(broken_names.at(i));
+    drawn.palette.emplace_back(broken.at(i));
+    drawn.names.emplace_back(broken_names.at(i));
+    if (std::ranges::count(drawn.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
+      drawn.key.push_back({broken_names.at(i), broken.at(i), i < 3});
+    }
+  }
+}
+
 Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& point,
                   const FigureUnits& units) {
   design::RecordDesignRequest task = result.request;
   task.f = shown_range(*task.f, point.damper.f);
   task.delta = shown_range(*task.delta, point.damper.delta);
   const design::SuiteMap map = design::suite_map(task, point.damper.p);
-  double least = HUGE_VAL;
-  double most = 0;
-  for (const SuiteFigures& figures : map.figures) {
-    if (admissible(figures, task.limits)) {
-      least = std::min(least, value_of(figures, task.objective));
-      most = std::max(most, value_of(figures, task.objective));
-    }
-  }
+  const ShownValues shown = shown_values(map, task);
   Figure drawn;
   drawn.id = "map";
   drawn.title = result.finding ? format("The {} over f and Δ", name(task.objective))
                                : shortfall_title(result, units);
   drawn.x = {"constant friction f", task.f->low, task.f->high};
   drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
-  const double width = most > least ? (most - least) / static_cast<double>(shades.size()) : 1;
-  drawn.map.columns = static_cast<std::int64_t>(map.f.size());
-  drawn.map.rows = static_cast<std::int64_t>(map.delta.size());
-  for (std::size_t row = 0; row < map.delta.size(); ++row) {
-    for (std::size_t column = 0; column < map.f.size(); ++column) {
-      const SuiteFigures& figures = map.figures[column * map.delta.size() + row];
-      const std::size_t fault = broken_index(figures, task.limits);
-      const double place = (value_of(figures, task.objective) - least) / width;
-      const std::size_t shade = fault < broken.size()
-                                    ? shades.size() + fault
-                                    : std::min(static_cast<std::size_t>(place), shades.size() - 1);
-      drawn.map.cells.push_back(static_cast<std::uint8_t>(shade));
-    }
-  }
-  for (std::size_t i = 0; i < shades.size(); ++i) {
-    drawn.map.palette.emplace_back(shades.at(i));
-    const double from = least + width * static_cast<double>(i);
-    drawn.map.names.push_back(least > most ? ""
-                                           : format("{} to {}", objective_words(task, from, units),
-                                                    objective_words(task, from + width, units)));
-  }
-  if (least <= most) {
-    drawn.map.key.push_back(
-        {format("{}: from {}", name(task.objective), objective_words(task, least, units)),
-         shades.front()});
-    drawn.map.key.push_back({format("to {}", objective_words(task, most, units)), shades.back()});
-  }
-  drawn.map.labels.resize(shades.size());  // what is good has its shades
-  for (std::size_t i = 0; i < broken.size(); ++i) {
-    drawn.map.labels.emplace_back(broken_names.at(i));
-    drawn.map.palette.emplace_back(broken.at(i));
-    drawn.map.names.emplace_back(broken_names.at(i));
-    if (std::ranges::count(drawn.map.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
-      drawn.map.key.push_back({broken_names.at(i), broken.at(i), i < 3});
-    }
-  }
+  add_cells(drawn.map, map, shown, task);
+  add_shades(drawn.map, shown, task, units);
+  add_faults(drawn.map);
   const figures::FigurePoint place{point.damper.f, point.damper.delta * units.length};
   const char* const what = result.finding ? "chosen" : "nearest";
   drawn.marks.push_back({what, {place}, figures::Shape::star, figures::Ink::orange});
@@ -141,7 +170,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
       format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
              name(task.objective));
   drawn.caption =
-      least <= most
+      shown.least <= shown.most
           ? "Blue meets every limit, the darker the better; every other colour violates one."
           : "Each colour names the first limit that is violated there.";
   return drawn;

@@ -160,6 +160,15 @@ std::string strips_caption(const Problem& problem) {
 }
 
 /// "±34.2 %", or "-10 to +20 %" where the sides differ.
+std::string plane_words(const Region& region, const RegionSpan& span, const FigureUnits& units) {
+  return format(
+      "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) to {:.4g} "
+      "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone requires "
+      "f < {:.4g}. {}",
+      span.first, span.last, units.length_words(region.delta2.value()), region.f1,
+      region.feasible ? "" : "Nothing is left: no design is admissible. ");
+}
+
 std::string percent(double low, double high) {
   return low == high ? format("±{:.3g} %", 100 * low)
                      : format("-{:.3g} to +{:.3g} %", 100 * low, 100 * high);
@@ -245,25 +254,13 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
   figure.y = axis_of(units.delta_label, seen.least.y, seen.most.y, all.most.y);
   figure.description =
       several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
-              : format(
-                    "The plane of f and Δ. The admissible region goes from f = {:.4g} (amplitude) "
-                    "to {:.4g} "
-                    "(return) and from the curve Δ₁ (stop) up to Δ₂ = {} (start); the dead zone "
-                    "requires "
-                    "f < {:.4g}. {}",
-                    span.first, span.last, units.length_words(region.delta2.value()), region.f1,
-                    region.feasible ? "" : "Nothing is left: no design is admissible. ");
-  if (admissible.empty()) {
-    figure.caption = "No damper is admissible: the forbidden sides meet.";
-  } else if (!region.feasible) {
-    figure.caption =
-        "The clear area is what the requirements leave without a tolerance; each hatched side says "
-        "what goes wrong there.";
-  } else {
-    figure.caption = several ? strips_caption(drawn.problem)
-                             : "A damper in the clear area is admissible; each hatched side says "
-                               "what goes wrong there.";
-  }
+              : plane_words(region, span, units);
+  figure.caption = admissible.empty() ? "No damper is admissible: the forbidden sides meet."
+                   : !region.feasible ? "The clear area is what the requirements leave without a "
+                                        "tolerance; each hatched side says what goes wrong there."
+                   : several          ? strips_caption(drawn.problem)
+                                      : "A damper in the clear area is admissible; each hatched "
+                                        "side says what goes wrong there.";
   figure.areas = std::move(admissible);
   if (several) {
     add_limits(figure, drawn, units);

@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(that_never_ends) {
 }
 
 /// Such a value would overflow the stack, and its text would fill the screen.
-BOOST_AUTO_TEST_CASE(that_is_nested_deeper_than_any) {
+BOOST_AUTO_TEST_CASE(that_is_nested_too_deeply) {
   for (const int levels : {17, 50'000, 100'000, 500'000}) {
     const auto count = static_cast<std::size_t>(levels);
     const std::string arrays = std::string(count, '[') + "1" + std::string(count, ']');
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(whose_text_is_long_is_quoted_in_part) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(that_is_empty_or_no_scene) {
+BOOST_AUTO_TEST_CASE(that_is_empty_or_not_a_scene) {
   write("empty.json", "");
   check_refused(*this, {"design empty.json", {"empty.json", "empty"}});
   write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01", 6));
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(file_on_a_full_device) {
                 {simulate("--trajectory /dev/full"), {"trajectory", "/dev/full", "No space"}});
 }
 
-BOOST_AUTO_TEST_CASE(file_in_no_directory) {
+BOOST_AUTO_TEST_CASE(file_in_a_missing_directory) {
   check_refused(*this, {design("--output no/where.json"), {"output", "no/where.json"}});
   check_refused(*this, {design("--output old.json/x"), {"output", "old.json/x"}});
   check_refused(*this, {design("--output folder/"), {"output", "folder/"}});

@@ -207,7 +207,7 @@ const std::vector<Wrong> combinations{
     {{"design"}, {"v0 is missing"}},
     {"simulate --v0 1 --p 1 --delta 1", {"f is missing"}},
     {"simulate --v0 1 --p 1 --f 1", {"delta is missing"}},
-    {region("--delta 0.4"), {"f is missing", "--f"}},
+    {region("--delta 0.4"), {"f is missing", "give f as well"}},
     {"design --period 3 --max-displacement 1", {"velocity is missing", "m/s"}},
     {"design --period 3 --velocity 1", {"max-displacement is missing"}},
     {physical(), {"period is missing", "stiffness"}},

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <vector>
+
+namespace stillpoint::python {
+
+namespace py = pybind11;
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// One damper's four numbers, in the order of the arguments.
+enum Place { at_f, at_delta, at_v0, at_p, places };
+using Arguments = std::array<py::handle, places>;
+
+/// The arguments as arrays of one shape; a single number stays one. float64 arrays in the order of
+/// C are not copied.
+struct Dampers {
+  std::array<Doubles, places> arrays;
+  std::vector<py::ssize_t> shape;
+  py::ssize_t size{1};
+
+  [[nodiscard]] bool single(Place place) const { return arrays[place].ndim() == 0; }
+  /// Makes an array of a single number.
+  void spread(Place place);
+};
+
+/// Throws ArgumentError for what are no numbers, and for shapes that do not go together.
+[[nodiscard]] Dampers dampers(const Arguments& arguments);
+
+}  // namespace stillpoint::python

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "design_parts.hpp"
+#include "format.hpp"
+
+#include <stillpoint/report/digits.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillpoint::report {
+
+namespace {
+
+/// Beside next to no friction: what is left of it with friction that can be built.
+std::string tolerance_without_friction(const design::DesignResult& result) {
+  const auto& [f, delta, tolerance] = result.finding->point;
+  std::string text = format("delta may be off by +-{:.4g} % with next to no f", 100 * tolerance);
+  if (!result.request.pulse) {
+    constexpr double kept = 0.9;
+    const auto& [problem, limits, search, pulse, ranges] = result.request;
+    const double less = kept * tolerance;
+    if (const auto largest = design::any_f_up_to(problem, limits, delta, less)) {
+      text += format(", by +-{:.4g} % with any up to {:.3g}", 100 * less, *largest);
+    }
+  }
+  return text;
+}
+
+std::string tolerance_words(const DesignReport& report) {
+  const design::Limits& limits = report.result.request.limits;
+  const double tolerance = report.result.finding->point.tolerance;
+  constexpr double none = 1e-6;  // the distance that a design keeps from an edge, and rounding
+  if (tolerance < none) {
+    return "none is left: the damper is on the edge of what is admissible";
+  }
+  if (limits.shape != design::BoxShape{}) {
+    return box_text(limits, tolerance);
+  }
+  return wants_no_friction(report)
+             ? tolerance_without_friction(report.result)
+             : format("f and delta may both be off by +-{:.4g} %", 100 * tolerance);
+}
+
+std::string checks_agree(const design::CrossCheck& check) {
+  std::string text = "agree";
+  for (const design::CheckMethod& method : check.methods) {
+    text +=
+        format("{} {} to {:.1e}", text == "agree" ? ":" : ",", method.name, method.relative_error);
+  }
+  return text;
+}
+
+/// The width of a notch: 20 mm, or 1, 2 or 5 times a power of ten if that is above a fifth of the
+/// peak.
+double example_width_m(double peak_m) {
+  constexpr double usual = 0.02;
+  const double most = peak_m / 5;
+  const double decade = std::pow(10, std::floor(std::log10(most)));
+  const double digit = most / decade;
+  return std::min(usual, decade * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1));
+}
+
+/// What the structure feels: outside the notch, and inside one that has a width.
+std::string felt(const design::Finding& finding, const Response& response,
+                 const design::Limits& limits, const Physical& physical) {
+  const std::string outside = acceleration_shown(response.peak_absolute_acceleration);
+  if (finding.practice && finding.practice->notch_width_min) {
+    return format("{} outside the notch; {} at most inside one at least {} wide", outside,
+                  acceleration_shown(limits.acceleration_max.value()),
+                  length_shown(physical, *finding.practice->notch_width_min));
+  }
+  if (limits.acceleration_max) {
+    return format("{} outside the notch; inside it, more than {} at any width", outside,
+                  acceleration_shown(*limits.acceleration_max));
+  }
+  if (!physical) {
+    return format("{} outside the notch, f + delta/w inside one of width w", outside);
+  }
+  const double example_m = example_width_m(response.peak_amplitude * physical->scales.length_m);
+  const double inside = design::notch_acceleration(finding.point.f, finding.point.delta,
+                                                   example_m / physical->scales.length_m);
+  return format("{} outside the notch; {:.3g} g inside one {} wide (f + delta/w)", outside, inside,
+                with_unit(example_m, "m"));
+}
+
+/// For the ranges of a pulse; a range of only k needs no samples.
+void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
+               const Physical& physical) {
+  answer.row("ranges", format("up to {}, {} and {} with any pulse and spring in the ranges; the "
+                              "motion shown has the largest peak, at lambda = {} and p = {:.6g}{}",
+                              length_shown(physical, check.worst->peak),
+                              acceleration_shown(check.worst->acceleration),
+                              time_shown(physical, check.worst->stop_time),
+                              frequency_text(physical, design::angular_frequency(check.pulse)),
+                              check.p, sampled ? "; lambda/p is sampled" : ""));
+}
+
+}  // namespace
+
+bool wants_no_friction(const DesignReport& report) {
+  const design::DesignResult& result = report.result;
+  return !report.catalogue && begins_at_nothing(result.finding->point.f, *result.region.f_upper);
+}
+
+std::string verdict(const DesignReport& report, const Physical& physical) {
+  const design::Finding& finding = *report.result.finding;
+  const auto& [f, delta, tolerance] = finding.point;
+  const auto scales = physical ? std::optional(physical->scales) : std::nullopt;
+  const auto force = scales ? scales->friction_force_n(f) : std::nullopt;
+  const auto energy = scales ? scales->energy_per_passage_j(delta) : std::nullopt;
+  const bool weighed = force && energy && std::isfinite(*energy);
+  const std::string notch =
+      weighed ? format("a notch that takes {} at a passage", with_unit(*energy, "J"))
+              : format("delta = {}", length_shown(physical, delta));
+  std::string text =
+      wants_no_friction(report)
+          ? format("Build {} and as little constant friction as you can.", notch)
+      : weighed ? format("Build a friction force of {} and {}.", with_unit(*force, "N"), notch)
+                : format("Build f = {} and {}.", digits(f), notch);
+  if (report.catalogue) {
+    text = format("Order part {}: f = {}, delta = {}.", report.catalogue->parts.front().part.name,
+                  digits(f), length_shown(physical, delta));
+  }
+  if (!finding.cross_check.passed) {
+    text += " But the cross-check DISAGREES: do not rely on this design.";
+  }
+  return text;
+}
+
+void add_answer(Section& answer, const DesignReport& report, const Physical& physical) {
+  const design::DesignResult& result = report.result;
+  const auto& [problem, limits, search, pulse, ranges] = result.request;
+  const design::Finding& finding = *result.finding;
+  const auto& [f, delta, tolerance] = finding.point;
+  const bool pulsed = pulse.has_value();
+  const Response& response = pulsed ? finding.pulse->response : finding.response;
+  const std::string friction =
+      wants_no_friction(report) ? "f as small as you can make it" : format("f = {}", digits(f));
+  answer.row("damper", format("{}, delta = {}", friction, length_text(physical, delta)),
+             Tone::heading);
+  answer.row(
+      "peak",
+      format("{}, {:.4g} % of the {} allowed{}", length_shown(physical, response.peak_amplitude),
+             100 * response.peak_amplitude / problem.beta, length_shown(physical, problem.beta),
+             pulsed ? ", under the pulse" : ""));
+  if (response.stop_time) {
+    answer.row(
+        "rest",
+        format("at x = {} after {}{}", length_shown(physical, *response.stop_position),
+               time_shown(physical, *response.stop_time),
+               problem.arrivals > 1 && finding.arrival ? format(", at arrival {}", *finding.arrival)
+                                                       : ""));
+  }
+  answer.row("acceleration", felt(finding, response, limits, physical));
+  if (pulsed && finding.pulse->worst) {
+    add_worst(answer, *finding.pulse, ranges.lambda_high || problem.p_high, physical);
+  } else if (problem.p_high) {  // the motion shown is that of the softest spring
+    const double stiffest = std::hypot(f, *problem.p_high * problem.v0);
+    answer.row("", format("{} with the stiffest spring", acceleration_shown(stiffest)));
+  }
+  answer.row("tolerance", tolerance_words(report));
+  add_works_for(answer, finding.works_for, physical);
+  // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 1.
+  if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
+    const std::string words = FigureUnits(physical).velocity_words(caught);
+    answer.row("weak hits", format("below {} are held and felt in full: {}", words,
+                                   impulse_shown(physical, caught)));
+  }
+  if (finding.cross_check.passed) {
+    answer.row("checks", checks_agree(finding.cross_check), Tone::good);
+  }
+  if (pulsed) {
+    answer.row("reduction", reduction_text(*finding.pulse));
+    constexpr double beyond_use = 0.9;
+    if (tolerance > beyond_use && !limits.delta_max) {
+      answer.row("note",
+                 "nothing bounds delta, so almost any tolerance is possible: --delta-max keeps the "
+                 "notch small");
+    }
+  }
+}
+
+}  // namespace stillpoint::report

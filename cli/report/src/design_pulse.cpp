@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "design_parts.hpp"
+#include "format.hpp"
+
+#include <cmath>
+
+namespace stillpoint::report {
+
+namespace {
+
+/// "0.28 % more than", "0.28 % less than": the reduced figure against the true one.
+std::string off_by(double relative) {
+  return format("{:.2g} % {}", 100 * std::abs(relative), relative < 0 ? "less than" : "more than");
+}
+
+/// Why the reduction to a velocity is off.
+std::string warning_text(design::PulseWarning warning, const design::PulseCheck& check) {
+  switch (warning) {
+    case design::PulseWarning::pulse_not_short:
+      return format("the pulse is not short, p/lambda = {:.3g}", check.shortness);
+    case design::PulseWarning::friction_not_small:
+      return format("f is not small against k, f/k = {:.3g}", check.friction_ratio);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string reduction_text(const design::PulseCheck& check) {
+  if (!check.start) {
+    return "not used: this pulse leaves no velocity";
+  }
+  std::string text = format("not used; with a velocity in its place, the peak would be {} this",
+                            off_by(check.peak_error.value_or(0)));
+  for (const design::PulseWarning warning : check.warnings) {
+    text += "; " + warning_text(warning, check);
+  }
+  return text;
+}
+
+void add_pulse_check(Document& document, const design::PulseCheck& check, double beta,
+                     const Physical& physical) {
+  Section& section = document.detail("Under the pulse itself");
+  section.row("p/lambda, f/k", format("{:.4g}, {:.4g}", check.shortness, check.friction_ratio));
+  add_response(section, check.response, physical);
+  section.row("use of beta", format("{:.4g} %", 100 * check.response.peak_amplitude / beta));
+  section.row("reduction", reduction_text(check));
+  if (check.start) {
+    section.row("", format("it starts with v0 = {:.6g} at tau = {:.6g}", check.start->speed,
+                           check.start->tau));
+  }
+  if (check.stop_time_error) {
+    section.row("", format("its stop time is {} this", off_by(*check.stop_time_error)));
+  }
+}
+
+}  // namespace stillpoint::report

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Pages of figures, and what is drawn on them.
+
+#include <stillpoint/design/design.hpp>
+#include <stillpoint/report/report.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace stillpoint::test {
+
+using figures::Figure;
+using figures::HtmlPage;
+
+inline const Figure& figure(const HtmlPage& page, const std::string& id) {
+  const auto found = std::ranges::find(page.figures, id, &Figure::id);
+  BOOST_TEST_REQUIRE((found != page.figures.end()), id);
+  return *found;
+}
+
+template <class Things>
+bool has(const Things& things, const std::string& name) {
+  return std::ranges::any_of(things, [&](const auto& thing) { return thing.name == name; });
+}
+
+/// The one of that name.
+template <class Things>
+const auto& named(const Things& things, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(things, [&](const auto& now) { return now.name == name; });
+  BOOST_TEST_REQUIRE((found != things.end()), name);
+  return *found;
+}
+
+inline bool has_note(const Figure& figure, const std::string& text) {
+  return std::ranges::count(figure.notes, text, &figures::FigureNote::text) == 1;
+}
+
+/// 2.8 s, 0.4 m/s, 100 t.
+inline HtmlPage isolator(double room_m = 0.15) {
+  design::PhysicalIsolator isolator;
+  isolator.period_s = 2.8;
+  isolator.mass_kg = 1e5;
+  design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
+  design::DesignRequest request;
+  const double p = physical.scales.p;
+  request.problem = {.v0 = p, .p = p, .beta = room_m / physical.scales.length_m};
+  return page(report::DesignReport{design::design(request), physical});
+}
+
+}  // namespace stillpoint::test
