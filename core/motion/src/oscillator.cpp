@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "friction_bounds.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
@@ -20,25 +22,24 @@ void require_speed(const char* field, double value, double speed, const char* wh
                                smallest_speed, largest_speed));
 }
 
-/// A friction, or the load that a notch holds.
-void require_friction(const char* field, double f, double p) {
-  require_within(field, f, 0, largest_square);
+}  // namespace
+
+void require_friction(const std::string& field, const char* symbol, double f, double p) {
+  require_within(field.c_str(), f, 0, largest_square);
   const double phi = f / p;
   if (f != 0 && !(phi >= smallest_friction_speed && phi <= largest_speed)) {
     throw InputError(field, f,
-                     fmt::format("{} / p must be 0 or from {} to {} (p = {})", field,
+                     fmt::format("{} / p must be 0 or from {} to {} (p = {})", symbol,
                                  smallest_friction_speed, largest_speed, p));
   }
 }
 
-}  // namespace
-
 void require_valid(const Oscillator& oscillator) {
   require_within("p", oscillator.p, smallest_speed, largest_speed);
-  require_friction("f", oscillator.f, oscillator.p);
+  require_friction("f", "f", oscillator.f, oscillator.p);
   require_within("delta", oscillator.delta, 0, largest_square);
   if (oscillator.hold) {
-    require_friction("hold", *oscillator.hold, oscillator.p);
+    require_friction("hold", "hold", *oscillator.hold, oscillator.p);
   }
 }
 

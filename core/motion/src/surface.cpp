@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "friction_bounds.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/surface.hpp>
 
@@ -20,15 +22,6 @@ void require_length(const std::string& field, double value, double p) {
     throw InputError(field, value,
                      fmt::format("its product with p must be from {} to {} (p = {})",
                                  smallest_speed, largest_speed, p));
-  }
-}
-
-void require_zone_friction(const std::string& field, double f, double p) {
-  require_within(field.c_str(), f, 0, largest_square);
-  if (f != 0 && !(f / p >= smallest_friction_speed && f / p <= largest_speed)) {
-    throw InputError(field, f,
-                     fmt::format("f / p must be 0 or from {} to {} (p = {})",
-                                 smallest_friction_speed, largest_speed, p));
   }
 }
 
@@ -60,7 +53,7 @@ void require_valid(const Oscillator& oscillator, const Surface& surface) {
       throw InputError(name + ": to", zone.to,
                        fmt::format("must be greater than the previous edge, {}", before));
     }
-    require_zone_friction(name + ": f", zone.f, p);
+    require_friction(name + ": f", "f", zone.f, p);
     before = zone.to;
   }
 }
