@@ -49,7 +49,7 @@ ordered_json type_of(const Option& option) {
     case OptionKind::integer:
       return {{"type", "integer"}};
     case OptionKind::text:
-      if (option.name == "friction-zones") {
+      if (option.traits.in_scene == InScene::zones) {
         const ordered_json zone{
             {"type", "object"},
             {"required", {"to", "f"}},
@@ -102,8 +102,8 @@ void add(ordered_json& properties, const Option& option, const ordered_json& ent
   properties[std::string(option.name)] = entry;
 }
 
-/// The name of a type, or an object that has it as `type` beside the options of its group.
-ordered_json excitation(const Option& option) {
+/// The value, or an object that has it as `type` beside the options of its group.
+ordered_json group(const Option& option) {
   ordered_json properties{{"type", type_of(option)}};
   properties["type"]["description"] = option.help;
   for (const Option& other : options()) {
@@ -123,7 +123,8 @@ ordered_json excitation(const Option& option) {
 std::string scene_schema() {
   ordered_json properties = ordered_json::object();
   for (const Option& option : options()) {
-    add(properties, option, option.name == "excitation" ? excitation(option) : described(option));
+    add(properties, option,
+        option.traits.in_scene == InScene::group ? group(option) : described(option));
   }
   const ordered_json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                             {"$id", "urn:stillpoint:scene"},

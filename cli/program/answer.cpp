@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "answer.hpp"
 
+#include "input/excitation.hpp"
 #include "input/request.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +13,8 @@ namespace stillpoint::cli {
 
 report::MotionReport motion_report(const Settings& settings, const GoOn& go_on) {
   Settings wanted = settings;
-  const bool forced = settings.has("excitation") || settings.has("record");
-  if (settings.has("samples") || (!forced && (settings.has("t-end") || settings.has("end-time")))) {
+  const bool ends_free = !excitation_type(settings) && settings.given(Rivals::end) != nullptr;
+  if (settings.has("samples") || ends_free) {
     wanted.set(*find_option("trajectory"), std::string("-"));
   }
   report::MotionReport report = simulate_input(wanted);

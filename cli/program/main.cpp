@@ -66,20 +66,12 @@ ExitCode merge(const Invocation& invocation, Output& output) {
 ExitCode run_command(const Invocation& invocation, Output& output) {
   Settings settings = invocation.flags;
   Settings scene;
-  for (const char* file : {"list", "catalogue"}) {
-    if (invocation.scene == "-" && settings.text(file) == "-") {
-      throw UsageError(fmt::format(
-          "the scene and the {} cannot both be standard input: give a file for one", file));
-    }
-  }
+  static_cast<void>(files_to_read(invocation.command, invocation.flags, invocation.scene));
   if (invocation.scene) {
     scene = read_scene(*invocation.scene, invocation.command);
     settings = scene_and_flags(invocation.command, invocation.flags, scene);
   }
   if (settings.flag("quiet")) {
-    if (settings.flag("verbose")) {
-      throw UsageError("quiet and verbose cannot be combined: give one of them");
-    }
     hush();
   }
   // Checks what --open needs before anything long is done: a browser, and a page for it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output.hpp"
 
+#include "input/excitation.hpp"
 #include "input/request.hpp"
 
 #include <stillpoint/report/explorer.hpp>
@@ -30,8 +31,8 @@ std::string scene_of(const Settings& settings, Command command) {
   nlohmann::ordered_json scene = nlohmann::ordered_json::object();
   for (const auto& [name, entry] : settings.entries()) {
     const Option& option = *find_option(name);
-    const bool for_the_trajectory = (name == "t-end" || name == "end-time") &&
-                                    !settings.has("excitation") && !settings.has("record");
+    const bool for_the_trajectory =
+        option.traits.rivals == Rivals::end && !excitation_type(settings);
     if (option.is_echoed() && option.serves(command) && !for_the_trajectory) {
       const std::vector<std::string> texts =
           option.repeats_in(command) ? settings.texts(name) : std::vector<std::string>();

@@ -72,7 +72,7 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
 }
 
 report::ReductionReport reduction_report(const SweepSpec& spec) {
-  if (auto found = find_reduced_part(spec)) {
+  if (auto found = report::find_reduction(spec)) {
     return *std::move(found);
   }
   sweep::Reducer reducer(spec);
@@ -83,17 +83,6 @@ report::ReductionReport reduction_report(const SweepSpec& spec) {
 }
 
 }  // namespace
-
-std::optional<report::ReductionReport> find_reduced_part(const SweepSpec& spec) {
-  if (!spec.part) {
-    if (spec.resume) {
-      throw UsageError("resume and reduce cannot be combined: split the sweep with --part");
-    }
-    return std::nullopt;
-  }
-  auto found = report::find_reduction(label_of(spec));
-  return spec.resume ? std::move(found) : std::nullopt;
-}
 
 ExitCode run_sweep(const Settings& settings, Output& output) {
   report::SweepReport report{sweep_request(settings)};

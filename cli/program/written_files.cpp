@@ -5,10 +5,12 @@
 
 #include <stillpoint/sweep/files_apart.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace stillpoint::cli {
 
@@ -31,12 +33,25 @@ std::vector<NamedFile> files(Command command, const Settings& settings, FileUse 
 
 }  // namespace
 
-void require_files_apart(Command command, const Settings& settings,
-                         const std::optional<std::string>& scene) {
+std::vector<NamedFile> files_to_read(Command command, const Settings& settings,
+                                     const std::optional<std::string>& scene) {
   std::vector<NamedFile> read = files(command, settings, FileUse::read);
   if (scene) {
     read.insert(read.begin(), {"scene", *scene});
   }
+  std::vector<NamedFile> standard = read;
+  std::erase_if(standard, [](const NamedFile& file) { return file.path != "-"; });
+  if (standard.size() > 1) {
+    throw UsageError(
+        fmt::format("the {} and the {} cannot both be standard input: give a file for one",
+                    standard[0].field, standard[1].field));
+  }
+  return read;
+}
+
+void require_files_apart(Command command, const Settings& settings,
+                         const std::optional<std::string>& scene) {
+  const std::vector<NamedFile> read = files_to_read(command, settings, scene);
   std::vector<NamedFile> written = files(command, settings, FileUse::written);
   std::ranges::for_each(written, sweep::require_not_swept);
   if (const auto output = settings.text("output"); output && command == Command::sweep) {

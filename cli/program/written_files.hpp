@@ -3,15 +3,22 @@
 
 #include "options/settings.hpp"
 
+#include <stillpoint/sweep/files_apart.hpp>
+
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stillpoint::cli {
 
-/// Throws records::FileError if a file that `command` would write is one that it reads (scene,
-/// record, list), is to be written twice, or belongs to a sweep that is running. Links are
-/// followed; a device or a pipe may be written to any number of times. `scene` is a path, or "-"
-/// for standard input.
+/// The scene, a path or "-" for standard input, and the files that the options name. Throws
+/// UsageError if two of them are standard input.
+[[nodiscard]] std::vector<sweep::NamedFile> files_to_read(Command command, const Settings& settings,
+                                                          const std::optional<std::string>& scene);
+
+/// Throws records::FileError if a file that `command` would write is one that it reads, is to be
+/// written twice, or belongs to a sweep that is running. Links are followed; a device or a pipe may
+/// be written to any number of times.
 void require_files_apart(Command command, const Settings& settings,
                          const std::optional<std::string>& scene);
 

@@ -100,7 +100,7 @@ Settings within_limits(Settings settings) {
 ordered_json said_by(Command command, const Settings& settings, const json& wanted) {
   switch (command) {
     case Command::design:
-      if (settings.has("record") || settings.has("records-list")) {
+      if (asks_for_records(settings)) {
         throw UsageError(
             "a design under records needs the installed program: stillpoint design --record");
       }

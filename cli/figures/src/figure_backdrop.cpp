@@ -4,6 +4,7 @@
 #include "figure_looks.hpp"
 #include "figure_map.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -18,10 +19,25 @@ void add(std::string& text, fmt::format_string<Args...> what, Args&&... args) {
   fmt::format_to(std::back_inserter(text), what, std::forward<Args>(args)...);
 }
 
+constexpr double label_gap = 6;  // between a label of y and the frame
+
 /// Hatched areas that meet have different directions.
 double hatch_angle(std::size_t index) {
   constexpr std::array angles{45, -45, 15, -15, 75, -75};
   return angles.at(index % angles.size());
+}
+
+/// The lowest baseline of the labels of y: above the first label of x where that reaches below
+/// them.
+double lowest_baseline(const Layout& layout, const Plane& plot) {
+  constexpr double below_frame = 4;
+  constexpr double clear = 1;
+  if (layout.x.values.empty()) {
+    return layout.bottom + below_frame;
+  }
+  const double first = plot.pixel({layout.x.values.front(), 0}).x;
+  const bool reaches = first - text_width(layout.x.labels.front()) / 2 < -label_gap;
+  return layout.bottom + (reaches ? clear : below_frame);
 }
 
 /// "#rrggbb name|#rrggbb name", for the readout.
@@ -46,12 +62,14 @@ std::string axes(const Figure& figure, const Layout& layout) {
         "text-anchor=\"middle\">{}</text>\n",
         x, layout.upper, figure.height, x, layout.bottom + 17, layout.x.labels[i]);
   }
+  const double lowest = lowest_baseline(layout, plot);
   for (std::size_t i = 0; i < layout.y.values.size(); ++i) {
     const double y = layout.upper + plot.pixel({figure.x.least, layout.y.values[i]}).y;
     add(text,
         "<path class=\"grid\" d=\"M{} {:.2f}h{}\"/><text x=\"{}\" y=\"{:.2f}\" "
         "text-anchor=\"end\">{}</text>\n",
-        layout.left, y, layout.width, layout.left - 6, y + 4, layout.y.labels[i]);
+        layout.left, y, layout.width, layout.left - label_gap, std::min(y + 4, lowest),
+        layout.y.labels[i]);
   }
   text += "</g>\n";
   add(text, "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",

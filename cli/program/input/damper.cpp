@@ -152,9 +152,6 @@ answers::RegionTask region_input(const Settings& settings) {
   if (f) {
     require_valid(Oscillator{problem.p, *f, delta.value_or(0)});
   }
-  if (delta && !f) {
-    throw InputError::missing("f", "delta alone is not a point of the region, give --f as well");
-  }
   asked.catalogue = catalogue(settings, given);
   return asked;
 }
@@ -163,10 +160,6 @@ std::vector<design::Part> catalogue_input(const Settings& settings,
                                           const std::optional<sweep::SweepUnits>& physical) {
   if (!settings.has("catalogue")) {
     return {};
-  }
-  if (settings.text("catalogue") == "-" && settings.text("list") == "-") {
-    throw UsageError(
-        "the list and the catalogue cannot both be standard input: give a file for one");
   }
   sweep::CatalogueUnits units;
   if (physical) {

@@ -25,18 +25,14 @@ std::optional<double> time_unit(const Physical& physical) {
 /// Throws UsageError if an option of an excitation is set that `kind` does not take; null takes
 /// none.
 void refuse_others(const Settings& settings, const ExcitationKind* kind) {
-  for (const Option& option : options()) {
-    if (option.traits.load == Load::none || !settings.has(option.name)) {
-      continue;
-    }
-    if (kind == nullptr) {
-      throw UsageError(
-          fmt::format("{} needs an excitation: give --excitation as well", option.name));
-    }
-    if (!option.shapes(kind->load)) {
-      throw UsageError(
-          fmt::format("{} and excitation {} cannot be combined", option.name, kind->name));
-    }
+  const Option* const wrong = settings.first([&](const Option& option) {
+    return option.traits.load != Load::none && (kind == nullptr || !option.shapes(kind->load));
+  });
+  if (wrong != nullptr) {
+    throw UsageError(
+        kind == nullptr
+            ? fmt::format("{} needs an excitation: give --excitation as well", wrong->name)
+            : fmt::format("{} and excitation {} cannot be combined", wrong->name, kind->name));
   }
 }
 
@@ -115,10 +111,7 @@ std::optional<ExcitationInput> excitation_input(const Settings& settings, const 
     input.excitation = kind->wave(wave(settings, "excitation", *kind, time_unit(physical)));
   } else {
     // Scaling a record to its spectrum at the period of the motion requires a single motion.
-    input = record(settings,
-                   physical ? records::RecordClock{"s", physical->scales.time_s, p.value_or(1)}
-                            : records::RecordClock{"tau", 1, p.value_or(1)},
-                   p);
+    input = record(settings, record_clock(physical, p.value_or(1)), p);
   }
   require_valid(input.excitation);
   return input;
@@ -143,11 +136,11 @@ std::optional<double> forced_end(const Settings& settings, const Excitation& exc
 }
 
 void require_no_pulse_options(const Settings& settings) {
+  const Option* const wrong =
+      settings.first([](const Option& option) { return option.shapes(Load::pulse); });
   // A scene's excitation serves simulate, and these are its options.
-  for (const Option& option : options()) {
-    if (option.shapes(Load::pulse) && settings.has(option.name) && !settings.has("excitation")) {
-      throw UsageError(fmt::format("{} needs a pulse: give --pulse as well", option.name));
-    }
+  if (wrong != nullptr && !settings.has("excitation")) {
+    throw UsageError(fmt::format("{} needs a pulse: give --pulse as well", wrong->name));
   }
 }
 
@@ -175,11 +168,11 @@ design::PulseRanges pulse_ranges(const Settings& settings,
     }
     ranges.k_low = k->low;
   }
-  for (const char* const name : {"lambda", "excitation-frequency", "pulse-duration"}) {
-    if (const auto range = settings.range(name)) {
-      require_within(name, range->low, smallest_physical, largest_physical);
-      ranges.lambda_high = design::angular_frequency(*pulse) * (range->high / range->low);
-    }
+  const Option* const clock = settings.given(Rivals::frequency);
+  if (const auto range = clock != nullptr ? settings.range(clock->name) : std::nullopt) {
+    require_within(std::string(clock->name).c_str(), range->low, smallest_physical,
+                   largest_physical);
+    ranges.lambda_high = design::angular_frequency(*pulse) * (range->high / range->low);
   }
   return ranges;
 }

@@ -35,12 +35,12 @@ void require_no_rivals(const Settings& settings, Command command) {
 
 /// The first option in these units that is set; null if there is none.
 const Option* first_in(Units units, const Settings& settings) {
-  const auto found = std::ranges::find_if(options(), [&](const Option& option) {
-    // The gravity that turns a record's m/s2 into g does not describe the motion.
-    const bool of_a_record = option.name == "gravity" && settings.has("record");
-    return option.traits.units == units && settings.has(option.name) && !of_a_record;
+  const bool records = asks_for_records(settings);
+  return settings.first([&](const Option& option) {
+    return option.traits.units == units ||
+           (option.traits.units == Units::physical_without_records && units == Units::physical &&
+            !records);
   });
-  return found == options().end() ? nullptr : &*found;
 }
 
 double initial_velocity(const Settings& settings, std::string_view name, bool may_be_missing,
@@ -68,12 +68,13 @@ MotionInput physical_motion(const Settings& settings, bool from_rest) {
   if (const auto range = settings.range("velocity")) {
     motion.v0_low = range->low == range->high ? motion.v0 : range->low / scales.velocity_m_per_s;
   }
-  for (const char* const name : {"period", "natural-frequency", "stiffness"}) {
-    if (const auto range = settings.range(name)) {
-      require_within(name, range->low, smallest_physical, largest_physical);
-      const double ratio = range->high / range->low;
-      motion.p_high = scales.p * (name == std::string_view("stiffness") ? std::sqrt(ratio) : ratio);
-    }
+  const Option* const spring = settings.given(Rivals::stiffness);
+  if (const auto range = spring != nullptr ? settings.range(spring->name) : std::nullopt) {
+    require_within(std::string(spring->name).c_str(), range->low, smallest_physical,
+                   largest_physical);
+    const double ratio = range->high / range->low;
+    const bool is_stiffness = spring->traits.dimension == Dimension::stiffness;
+    motion.p_high = scales.p * (is_stiffness ? std::sqrt(ratio) : ratio);
   }
   return motion;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "input/record.hpp"
 
-#include "input/motion.hpp"
-
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/text.hpp>
@@ -32,6 +30,10 @@ records::SuiteFiles suite_files(const Settings& settings) {
 }
 
 }  // namespace
+
+records::RecordClock record_clock(const Physical& physical, double p) {
+  return {physical ? "s" : "tau", physical ? physical->scales.time_s : 1, p};
+}
 
 records::RecordOptions record_options(const Settings& settings, const records::RecordClock& clock) {
   records::RecordOptions options;

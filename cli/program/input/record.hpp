@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "input/motion.hpp"
 #include "options/settings.hpp"
 
 #include <stillpoint/records/record_suite.hpp>
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace stillpoint::cli {
+
+/// Seconds with physical input, else tau, for a motion with this p.
+[[nodiscard]] records::RecordClock record_clock(const Physical& physical, double p);
 
 /// How record files are read, for a motion with this clock; the factor is 1.
 [[nodiscard]] records::RecordOptions record_options(const Settings& settings,

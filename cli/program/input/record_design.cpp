@@ -40,9 +40,7 @@ std::optional<design::SearchRange> search_range(const Settings& settings, const 
 MotionInput suite_motion(const Settings& settings,
                          const std::optional<design::SearchRange>& periods) {
   Settings whole = settings;
-  const bool given =
-      settings.has("period") || settings.has("natural-frequency") || settings.has("stiffness");
-  if (periods && !given) {
+  if (periods && settings.given(Rivals::stiffness) == nullptr) {
     whole.set(*find_option("period"), periods->high);
   }
   return motion_input(whole, Command::design, true);
@@ -62,24 +60,22 @@ design::SuiteObjective suite_objective(const Settings& settings) {
 }  // namespace
 
 bool designs_under_records(const Settings& settings) {
-  const bool records = settings.has("record") || settings.has("records-list");
-  for (const std::string_view hit : {"v0", "velocity", "pulse"}) {
-    if (records && settings.has(hit)) {
-      throw UsageError(fmt::format("{} and records cannot be combined: give one of them", hit));
-    }
+  const bool records = asks_for_records(settings);
+  if (const Option* const hit = settings.given(Rivals::hit); records && hit != nullptr) {
+    throw UsageError(fmt::format("{} and records cannot be combined: give one of them", hit->name));
   }
   return records;
 }
 
 void require_options_for(const Settings& settings, DesignFor design) {
-  for (const Option& option : options()) {
-    const DesignFor only = option.design_for();
-    if (only != DesignFor::both && only != design && settings.has(option.name)) {
-      throw UsageError(
-          design == DesignFor::records
-              ? fmt::format("{} cannot be used in a design under records", option.name)
-              : fmt::format("{} needs a design under records: give --record as well", option.name));
-    }
+  const Option* const wrong = settings.first([&](const Option& option) {
+    return option.design_for() != DesignFor::both && option.design_for() != design;
+  });
+  if (wrong != nullptr) {
+    throw UsageError(fmt::format("{} {}", wrong->name,
+                                 design == DesignFor::records
+                                     ? "cannot be used in a design under records"
+                                     : "needs a design under records: give --record as well"));
   }
 }
 
@@ -94,11 +90,8 @@ report::RecordDesignInput record_design_input(const Settings& settings) {
   input.physical = start.physical;
   design::RecordDesignRequest& request = input.request;
   const double length = start.physical ? start.physical->scales.length_m : 1;
-  request.records =
-      read_suite(settings,
-                 start.physical ? records::RecordClock{"s", start.physical->scales.time_s, start.p}
-                                : records::RecordClock{"tau", 1, start.p},
-                 periods ? std::nullopt : std::optional(start.p));
+  request.records = read_suite(settings, record_clock(start.physical, start.p),
+                               periods ? std::nullopt : std::optional(start.p));
   request.p = {start.p, start.p};
   if (periods) {
     require_within("search-period", periods->low, smallest_physical, largest_physical);

@@ -10,7 +10,6 @@
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/record_scan.hpp>
-#include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/report.hpp>
 #include <stillpoint/report/spectrum.hpp>
 #include <stillpoint/sweep/spec.hpp>
@@ -65,12 +64,6 @@ void require_options_for(const Settings& settings, DesignFor design);
 void resolve_part(Settings& settings);
 /// Opens the list and reads its header, or for a part all of it. The part must be resolved.
 [[nodiscard]] sweep::SweepSpec sweep_request(const Settings& settings);
-/// For a sweep without rows, the report of the part to compute, if its file already exists and
-/// --resume is given. Throws UsageError for --resume without a part and LeftoverError
-/// for another part of the same sweep.
-[[nodiscard]] std::optional<report::ReductionReport> find_reduced_part(
-    const sweep::SweepSpec& spec);
-
 /// The box of --tolerance-f and --tolerance-delta around the tolerance of `limits`. Throws
 /// InputError.
 void shape_box(const Settings& settings, design::Limits& limits);

@@ -45,7 +45,7 @@ std::optional<double> free_end(const Settings& settings, const Physical& physica
   if (t_end && !settings.has("trajectory")) {
     throw UsageError(fmt::format(
         "{} needs a trajectory or an excitation: give --trajectory FILE or --excitation as well",
-        settings.has("end-time") ? "end-time" : "t-end"));
+        settings.given(Rivals::end)->name));
   }
   if (t_end) {
     require_within("t-end", *t_end, std::numeric_limits<double>::min(),

@@ -59,10 +59,10 @@ report::SpectrumReport spectrum_input(const Settings& settings) {
   request.hold = settings.number("hold");
   request.notch_width = notch_width(settings, report.physical);
   request.threads = static_cast<int>(settings.integer("threads").value_or(0));
-  if (!settings.has("record") && !settings.has("records-list")) {
+  if (!asks_for_records(settings)) {
     throw InputError::missing("record", "give --record FILE or --records-list FILE");
   }
-  request.records = read_suite(settings, {"s", scales.time_s, scales.p}, std::nullopt);
+  request.records = read_suite(settings, record_clock(report.physical, scales.p), std::nullopt);
   return report;
 }
 

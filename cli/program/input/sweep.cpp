@@ -10,7 +10,6 @@
 #include <stillpoint/report/version.hpp>
 #include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/launcher.hpp>
-#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
@@ -43,20 +42,6 @@ std::shared_ptr<sweep::List> open_list(const Settings& settings,
   return {};
 }
 
-/// A part of a list depends on the length of the whole list.
-std::optional<sweep::ListExtent> extent_of_list(const Settings& settings, const SweepSpec& spec) {
-  if (!spec.part || !spec.list) {
-    return std::nullopt;
-  }
-  const std::string path = *settings.text("list");
-  if (path == "-" || sweep::is_special_file(path)) {
-    throw UsageError(
-        "part and a list on standard input cannot be combined: the list is read twice");
-  }
-  sweep::List whole(path, spec.list->format(), spec.units);
-  return read_to_end(whole);
-}
-
 bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
   return settings.has(option_name(quantity, spec.units)) || (spec.list && spec.list->has(quantity));
 }
@@ -64,13 +49,13 @@ bool given(const Settings& settings, const SweepSpec& spec, Quantity quantity) {
 /// Options made dimensionless by a length that a physical sweep does not have, with rivals in
 /// metres, seconds or hertz.
 void refuse_dimensionless(const Settings& settings) {
-  for (const Option& plain : options()) {
-    const auto rivals = physical_rivals(plain);
-    if (plain.kind == OptionKind::number && plain.traits.dimension == Dimension::none &&
-        !rivals.empty() && settings.has(plain.name)) {
-      throw UsageError(fmt::format("{} is dimensionless: with physical input give --{}", plain.name,
-                                   rivals.front()->name));
-    }
+  const Option* const plain = settings.first([](const Option& option) {
+    return option.kind == OptionKind::number && option.traits.dimension == Dimension::none &&
+           !physical_rivals(option).empty();
+  });
+  if (plain != nullptr) {
+    throw UsageError(fmt::format("{} is dimensionless: with physical input give --{}", plain->name,
+                                 physical_rivals(*plain).front()->name));
   }
 }
 
@@ -124,15 +109,22 @@ SweepKind kind_of(const Settings& settings, const SweepSpec& spec) {
   return SweepKind::design;
 }
 
+/// Inputs of a sweep that only motions use, or only designs.
+bool is_of_motions(const Option& option) {
+  return option.traits.role == Role::input && option.serves(Command::simulate) &&
+         (!option.serves(Command::design) || option.traits.load == Load::record);
+}
+bool is_of_designs(const Option& option) {
+  return option.traits.role == Role::input && option.serves(Command::design) &&
+         option.serves(Command::sweep) && !option.serves(Command::simulate);
+}
+
 /// Options that only one kind uses are refused with the others, not ignored.
 void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
   const std::string beta = option_name(Quantity::beta, spec.units);
   if (spec.kind == SweepKind::design) {
-    for (const char* const other :
-         {"excitation", "record", "friction-zones", "t-end", "end-time", "half-cycle-limit"}) {
-      if (settings.has(other)) {
-        throw UsageError(fmt::format("{} and {} cannot be combined", beta, other));
-      }
+    if (const Option* const wrong = settings.first(is_of_motions)) {
+      throw UsageError(fmt::format("{} and {} cannot be combined", beta, wrong->name));
     }
     for (const char* const other : {"pulse", "catalogue", "objective"}) {
       if (settings.has("trade-off") && settings.has(other)) {
@@ -141,17 +133,12 @@ void refuse_for_other_kinds(const Settings& settings, const SweepSpec& spec) {
     }
     return;
   }
-  for (const Option& option : options()) {
-    const bool of_designs = option.serves(Command::design) && !option.serves(Command::simulate) &&
-                            option.traits.role == Role::input;
-    if (of_designs && option.serves(Command::sweep) && settings.has(option.name)) {
-      throw UsageError(fmt::format("{} needs a design: give --{} as well", option.name, beta));
-    }
+  if (const Option* const wrong = settings.first(is_of_designs)) {
+    throw UsageError(fmt::format("{} needs a design: give --{} as well", wrong->name, beta));
   }
-  for (const char* const end : {"t-end", "end-time"}) {
-    if (spec.kind == SweepKind::free && settings.has(end)) {
-      throw UsageError(fmt::format("{} needs an excitation: give --excitation as well", end));
-    }
+  const Option* const end = settings.given(Rivals::end);
+  if (spec.kind == SweepKind::free && end != nullptr) {
+    throw UsageError(fmt::format("{} needs an excitation: give --excitation as well", end->name));
   }
 }
 
@@ -172,24 +159,15 @@ InputError of_physical_option(const InputError& error, const Settings& settings)
   return error;
 }
 
-/// The dampers along the front of each problem.
-void add_front(const Settings& settings, SweepSpec& spec) {
-  const auto count = settings.integer("trade-off");
-  if (!count) {
-    return;
-  }
-  spec.axes.push_back(
-      {Quantity::trade_off, Axis(1, static_cast<double>(*count), *count, Axis::Spacing::linear)});
-}
-
 /// By default a motion starts from x = 0, and from rest if something else moves it.
 void add_axes(const Settings& settings, SweepSpec& spec) {
   const bool may_rest = spec.kind == SweepKind::forced ||
                         (spec.kind == SweepKind::free && given(settings, spec, Quantity::x0));
   for (const Quantity input : sweep::inputs(spec.kind)) {
     const std::string option = option_name(input, spec.units);
-    if (input == Quantity::trade_off) {
-      add_front(settings, spec);
+    if (const auto front = settings.integer("trade-off"); front && input == Quantity::trade_off) {
+      spec.axes.push_back(
+          {input, Axis(1, static_cast<double>(*front), *front, Axis::Spacing::linear)});
     } else if (const auto axis = settings.axis(option)) {
       spec.axes.push_back({input, *axis});
     } else if (!given(settings, spec, input) &&
@@ -297,7 +275,9 @@ SweepSpec sweep_request(const Settings& settings) {
   if (const auto part = settings.text("part")) {
     spec.part = sweep::parse_part(*part);
   }
-  spec.listed = extent_of_list(settings, spec);
+  if (spec.part && spec.list) {
+    spec.listed = spec.list->whole();
+  }
   spec.kind = kind_of(settings, spec);
   refuse_for_other_kinds(settings, spec);
   if (spec.kind == SweepKind::design) {

@@ -46,11 +46,6 @@ const std::array command_helps{
                 {"open", "path"}),
 };
 
-constexpr std::string_view about =
-    "Designs friction dampers. A linear oscillator with constant friction f and point friction "
-    "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move farther than "
-    "beta.";
-
 /// What CLI11 collects for one subcommand: strings, which are converted once the command is known.
 struct Collected {
   std::string scene;
@@ -156,17 +151,20 @@ Settings from_flags(const CLI::App& app, const Collected& collected, Command com
 
 /// The parts contain the task. Only how to show the design remains to be given.
 void refuse_beside_merge(const Invocation& invocation) {
-  constexpr std::array<std::string_view, 7> shown{"html",    "json",  "quiet",  "svg",
-                                                  "threads", "title", "verbose"};
   const bool design = invocation.command == Command::design;
-  const auto is_wrong = [&](const auto& option) {
-    return !design || std::ranges::find(shown, option.first) == shown.end();
-  };
-  if (invocation.scene || std::ranges::any_of(invocation.flags.entries(), is_wrong)) {
-    throw UsageError(fmt::format(
-        "{} merge: takes OUT and the files of the parts, no scene{}", name(invocation.command),
-        design ? fmt::format(", and of the options only {}", listed(shown)) : " and no options"));
+  const auto is_wrong = [&](const Option& option) { return !design || !option.traits.merges; };
+  if (!invocation.scene && invocation.flags.first(is_wrong) == nullptr) {
+    return;
   }
+  std::vector<std::string_view> taken;
+  for (const Option& option : options()) {
+    if (option.traits.merges) {
+      taken.push_back(option.name);
+    }
+  }
+  throw UsageError(fmt::format(
+      "{} merge: takes OUT and the files of the parts, no scene{}", name(invocation.command),
+      design ? fmt::format(", and of the options only {}", listed(taken)) : " and no options"));
 }
 
 void require_command(const std::optional<std::string>& given) {
@@ -227,7 +225,11 @@ std::span<const CommandHelp> all_commands() {
 }
 
 std::string_view program_about() {
-  return about;
+  return "Designs friction dampers. A linear oscillator with constant friction f and point "
+         "friction "
+         "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move farther "
+         "than "
+         "beta.";
 }
 
 std::string short_help() {
@@ -240,7 +242,7 @@ std::string short_help() {
 }
 
 Invocation parse_command_line(int argc, const char* const* argv) {
-  CLI::App app{std::string(about), "stillpoint"};
+  CLI::App app{std::string(program_about()), "stillpoint"};
   app.set_help_flag("-h,--help", "print this text");
   app.set_version_flag("--version", report::version_line())->description("print the version");
   app.allow_extras();

@@ -3,19 +3,43 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 namespace stillpoint::cli {
 
 namespace {
 
 template <class Result, class Wave>
-Result of(const Harmonic& given) {
-  return Wave{given.k, given.lambda};
+Result made(const Harmonic& given) {
+  if constexpr (std::is_same_v<Wave, Harmonic>) {
+    return given;
+  } else {
+    return Wave{given.k, given.lambda};
+  }
 }
 
-Excitation itself(const Harmonic& given) {
-  return given;
+template <class Wave>
+ExcitationKind kind_of() {
+  const Excitation any = Wave{};
+  if constexpr (std::is_same_v<Wave, Record>) {
+    return {name(any), Load::record, 0, nullptr, nullptr};
+  } else {
+    const double angle = duration(made<Excitation, Wave>({0, 1})).value_or(0);
+    ExcitationKind kind{name(any), angle == 0 ? Load::harmonic : Load::pulse, angle,
+                        made<Excitation, Wave>, nullptr};
+    if constexpr (std::is_constructible_v<design::Pulse, Wave>) {
+      kind.pulse = made<design::Pulse, Wave>;
+    }
+    return kind;
+  }
+}
+
+/// All but the first alternative, which is no excitation.
+template <std::size_t... I>
+auto kinds_of(std::index_sequence<I...> /*rest*/) {
+  return std::array{kind_of<std::variant_alternative_t<I + 1, Excitation>>()...};
 }
 
 std::vector<std::string_view> names_where(bool (*holds)(const ExcitationKind&)) {
@@ -31,17 +55,8 @@ std::vector<std::string_view> names_where(bool (*holds)(const ExcitationKind&)) 
 }  // namespace
 
 std::span<const ExcitationKind> excitation_kinds() {
-  using design::Pulse;
-  using std::numbers::pi;
-  static const std::array table{
-      // name, load, angle, wave, pulse
-      ExcitationKind{"harmonic", Load::harmonic, 0, itself, nullptr},
-      ExcitationKind{"half-sine", Load::pulse, pi, of<Excitation, HalfSine>, of<Pulse, HalfSine>},
-      ExcitationKind{"full-sine", Load::pulse, 2 * pi, of<Excitation, FullSine>,
-                     of<Pulse, FullSine>},
-      ExcitationKind{"rectangle", Load::pulse, pi, of<Excitation, Rectangle>, of<Pulse, Rectangle>},
-      ExcitationKind{"record", Load::record, 0, nullptr, nullptr},
-  };
+  static const auto table =
+      kinds_of(std::make_index_sequence<std::variant_size_v<Excitation> - 1>());
   return table;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "options/load.hpp"
+#include "options/options.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>
@@ -12,7 +12,7 @@
 
 namespace stillpoint::cli {
 
-/// A kind of excitation. A new one is a row of the table in excitation_kinds.cpp.
+/// A kind of excitation: an alternative of Excitation that has a wave, or is a record.
 struct ExcitationKind {
   std::string_view name;  ///< in --excitation
   Load load;              ///< the options that shape it

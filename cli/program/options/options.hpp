@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "options/load.hpp"
-
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/units.hpp>
@@ -72,18 +70,27 @@ enum class Rivals {
   end,
   notch,
   record_scale,
+  verbosity,
 };
 
 using records::Dimension;
 using records::listed;
 using records::suggestion;
 
-/// A task is given either dimensionless or in metres and seconds, not both.
-enum class Units { any, dimensionless, physical };
+/// A task is given either dimensionless or in metres and seconds, not both. Beside records gravity
+/// turns their m/s2 into g and says nothing of the task.
+enum class Units { any, dimensionless, physical, physical_without_records };
 
 using sweep::RangeEnd;
 
 enum class FileUse { none, read, written, directory };
+
+/// Besides the value of the command line a scene may have a list of zones, or an object that
+/// groups the options under the same heading.
+enum class InScene { plain, zones, group };
+
+/// Which loads, or pulses, an option shapes; a wave is a harmonic or a pulse.
+enum class Load { none, harmonic, pulse, wave, record };
 
 /// A design is for a hit or under records; this marks what only one of them takes.
 enum class DesignFor { both, hit, records };
@@ -110,6 +117,8 @@ struct OptionTraits {
   DesignFor design{DesignFor::both};
   Load load{Load::none};
   Bounds bounds{};  ///< of an integer
+  InScene in_scene{InScene::plain};
+  bool merges{false};  ///< design merge takes it, which has the task from the parts
 };
 
 /// One option of the program: a flag --name on the command line and a key of a scene file, where
@@ -152,6 +161,9 @@ struct Option {
   [[nodiscard]] bool is_echoed() const { return traits.role <= Role::content; }
   [[nodiscard]] bool takes_file() const {
     return traits.file == FileUse::read || traits.file == FileUse::written;
+  }
+  [[nodiscard]] bool names_records() const {
+    return traits.file == FileUse::read && design_for() == DesignFor::records;
   }
 };
 

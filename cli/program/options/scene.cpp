@@ -93,12 +93,16 @@ Axis axis(const Option& option, const nlohmann::json& value, Command command) {
   return Axis(std::move(values));
 }
 
+std::string must_be_text(const Option& option) {
+  return option.traits.file == FileUse::none ? "must be a string" : "must be a path";
+}
+
 /// One line for each, as repeated flags give them.
 std::string joined_texts(const Option& option, const nlohmann::json& list) {
   std::string text;
   for (const nlohmann::json& entry : list) {
     if (!entry.is_string()) {
-      throw InputError(std::string(option.name), entry.dump(), "must be a string in quotes");
+      throw InputError(std::string(option.name), entry.dump(), must_be_text(option));
     }
     text += (text.empty() ? "" : "\n") + entry.get<std::string>();
   }
@@ -131,14 +135,14 @@ Settings::Value typed(const Option& option, const nlohmann::json& value, Command
       }
       return integer_value(option, value.dump());
     case OptionKind::text:
-      if (option.name == "friction-zones" && value.is_array()) {
+      if (option.traits.in_scene == InScene::zones && value.is_array()) {
         return zones_text(value);
       }
       if (option.repeats_in(command) && value.is_array()) {
         return joined_texts(option, value);
       }
       if (!value.is_string()) {
-        throw wrong_type("a string in quotes");
+        throw InputError(std::string(option.name), value.dump(), must_be_text(option));
       }
       return value.get<std::string>();
     case OptionKind::flag:
@@ -187,27 +191,31 @@ void add_key(Settings& settings, const std::string& key, const nlohmann::json& v
   settings.set_place(*option, place->second);
 }
 
-/// "excitation" may itself be an object; its "type" is the option excitation.
-void add_keys(Settings& settings, const nlohmann::json& object, std::string_view within,
-              Command command, const sweep::KeyPlaces& places) {
+/// The option that a key means within the object of `outer`, whose "type" is that option itself;
+/// null if there is none.
+const Option* option_within(const Option& outer, std::string_view key) {
+  if (key == "type") {
+    return &outer;
+  }
+  const Option* const option = find_option(key);
+  return option != nullptr && option != &outer && option->group == outer.group ? option : nullptr;
+}
+
+void add_keys(Settings& settings, const nlohmann::json& object, Command command,
+              const sweep::KeyPlaces& places) {
   for (const auto& [key, value] : object.items()) {
-    const std::string wanted = hyphened(key);
-    const Option* option = find_option(wanted);
-    if (within.empty() && wanted == "excitation" && value.is_object()) {
-      if (value.empty()) {
-        throw InputError(key, "{}", "must have a type");
-      }
-      add_keys(settings, value, key, command, places);
-    } else if (within.empty()) {
+    const Option* const option = find_option(hyphened(key));
+    const bool is_group = option != nullptr && option->traits.in_scene == InScene::group;
+    if (!is_group || !value.is_object()) {
       add_key(settings, key, value, option, command, places);
-    } else {
-      const Option* const outer = find_option(hyphened(std::string(within)));
-      const bool of_it = option != nullptr && option->group == outer->group && option != outer;
-      add_key(settings, fmt::format("{}.{}", within, key), value,
-              wanted == "type" ? outer
-              : of_it          ? option
-                               : nullptr,
-              command, places);
+      continue;
+    }
+    if (value.empty()) {
+      throw InputError(key, "{}", "must have a type");
+    }
+    for (const auto& [inner, inner_value] : value.items()) {
+      add_key(settings, fmt::format("{}.{}", key, inner), inner_value,
+              option_within(*option, hyphened(inner)), command, places);
     }
   }
 }
@@ -217,13 +225,13 @@ void add_keys(Settings& settings, const nlohmann::json& object, std::string_view
 Settings parse_scene(std::string_view text, std::string_view source, Command command) {
   const sweep::KeyPlaces places = sweep::require_json_object(text, {"scene", std::string(source)});
   Settings settings;
-  add_keys(settings, nlohmann::json::parse(text, nullptr, true, true), "", command, places);
+  add_keys(settings, nlohmann::json::parse(text, nullptr, true, true), command, places);
   return settings;
 }
 
 Settings scene_settings(const nlohmann::json& scene, Command command) {
   Settings settings;
-  add_keys(settings, scene, "", command, {});
+  add_keys(settings, scene, command, {});
   return settings;
 }
 

@@ -11,15 +11,9 @@ namespace stillpoint::cli {
 
 namespace {
 
-bool has_rival_of(const Settings& settings, const Option& option) {
-  return std::ranges::any_of(options(), [&](const Option& other) {
-    return other.traits.rivals == option.traits.rivals && settings.has(other.name);
-  });
-}
-
 void drop_rivals(const Settings& flags, Settings& scene) {
   for (const Option& option : options()) {
-    if (option.traits.rivals != Rivals::none && has_rival_of(flags, option)) {
+    if (option.traits.rivals != Rivals::none && flags.given(option.traits.rivals) != nullptr) {
       scene.drop(option.name);
     }
   }
@@ -45,21 +39,11 @@ void drop_excitation(const Settings& flags, Settings& scene) {
   scene.drop("pulse");
 }
 
-bool asks_for_hit(const Settings& given) {
-  return std::ranges::any_of(options(), [&](const Option& option) {
-    return option.traits.rivals == Rivals::hit && given.has(option.name);
-  });
-}
-
-bool asks_for_records(const Settings& given) {
-  return given.has("record") || given.has("records-list");
-}
-
 /// A design is for a hit or under records. A flag for one sets aside the other in the scene; if a
 /// scene has both, for several commands, a design takes the hit.
 void keep_one_design(const Settings& flags, Settings& settings) {
-  const bool for_a_hit =
-      asks_for_hit(flags) || (asks_for_hit(settings) && !asks_for_records(flags));
+  const bool for_a_hit = flags.given(Rivals::hit) != nullptr ||
+                         (settings.given(Rivals::hit) != nullptr && !asks_for_records(flags));
   if (!for_a_hit && !asks_for_records(settings)) {
     return;
   }
@@ -77,13 +61,11 @@ void follow_pulse(Settings& scene) {
   if (!scene.has("pulse") || scene.has("excitation") || scene.has("record")) {
     return;
   }
-  for (const std::string_view start : {"v0", "velocity"}) {
-    if (scene.has(start)) {
-      throw UsageError(fmt::format("{} and pulse cannot be combined: give one of them", start));
-    }
-  }
   scene.set(*find_option("excitation"), *scene.known("pulse"));
   scene.drop("pulse");
+  if (const Option* const start = scene.given(Rivals::hit)) {
+    throw UsageError(fmt::format("{} and pulse cannot be combined: give one of them", start->name));
+  }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -64,6 +65,18 @@ class Settings {
   /// An option of any kind but a flag, as on the command line. Throws InputError.
   void set_text(const Option& option, const std::string& text, Command command);
   [[nodiscard]] bool has(std::string_view name) const { return entries_.contains(name); }
+
+  /// The first option of the table that is set and for which `holds`; null if there is none.
+  template <class Holds>
+  [[nodiscard]] const Option* first(const Holds& holds) const {
+    const auto found = std::ranges::find_if(
+        options(), [&](const Option& option) { return has(option.name) && holds(option); });
+    return found == options().end() ? nullptr : &*found;
+  }
+  /// The same of a set of rivals.
+  [[nodiscard]] const Option* given(Rivals rivals) const {
+    return first([&](const Option& option) { return option.traits.rivals == rivals; });
+  }
 
   /// A range; empty if not set or if it is a number.
   [[nodiscard]] std::optional<Range> range(std::string_view name) const { return get<Range>(name); }
@@ -127,6 +140,11 @@ class Settings {
 
   std::map<std::string_view, Entry> entries_;
 };
+
+/// Whether one or more records are named.
+[[nodiscard]] inline bool asks_for_records(const Settings& settings) {
+  return settings.first([](const Option& option) { return option.names_records(); }) != nullptr;
+}
 
 /// Adds the place in the scene to what `body` throws about a value of it.
 template <class Body>

@@ -77,10 +77,10 @@ std::string type_of(const Option& option, Command command) {
   }
   return option.traits.file != cli::FileUse::none
              ? option.repeats_in(command) ? "Path | Sequence[Path]" : "Path"
-         : option.name == "excitation"     ? "str | Mapping[str, Any]"
-         : option.name == "friction-zones" ? "str | Sequence[Mapping[str, Any]]"
-         : option.repeats_in(command)      ? "str | Sequence[str]"
-                                           : "str";
+         : option.traits.in_scene == cli::InScene::group ? "str | Mapping[str, Any]"
+         : option.traits.in_scene == cli::InScene::zones ? "str | Sequence[Mapping[str, Any]]"
+         : option.repeats_in(command)                    ? "str | Sequence[str]"
+                                                         : "str";
 }
 
 /// In Python a trajectory is an array, not a file, and so is a report.

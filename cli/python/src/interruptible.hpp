@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/cancellation.hpp>
+
 #include <pybind11/pybind11.h>
 
 #include <chrono>
@@ -21,8 +23,10 @@ auto interruptible(const Work& work) {
   std::future<decltype(work(source.get_token()))> answer;
   {
     const py::gil_scoped_release released;
-    answer =
-        std::async(std::launch::async, [&work, stop = source.get_token()] { return work(stop); });
+    answer = std::async(std::launch::async, [&work, stop = source.get_token()] {
+      const Cancellable cancellable([&stop] { return !stop.stop_requested(); });
+      return work(stop);
+    });
     while (answer.wait_for(between_looks) != std::future_status::ready) {
       const py::gil_scoped_acquire acquired;
       if (!interrupted && PyErr_CheckSignals() != 0) {

@@ -140,7 +140,7 @@ std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
 /// A part goes to its file as well.
 std::unique_ptr<Sweep> reduced(const Settings& given, const SweepSpec& spec) {
   report::ReductionReport found = interruptible([&](const std::stop_token& stop) {
-    if (auto before = cli::find_reduced_part(spec)) {
+    if (auto before = report::find_reduction(spec)) {
       return *std::move(before);
     }
     sweep::Reducer reducer(spec);

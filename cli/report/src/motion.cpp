@@ -7,18 +7,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace stillpoint::report {
 
 namespace {
 
-std::string arrival(const HalfCycle& half_cycle, Outcome outcome, const FigureUnits& units) {
-  if (half_cycle.arrival_speed) {
-    return digits(*half_cycle.arrival_speed * units.velocity);
+/// Of a half-cycle that does not arrive at x = 0, the last; where it ends, says the answer.
+std::string_view last_words(const Simulation& answer) {
+  const Outcome outcome = answer.response.outcome;
+  if (outcome == Outcome::stopped_in_dead_zone || outcome == Outcome::stopped_in_notch) {
+    return "rests";
   }
-  const bool stops =
-      outcome == Outcome::stopped_in_dead_zone || outcome == Outcome::stopped_in_notch;
-  return stops ? "rests" : "goes on";  // where, says the answer
+  return answer.forced && answer.forced->final_velocity == 0 ? "is held" : "goes on";
 }
 
 /// The first dozen.
@@ -44,7 +45,8 @@ void add_half_cycles(Document& document, const Simulation& answer, const Physica
         {{format("{}", now.index), digits(now.start_time * units.time),
           digits(now.departure_speed * units.velocity), digits(now.peak_time * units.time),
           digits(now.side * now.peak * units.length), digits(now.end_time * units.time),
-          arrival(now, answer.response.outcome, units)}});
+          now.arrival_speed ? digits(*now.arrival_speed * units.velocity)
+                            : std::string(last_words(answer))}});
     if (impulses) {
       table.rows.back().cells.push_back(now.impulse ? digits(*now.impulse * units.velocity) : "");
     }
@@ -74,7 +76,8 @@ std::string verdict(const MotionReport& report) {
       response.peak_amplitude == 0) {
     return "It never moves: friction holds it throughout the load.";
   }
-  std::string text = format("It {}", outcome_phrase(response.outcome));
+  std::string text = format("It {}", report.answer.forced ? outcome_phrase(*report.answer.forced)
+                                                          : outcome_phrase(response.outcome));
   if (response.stop_time && *response.stop_time > 0) {
     text += format(", after {}", time_shown(physical, *response.stop_time));
   }
@@ -137,8 +140,7 @@ std::string lock_sentence(const MotionReport& report) {
           ? format("{:.4g} s of {:.4g} s", *forced->locked_from * report.physical->scales.time_s,
                    end * report.physical->scales.time_s)
           : format("tau = {:.4g} of {:.4g}", *forced->locked_from, end);
-  // A notch with a width holds the mass where it stopped.
-  const double at = report.answer.response.stop_position.value_or(0);
+  const double at = forced->final_position.value();  // off x = 0 in a notch with a width
   return format(
       "locked {} from {}; the structure then feels up to {:.3g} g",
       at == 0 ? "at x = 0" : format("in the notch, at x = {},", length_shown(report.physical, at)),

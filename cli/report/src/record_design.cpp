@@ -43,6 +43,11 @@ std::string period_words(const Physical& physical, double p) {
                   : format("p = {}", digits(p));
 }
 
+/// "the record", "1 of 2 records"
+std::string of_records(std::size_t count, std::size_t all) {
+  return all == 1 ? "the record" : format("{} of {} records", count, all);
+}
+
 /// Which records lock the mass; empty if none.
 std::string lock_words(const design::RecordDesign& result) {
   std::size_t count = 0;
@@ -54,11 +59,22 @@ std::string lock_words(const design::RecordDesign& result) {
     }
   }
   const std::size_t all = result.finding->responses.size();
-  return count == 0
-             ? ""
-             : format(
-                   "under {} of {} record{} the notch holds it to the end, and transmits up to {}",
-                   count, all, all == 1 ? "" : "s", acceleration_shown(most));
+  return count == 0 ? ""
+                    : format("under {} the notch holds it to the end, and transmits up to {}",
+                             of_records(count, all), acceleration_shown(most));
+}
+
+/// What a reader who looks no further has to know; empty if the mass moves and is never locked.
+std::string warning(const design::RecordDesign& result) {
+  const design::SuiteFigures& figures = result.finding->point.figures;
+  const std::size_t all = result.finding->responses.size();
+  if (figures.peak == 0) {
+    return format("The mass never moves: it is held through {}, and the structure feels up to {}. ",
+                  all == 1 ? "the record" : "every record",
+                  acceleration_shown(figures.acceleration));
+  }
+  const std::string locked = lock_words(result);
+  return locked.empty() ? "" : format("Locked: {}. ", locked);
 }
 
 std::string verdict(const RecordDesignReport& report) {
@@ -69,7 +85,7 @@ std::string verdict(const RecordDesignReport& report) {
   }
   const Physical& physical = report.physical;
   const auto& [damper, figures] = result.finding->point;
-  return so_far +
+  return so_far + warning(result) +
          format(
              "f = {} and delta = {} with {}: the {} transmitted acceleration of {} record{} is "
              "{}, the stroke {}, the residual {}.",
@@ -81,8 +97,9 @@ std::string verdict(const RecordDesignReport& report) {
 }
 
 void add_answer(Section& answer, const design::RecordDesign& result) {
-  const std::string locked = lock_words(result);
-  answer.row("locked", locked.empty() ? "no record locks it while the load goes on" : locked);
+  if (lock_words(result).empty()) {
+    answer.row("locked", "no record locks it while the load goes on");
+  }
   const design::Sensitivity& near = result.finding->sensitivity;
   answer.row("tolerance", format("{} of {} samples within +-{:.3g} % meet the limits",
                                  near.admissible, near.samples, 100 * near.tolerance));
@@ -248,9 +265,10 @@ Document document(const RecordDesignReport& report) {
   document.title = "Damper under records";
   document.verdict = verdict(report);
   if (result.finding) {
-    document.tone = !result.finding->check.passed ? Tone::bad
-                    : result.search.interrupted   ? Tone::plain
-                                                  : Tone::good;
+    const bool still = result.finding->point.figures.peak == 0;
+    document.tone = still || !result.finding->check.passed ? Tone::bad
+                    : result.search.interrupted            ? Tone::plain
+                                                           : Tone::good;
     add_answer(document.answer, result);
     add_records(document, report);
     add_damper(document, report);

@@ -225,18 +225,18 @@ std::string outcome_phrase(Outcome outcome) {
   return {};
 }
 
+std::string outcome_phrase(const ForcedResponse& response) {
+  return response.outcome == Outcome::running && response.final_velocity == 0
+             ? "is at rest at the end of the run"
+             : outcome_phrase(response.outcome);
+}
+
 namespace {
 
 std::string acceleration_text(const Physical& physical, double acceleration) {
   return physical ? format("{:.6g} g = {:.5g} m/s2", acceleration,
                            acceleration * physical->scales.gravity_m_per_s2)
                   : format("{:.6g} g", acceleration);
-}
-
-/// The rows of its accelerations come after that of its peak.
-void add_peak(Section& section, const Response& response, const Physical& physical) {
-  section.row("outcome", outcome_phrase(response.outcome));
-  section.row("peak", length_text(physical, response.peak_amplitude));
 }
 
 void add_metrics(Section& section, const Response& response, const Physical& physical) {
@@ -269,14 +269,16 @@ void add_margin(Section& section, const Response& response, std::string_view mea
 }  // namespace
 
 void add_response(Section& section, const Response& response, const Physical& physical) {
-  add_peak(section, response, physical);
+  section.row("outcome", outcome_phrase(response.outcome));
+  section.row("peak", length_text(physical, response.peak_amplitude));
   section.row("peak acceleration", acceleration_text(physical, response.peak_acceleration));
   add_metrics(section, response, physical);
   add_margin(section, response, "the outcome could change if all inputs shift by about this much");
 }
 
 void add_response(Section& section, const ForcedResponse& response, const Physical& physical) {
-  add_peak(section, response, physical);
+  section.row("outcome", outcome_phrase(response));
+  section.row("peak", length_text(physical, response.peak_amplitude));
   section.row("transmitted",
               format("{}, the largest acceleration that the structure feels",
                      acceleration_text(physical, response.peak_absolute_acceleration)));

@@ -92,5 +92,7 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
 
 /// "stops at x = 0" and so on.
 [[nodiscard]] std::string outcome_phrase(Outcome outcome);
+/// A motion that has not ended may be at rest all the same.
+[[nodiscard]] std::string outcome_phrase(const ForcedResponse& response);
 
 }  // namespace stillpoint::report

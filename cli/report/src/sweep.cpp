@@ -34,8 +34,8 @@ double rate(const SweepSummary& summary) {
 }
 
 constexpr std::array<std::string_view, sweep_outcome_count> outcome_labels{
-    "stop at x = 0", "stop in dead zone", "never stop",   "never start",
-    "running",       "over the limit",    "stop in notch"};
+    "stop at x = 0",  "stop in dead zone", "never stop", "never start", "not known to have stopped",
+    "over the limit", "stop in notch"};
 
 }  // namespace
 

@@ -35,13 +35,8 @@ void check(const Harmonic& excitation) {
   }
 }
 
-void check(const HalfSine& pulse) {
-  require_wave(pulse.k, pulse.lambda);
-}
-void check(const FullSine& pulse) {
-  require_wave(pulse.k, pulse.lambda);
-}
-void check(const Rectangle& pulse) {
+template <class Pulse>
+void check(const Pulse& pulse) {
   require_wave(pulse.k, pulse.lambda);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "friction_bounds.hpp"
+#include "friction_check.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -24,22 +24,20 @@ void require_speed(const char* field, double value, double speed, const char* wh
 
 }  // namespace
 
-void require_friction(const std::string& field, const char* symbol, double f, double p) {
-  require_within(field.c_str(), f, 0, largest_square);
-  const double phi = f / p;
-  if (f != 0 && !(phi >= smallest_friction_speed && phi <= largest_speed)) {
+void require_friction(const std::string& field, double f, double p) {
+  require_within(field.c_str(), f, 0, largest_speed * p);
+  if (f != 0 && f / p < smallest_friction_speed) {
     throw InputError(field, f,
-                     fmt::format("{} / p must be 0 or from {} to {} (p = {})", symbol,
-                                 smallest_friction_speed, largest_speed, p));
+                     fmt::format("must be 0 or at least {} p (p = {})", smallest_friction_speed, p));
   }
 }
 
 void require_valid(const Oscillator& oscillator) {
   require_within("p", oscillator.p, smallest_speed, largest_speed);
-  require_friction("f", "f", oscillator.f, oscillator.p);
+  require_friction("f", oscillator.f, oscillator.p);
   require_within("delta", oscillator.delta, 0, largest_square);
   if (oscillator.hold) {
-    require_friction("hold", "hold", *oscillator.hold, oscillator.p);
+    require_friction("hold", *oscillator.hold, oscillator.p);
   }
 }
 

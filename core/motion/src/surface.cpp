@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "friction_bounds.hpp"
+#include "friction_check.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/surface.hpp>
@@ -53,7 +53,7 @@ void require_valid(const Oscillator& oscillator, const Surface& surface) {
       throw InputError(name + ": to", zone.to,
                        fmt::format("must be greater than the previous edge, {}", before));
     }
-    require_friction(name + ": f", "f", zone.f, p);
+    require_friction(name + ": f", zone.f, p);
     before = zone.to;
   }
 }

@@ -6,6 +6,7 @@
 #include "ranking.hpp"
 #include "region/mend_list.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
@@ -31,6 +32,7 @@ double cost_of(const Problem& problem, Objective objective, const RatedPart& rat
 }
 
 RatedPart rated(const Problem& problem, const Limits& limits, const Part& part) {
+  cancellation_point();
   require_valid(part, problem.p);
   RatedPart rated{part,
                   admissible(problem, limits, part.f, part.delta),
@@ -130,6 +132,7 @@ std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
   Problem task = problem;
   Limits allowed = limits;
   const auto any_fits = [&](const Part& part) {
+    cancellation_point();
     return admissible(task, allowed, part.f, part.delta);
   };
   if (std::ranges::any_of(parts, any_fits)) {

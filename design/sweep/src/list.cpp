@@ -8,6 +8,7 @@
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/state.hpp>
 
 #include <fmt/format.h>
@@ -65,7 +66,7 @@ std::span<const Named<ListFormat>> enumerators(ListFormat) noexcept {
 
 List::List(const std::string& path, std::optional<ListFormat> format,
            const std::optional<SweepUnits>& units)
-    : lines_(std::make_unique<LineReader>(path)), units_(units) {
+    : path_(path), lines_(std::make_unique<LineReader>(path)), units_(units) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::string_view line;
   if (!next_line(line, {})) {
@@ -199,6 +200,14 @@ bool List::next(std::vector<double>& values, const std::stop_token& stop) {
     read_object(line, values);
   }
   return true;
+}
+
+ListExtent List::whole() const {
+  if (path_ == "-" || is_special_file(path_)) {
+    lines_->refuse({}, "must be a file to be split into parts: it is read twice");
+  }
+  List again(path_, format_, units_);
+  return read_to_end(again);
 }
 
 ListExtent read_to_end(List& list) {

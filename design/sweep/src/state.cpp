@@ -103,7 +103,7 @@ std::string summary(const SweepState& state, bool of_designs) {
   const std::initializer_list<std::pair<Outcome, std::string_view>> others{
       {Outcome::caught_at_start, "never start"},
       {Outcome::never_stops, "never stop"},
-      {Outcome::running, "are still moving at the end"}};
+      {Outcome::running, "not known to have stopped"}};
   for (const auto& [outcome, what] : others) {
     if (const std::int64_t how_many = count(state, outcome); how_many > 0) {
       text += fmt::format(", {} {}", how_many, what);

@@ -3,6 +3,7 @@
 
 #include "request_of.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/free_motion.hpp>
@@ -208,9 +209,16 @@ void SweepStep::run(SweepBlock& block) {
   assert(false && "a SweepKind outside its enumeration");
 }
 
+/// An entry may take long itself; after a stop nobody reads its results.
 void SweepStep::for_each(const SweepBlock& block, const std::function<void(Index)>& body) const {
-  for_each_entry(
-      block.size, spec_.threads, [this] { return !stop_.stop_requested(); }, body);
+  const auto go_on = [this] { return !stop_.stop_requested(); };
+  for_each_entry(block.size, spec_.threads, go_on, [&](Index i) {
+    const Cancellable cancellable(go_on);
+    try {
+      body(i);
+    } catch (const Cancelled&) {
+    }
+  });
 }
 
 Surface SweepStep::surface(const SweepBlock& block, Index i) const {

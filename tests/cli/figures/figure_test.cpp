@@ -147,6 +147,20 @@ BOOST_AUTO_TEST_CASE(ticks_are_told_apart_and_stay_within_the_figure) {
   BOOST_TEST(plot_left(figure) > usual);
 }
 
+// Wide letters of 13 pixels reach 12 above their baseline and 3 below it.
+BOOST_AUTO_TEST_CASE(labels_keep_clear_of_each_other_at_the_corner) {
+  Figure figure = one_of_everything();
+  figure.x = {"f", 0.319, 0.369};
+  figure.y = {"delta", 0, 0.5};
+  const std::string wide = svg(figure, Frame::in_page);
+  BOOST_TEST(contains(wide, "y=\"315\" text-anchor=\"middle\">0.32</text>"));
+  BOOST_TEST(contains(wide, "y=\"299.00\" text-anchor=\"end\">0</text>"));
+  figure.x = {"f", 0, 0.5};
+  const std::string narrow = svg(figure, Frame::in_page);
+  BOOST_TEST(contains(narrow, "y=\"315\" text-anchor=\"middle\">0</text>"));
+  BOOST_TEST(contains(narrow, "y=\"302.00\" text-anchor=\"end\">0</text>"));
+}
+
 // Of the range of a low figure, +-0.35 by halves would be 0 alone.
 BOOST_AUTO_TEST_CASE(a_low_figure_has_two_values_beside_it_at_least) {
   Figure figure = one_of_everything();

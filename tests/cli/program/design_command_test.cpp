@@ -96,6 +96,19 @@ BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
        "tolerance         none is left: the damper is on the edge of", "hits v0 of only 1\n"});
 }
 
+// What a script reads as the tolerance of both frictions must not be more than that.
+BOOST_AUTO_TEST_CASE(echoes_tolerances_of_each_side) {
+  const auto echoed = [&](const char* options) {
+    const json input = reported(design(0.95, Arguments(options)))["input"];
+    return json{input["tolerance"], input["tolerance_f"], input["tolerance_delta"]};
+  };
+  BOOST_TEST(echoed("--tolerance-f 0.75:1.25") == json({0, {0.75, 1.25}, {1, 1}}));
+  BOOST_TEST(echoed("--tolerance 0.125 --tolerance-f 0.25") ==
+             json({0.125, {0.75, 1.25}, {0.875, 1.125}}));
+  BOOST_TEST(echoed("--tolerance 0.125 --tolerance-f 0.875:1") ==
+             json({0, {0.875, 1}, {0.875, 1.125}}));
+}
+
 BOOST_AUTO_TEST_CASE(echoes_the_input) {
   const json report =
       reported(design(0.9,

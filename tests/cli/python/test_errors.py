@@ -4,6 +4,7 @@
 import os
 import signal
 import threading
+import time
 import types
 
 import numpy as np
@@ -53,6 +54,9 @@ def test_text_is_that_of_the_program(program, command, options):
     ({"v0": 10**30}, "v0 = 1000000000000000000000000000000: must be a whole number of at most 18 digits"),
     ({"arrivals": 1.5}, "arrivals = 1.5: must be a whole number from 1 to 1000"),
     ({"beta": [1, 2]}, "beta = [1,2]: must be a number"),
+    ({"catalogue": 5}, "catalogue = 5: must be a path"),
+    ({"objective": 5}, "objective = 5: must be a string"),
+    ({"record": [5]}, "record = 5: must be a path"),
 ])
 def test_what_only_python_can_get_wrong_is_named(options, text):
     with pytest.raises(stillpoint.InputError) as caught:
@@ -120,6 +124,32 @@ def test_interrupt_ends_a_design_under_records(interrupt):
 def test_interrupt_ends_a_spectrum(interrupt):
     with pytest.raises(KeyboardInterrupt):
         stillpoint.spectrum(record=[RECORD] * 100, period="1:4:10000", f=2e-5, delta_m=1e-7)
+
+
+@pytest.mark.parametrize("options", [
+    {"v0": 1, "p": 1, "beta": 2, "arrivals": 1000},
+    {"v0": 1, "p": 1, "beta": 1, "arrivals": 1000, "trade_off": 1000},
+    {"pulse": "half-sine", "k": "0.3:0.5", "lambda_": "0.02:20", "p": "1:1.5", "beta": 3, "tolerance": 0.2},
+])
+def test_interrupt_ends_a_design(interrupt, options):
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.design(**options)
+    assert time.monotonic() - begun < 2
+
+
+@pytest.mark.parametrize("command", ["design", "sweep"])
+def test_interrupt_ends_a_choice_of_many_parts(interrupt, tmp_path, command):
+    parts = "".join(f"P{i},{0.35 * i / 1e5},{0.5 * (i * 0.618 % 1)}\n" for i in range(100_000))
+    (tmp_path / "parts.csv").write_text("name,f,delta\n" + parts)
+    with pytest.raises(KeyboardInterrupt):
+        while True:
+            getattr(stillpoint, command)(v0=1, p=1, beta=0.9, arrivals=8, residual=0.05, catalogue=tmp_path / "parts.csv")
+
+
+def test_interrupt_ends_a_free_motion(interrupt):
+    with pytest.raises(KeyboardInterrupt):
+        stillpoint.simulate(v0=1, p=1, f=1e-11, delta=1e-14, half_cycle_limit=1e12)
 
 
 def test_interrupt_ends_arrays(interrupt):

@@ -126,10 +126,10 @@ Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const State& peak = farthest(motion);
   const std::string peak_words = format("peak {}", units.length_words(std::abs(peak.x)));
   const std::string rest_words =
-      motion.rest    ? format("at rest at x = {} after {}", units.length_words(motion.rest->x),
-                              units.time_words(motion.rest->tau))
-      : motion.whole ? "still moving at the end"
-                     : "still moving where the figure ends";
+      motion.rest ? format("at rest at x = {} after {}", units.length_words(motion.rest->x),
+                           units.time_words(motion.rest->tau))
+                  : format("{} {}", motion.states.back().v == 0 ? "at rest" : "still moving",
+                           motion.whole ? "at the end" : "where the figure ends");
   Figure figure;
   figure.id = "motion";
   figure.title = "Motion" + beginning(motion);

@@ -42,18 +42,21 @@ std::string count_label(std::size_t index) {
   return first < last ? format("{}–{}", first, last) : format("{}", first);
 }
 
-std::string class_name(std::size_t index) {
+/// A mass that does not move was caught at the start of a hit, or the load never moved it.
+std::string class_name(std::size_t index, bool from_rest) {
   constexpr std::size_t ranges = SweepClass::ranges;
   if (index >= 2 * ranges) {
-    constexpr std::array<const char*, 4> others{
-        "does not move", "never stops", "not known to have stopped", "too many half-cycles"};
+    const std::array<const char*, 4> others{from_rest ? "stays at rest" : "never starts",
+                                            "never stops", "not known to have stopped",
+                                            "too many half-cycles"};
     return others.at(index - 2 * ranges);
   }
   return format("{} after {}", index < ranges ? "centred" : "off centre", count_label(index));
 }
 
 /// Two colours, and those of motions that are neither.
-std::vector<figures::MapKey> key_of(const std::array<std::int64_t, SweepClass::count>& counts) {
+std::vector<figures::MapKey> key_of(const std::array<std::int64_t, SweepClass::count>& counts,
+                                    bool from_rest) {
   constexpr std::size_t ranges = SweepClass::ranges;
   std::vector<figures::MapKey> key;
   const auto any = [&counts](std::size_t from, std::size_t to) {
@@ -69,7 +72,7 @@ std::vector<figures::MapKey> key_of(const std::array<std::int64_t, SweepClass::c
   }
   for (std::size_t i = 2 * ranges; i < SweepClass::count; ++i) {
     if (counts.at(i) > 0) {
-      key.push_back({class_name(i), palette.at(i)});
+      key.push_back({class_name(i, from_rest), palette.at(i)});
     }
   }
   return key;
@@ -108,30 +111,32 @@ Figure sweep_figure(const sweep::SweepSpec& spec, const sweep::SweepMap& map) {
     units.delta_label += ", mm";
   }
   const auto counts = class_counts(map);
+  const double v0 = std::abs(only_value(spec, Quantity::v0));
+  const bool from_rest = v0 == 0;
   Figure figure;
   figure.id = "map";
   figure.title = "How the motions end, after how many half-cycles";
   figure.x = figure_axis("constant friction f", map.f());
   figure.y = figure_axis(units.delta_label, map.delta(), units.length);
-  figure.map = {map.f().cells(), map.delta().cells(), map.cells(), {}, {}, {}, key_of(counts)};
+  figure.map = {map.f().cells(),          map.delta().cells(), map.cells(), {}, {}, {},
+                key_of(counts, from_rest)};
   figure.description =
       format("The plane of f and Δ. Centred means a rest {}, off centre one in the dead zone.",
              given(spec, Quantity::notch_width) ? "in the notch" : "at x = 0");
   for (std::size_t i = 0; i < SweepClass::count; ++i) {
     figure.map.palette.emplace_back(palette.at(i));
-    figure.map.names.push_back(counts.at(i) > 0 ? class_name(i) : "");
+    figure.map.names.push_back(counts.at(i) > 0 ? class_name(i, from_rest) : "");
     figure.map.labels.push_back(counts.at(i) == 0            ? ""
                                 : i < 2 * SweepClass::ranges ? count_label(i)
-                                                             : class_name(i));
+                                                             : class_name(i, from_rest));
     if (counts.at(i) > 0) {
       figure.description += format(
-          " {}: {:.3g} %.", class_name(i),
+          " {}: {:.3g} %.", class_name(i, from_rest),
           100.0 * static_cast<double>(counts.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
   figure.caption =
       "Blue stops centred, orange (hatched) off centre; the number counts half-cycles.";
-  const double v0 = std::abs(only_value(spec, Quantity::v0));
   const double p = only_value(spec, Quantity::p);
   if (spec.kind == SweepKind::free && from_zero(spec) && plain_surface(spec) && v0 > 0 && p > 0) {
     add_boundaries(figure, {.v0 = v0, .p = p, .beta = v0 / p}, units);

@@ -3,6 +3,7 @@
 
 // Parts that are JSON: of a sweep without rows and of a design under records.
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/text_file.hpp>
@@ -18,6 +19,8 @@
 
 namespace stillpoint::report {
 
+inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction/1";
+
 /// The digest of everything else in a part.
 [[nodiscard]] nlohmann::ordered_json digest_json(const nlohmann::ordered_json& report);
 
@@ -28,6 +31,7 @@ template <class Part, class Rows>
                              std::string_view whole,
                              Part (*part_from)(const nlohmann::ordered_json&), const Rows& rows) {
   constexpr std::size_t largest_file = std::size_t{1} << 30U;
+  cancellation_point();
   const std::string text = records::read_text_file("part", path, largest_file);
   try {
     sweep::require_json_object(text, {.kind = "part", .path = path});

@@ -3,6 +3,7 @@
 
 #include <stillpoint/report/version.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -169,7 +170,7 @@ ordered_json task_json(const design::Problem& problem, const design::Limits& lim
           {"criterion", name(problem.criterion)},
           {"arrivals", problem.arrivals},
           {"residual", number(problem.residual)},
-          {"tolerance", number(limits.tolerance)},
+          {"tolerance", number(t * std::min({f_low, f_high, delta_low, delta_high}))},
           {"tolerance_f", range(1 - t * f_low, 1 + t * f_high, shaped)},
           {"tolerance_delta", range(1 - t * delta_low, 1 + t * delta_high, shaped)},
           {"f_max", number(limits.f_max)},

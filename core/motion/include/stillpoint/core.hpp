@@ -4,6 +4,7 @@
 // All of stillpoint::core.
 
 #include <stillpoint/core/batch.hpp>
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/elementary.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/for_each_entry.hpp>

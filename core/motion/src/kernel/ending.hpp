@@ -6,6 +6,7 @@
 
 #include "kernel/half_cycle_map.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/input_error.hpp>
 
 #include <algorithm>
@@ -131,13 +132,34 @@ double passages_bound(const HalfCycleMap<Real>& map, const Crest<Real>& crest) {
   return min(by_notch, by_friction);
 }
 
+/// A watcher that lets a map of so many half-cycles be cancelled.
+class CancellablePassages {
+ public:
+  template <class Map, class... Values>
+  void arrival(const Map& /*map*/, const Values&... /*values*/) {}
+  template <class Map, class... Values>
+  void crest(const Map& /*map*/, const Values&... /*values*/) {}
+  template <class Map, class... Values>
+  void passage(const Map& /*map*/, const Values&... /*values*/) {
+    if (++passages_ % between_looks == 0) {
+      cancellation_point();
+    }
+  }
+
+  static constexpr std::int64_t between_looks = 1'000'000;  // some milliseconds
+
+ private:
+  std::int64_t passages_{0};
+};
+
 /// From a crest to the end, by a closed form where there is one.
 template <class Real, class... Watchers>
 Ending<Real> from_crest(const HalfCycleMap<Real>& map, const Crest<Real>& crest,
                         double half_cycle_limit, Watchers&... watchers) {
   const bool closed_form = map.notch == 0 || map.phi == 0;
   const double limit = closed_form ? largest_square : half_cycle_limit;
-  if (const double bound = passages_bound(map, crest); bound > limit) {
+  const double bound = passages_bound(map, crest);
+  if (bound > limit) {
     throw TooManyHalfCycles(bound, limit);
   }
   if (map.notch == 0) {
@@ -145,6 +167,10 @@ Ending<Real> from_crest(const HalfCycleMap<Real>& map, const Crest<Real>& crest,
   }
   if (map.phi == 0) {
     return with_point_friction(map, crest, watchers...);
+  }
+  if (bound > static_cast<double>(CancellablePassages::between_looks)) {
+    CancellablePassages passages;
+    return by_map(map, crest, watchers..., passages);
   }
   return by_map(map, crest, watchers...);
 }

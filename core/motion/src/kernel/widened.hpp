@@ -43,14 +43,9 @@ struct Widen {
     return BasicHarmonic<Wide>{Wide(e.k), Wide(e.lambda), Wide(e.phase),
                                std::optional<Wide>(e.duration)};
   }
-  AnyExcitation<Wide> operator()(const HalfSine& e) const {
-    return BasicHalfSine<Wide>{Wide(e.k), Wide(e.lambda)};
-  }
-  AnyExcitation<Wide> operator()(const FullSine& e) const {
-    return BasicFullSine<Wide>{Wide(e.k), Wide(e.lambda)};
-  }
-  AnyExcitation<Wide> operator()(const Rectangle& e) const {
-    return BasicRectangle<Wide>{Wide(e.k), Wide(e.lambda)};
+  template <template <class> class Pulse>
+  AnyExcitation<Wide> operator()(const Pulse<double>& e) const {
+    return Pulse<Wide>{Wide(e.k), Wide(e.lambda)};
   }
   AnyExcitation<Wide> operator()(const Record& e) const {
     return BasicRecord<Wide>{

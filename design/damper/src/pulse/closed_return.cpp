@@ -53,11 +53,22 @@ struct BeginByF {
   double t{0};
 };
 
+/// A phase of the load with its sine and cosine.
+struct Phase {
+  double psi{0};
+  elementary::SinCos of{0, 1};
+};
+
 /// (62): a slide from rest under sin(psi + lambda h), about c.
 class SineSlide {
  public:
-  SineSlide(double lambda, double psi, double c, double y)
-      : lambda_(lambda), psi_(psi), begin_(elementary::sin_cos(psi)), c_(c), y_(y) {}
+  SineSlide(double lambda, const Phase& begin, double c, double y)
+      : lambda_(lambda),
+        over_square_(1 / ((lambda - 1) * (lambda + 1))),
+        psi_(begin.psi),
+        begin_(begin.of),
+        c_(c),
+        y_(y) {}
 
   [[nodiscard]] Moving at(double h) const {
     const elementary::SinCos half = elementary::sin_cos(h / 2);
@@ -71,10 +82,9 @@ class SineSlide {
     if (std::abs(lambda_ - 1) < near) {
       add_near_resonance(now, h, half, half_load);
     } else {
-      const double scale = 1 / ((lambda_ - 1) * (lambda_ + 1));
-      now.y += scale * (lambda_ * own.sine * begin_.cosine - own.bend * begin_.sine - rise);
-      now.v +=
-          scale * (lambda_ * ((1 - own.bend) * begin_.cosine - cosine) - own.sine * begin_.sine);
+      now.y += over_square_ * (lambda_ * own.sine * begin_.cosine - own.bend * begin_.sine - rise);
+      now.v += over_square_ *
+               (lambda_ * ((1 - own.bend) * begin_.cosine - cosine) - own.sine * begin_.sine);
     }
     now.a = begin_.sine + rise + c_ - now.y;
     now.j = lambda_ * cosine - now.v;
@@ -117,6 +127,7 @@ class SineSlide {
   }
 
   double lambda_;
+  double over_square_;  ///< 1/(lambda^2 - 1)
   double psi_;
   elementary::SinCos begin_;
   double c_;
@@ -149,7 +160,7 @@ Moving SineSlide::near(double h, Moment& last) const {
     }
     return rate[first] + value;
   };
-  constexpr std::size_t steer = 4;  // a and j only say where to search next
+  constexpr std::size_t steer = 6;  // a and j only say where to search next, to 1e-10
   return {sum(0, terms), sum(1, terms), sum(2, steer), sum(3, steer)};
 }
 
@@ -164,9 +175,12 @@ constexpr double last_step = 1e-6;
 /// The most steps to a zero, even if it is double or lost in rounding.
 constexpr int most_steps = 100;
 
-double halley_step(const Taylor& figure) {
-  const double newton = -figure.value / figure.slope;
-  return newton / (1 + newton * figure.curvature / (2 * figure.slope));
+/// To where the parabola falls through 0, by Halley's formula where it does not reach it.
+double step_of(const Taylor& figure) {
+  const auto [value, slope, curvature] = figure;
+  const double square = slope * slope - 2 * value * curvature;
+  return square >= 0 ? 2 * value / (std::sqrt(square) - slope)
+                     : 2 * value * slope / (value * curvature - 2 * slope * slope);
 }
 
 /// The parabola's next zero is far beyond this one, and its error is small compared with the slope.
@@ -184,8 +198,7 @@ Moment zero(const SineSlide& slide, double positive, const Moment& not_positive,
   Moment last = not_positive;
   for (int i = 0; i < most_steps; ++i) {
     const Taylor here = figure(now.motion);
-    const double step = halley_step(here);
-    // Halley's step is short where the slope vanishes as well.
+    const double step = step_of(here);
     if (std::abs(here.value) <= last_step * now.h * std::abs(here.slope)) {
       now.h += step;
       now.motion = slide.near(now.h, last);
@@ -242,7 +255,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
       from = to;
       // The next zero of u'' + u = 0 is no farther than Newton's step.
       if (here.slope < 0 && is_near(here, -u / here.slope)) {
-        step = halley_step(here);
+        step = step_of(here);
         if (step <= last_step * to) {
           return turned_or_arrived({to + step, slide.near(to + step, known)});
         }
@@ -357,39 +370,48 @@ FirstReturn under_rectangle(double lambda, double f) {
   }
 }
 
+/// The phase of that sine before or after the crest at pi/2.
+Phase phase_of(double sine, bool after) {
+  const double cosine = std::sqrt((1 - sine) * (1 + sine));
+  return after ? Phase{pi - elementary::asin(sine), {sine, -cosine}}
+               : Phase{elementary::asin(sine), {sine, cosine}};
+}
+
 /// When a mass that has turned starts again.
 struct Release {
-  double psi;
+  Phase begin;
   bool outwards;
 };
 
 /// For a mass that has turned at y; empty if it is held for ever. If it has hardly moved, it was on
 /// the edge of being held, where rounding would let it start again and again.
 std::optional<Release> release_of(double f, double y, double psi, double last, bool moved) {
-  const double load = elementary::sin_cos(psi).sine;
+  const Phase now{psi, elementary::sin_cos(psi)};
+  const double load = now.of.sine;
   if (moved && std::abs(y - load) > f) {
-    return Release{psi, load > y};
+    return Release{now, load > y};
   }
+  const auto not_before_now = [&](const Phase& then) { return then.psi > psi ? then : now; };
   if (psi < pi / 2 && y + f < 1) {
-    return Release{std::max(psi, elementary::asin(y + f)), true};
+    return Release{not_before_now(phase_of(y + f, false)), true};
   }
   if (psi >= crest || y - f <= (last > pi ? -1 : 0)) {
     return std::nullopt;
   }
-  return Release{std::max(psi, pi - elementary::asin(y - f)), false};
+  return Release{not_before_now(phase_of(y - f, true)), false};
 }
 
 std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
   MotionSoFar so_far(f);
   double y = 0;
   BeginByF begin;
-  Release release{elementary::asin(f), true};
+  Release release{phase_of(f, false), true};
   // For a pulse of a hundred natural periods. Rounding could hold a mass on the edge of a slide.
   constexpr int most_slides = 1000;
   for (int i = 0; i < most_slides; ++i) {
     const bool outwards = release.outwards;
     const double sign = outwards ? -1 : 1;
-    const SineSlide slide(lambda, release.psi, sign * f, y);
+    const SineSlide slide(lambda, release.begin, sign * f, y);
     const auto [event, at] = slid(slide, outwards, last);
     const ByF by_f = slide.by_f(at.h, sign, begin);
     if (event == SlideEvent::load_over) {
@@ -409,12 +431,12 @@ std::optional<FirstReturn> under_sine(double lambda, double f, double last) {
       so_far.turn_inwards(y, at.motion.a);
     }
     constexpr double rounding = 1e-14;
-    const auto next = release_of(f, y, psi, last, psi - release.psi > rounding);
+    const auto next = release_of(f, y, psi, last, psi - release.begin.psi > rounding);
     if (!next) {
       return so_far.rest(y);
     }
     // What is held sets out where nothing accelerates it: when does not matter.
-    begin = {by_f.y, next->psi > psi ? 0 : -by_f.v / at.motion.a};
+    begin = {by_f.y, next->begin.psi > psi ? 0 : -by_f.v / at.motion.a};
     release = *next;
   }
   return std::nullopt;

@@ -6,17 +6,17 @@
 
 namespace stillpoint::design {
 
-Need need_of(const FirstReturn& motion, Criterion criterion) {
+Rated need_of(const FirstReturn& motion, Criterion criterion) {
   return {motion.need(criterion), motion.slope(criterion)};
 }
 
-Need need_over_square(const FirstReturn& motion, Criterion criterion) {
+Rated need_over_square(const FirstReturn& motion, Criterion criterion) {
   const auto [need, slope] = need_of(motion, criterion);
   const double f = motion.f;
   return {need / f / f, (slope - 2 * need / f) / f / f};
 }
 
-bool top_of_cubic(const Need& a, const Need& b, double step) {
+bool top_of_cubic(const Rated& a, const Rated& b, double step) {
   const double chord = (b.value - a.value) / step;
   // Its slope over the part x of the step: a + 2 (3 c - 2 a - b) x + 3 (a + b - 2 c) x^2.
   const double linear = 3 * chord - 2 * a.slope - b.slope;
@@ -37,12 +37,23 @@ bool top_of_cubic(const Need& a, const Need& b, double step) {
 bool is_smooth(const FirstReturn& a, const FirstReturn& b, double largest) {
   constexpr double unexplained = 1e-4;
   constexpr double of_change = 0.05;
+  if (!(a.returns && b.returns)) {
+    return false;
+  }
+  const double mean_step = (b.f - a.f) / 2;
   const double change = b.exact_need - a.exact_need;
-  const double by_slopes = (b.f - a.f) * (a.need_slope + b.need_slope) / 2;
+  const double by_slopes = mean_step * (a.need_slope + b.need_slope);
   const double least = std::min(a.exact_need, b.exact_need);
-  const double allowed = unexplained * largest +
-                         (a.turns == b.turns ? of_change * std::min(std::abs(change), least) : 0);
-  return a.returns && b.returns && std::abs(change - by_slopes) <= allowed;
+  const bool one_kind = a.turns == b.turns;
+  const double allowed =
+      unexplained * largest + (one_kind ? of_change * std::min(std::abs(change), least) : 0);
+  if (std::abs(change - by_slopes) <= allowed) {
+    return true;
+  }
+  const double faster = b.speed - a.speed;
+  const double by_rates = mean_step * (a.need_slope / a.speed + b.need_slope / b.speed);
+  return one_kind &&
+         std::abs(faster - by_rates) <= of_change * std::min({std::abs(faster), a.speed, b.speed});
 }
 
 bool may_jump(const FirstReturn& a, const FirstReturn& b, int depth) {

@@ -4,6 +4,7 @@
 #include "pulse/edge.hpp"
 #include "pulse/neighbours.hpp"
 #include "pulse/pulse_run.hpp"
+#include "pulse/turning.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 
@@ -91,11 +92,13 @@ void PulseProfile::add_between(const FirstReturn& a, const FirstReturn& b, int d
     add_edge(a, b, depth);
     return;
   }
-  const Need from = need_of(a, criterion_);
-  const Need to = need_of(b, criterion_);
+  const Rated from = need_of(a, criterion_);
+  const Rated to = need_of(b, criterion_);
   const bool has_top = from.slope > 0 && to.slope < 0;
   if (smooth && has_top) {
-    const FirstReturn top = maximum(a, b, need_of);
+    const FirstReturn top = maximum(
+        a, b, [this](double f) { return at(f); },
+        [this](const FirstReturn& now) { return need_of(now, criterion_); });
     if (a.f < top.f && top.f < b.f) {
       samples_.push_back(top);
     }
@@ -140,39 +143,16 @@ void PulseProfile::add_edge(const FirstReturn& a, const FirstReturn& b, int dept
   add_between(high, b, depth + 1);
 }
 
-/// Where the need is largest between one that rises and one that falls: by the secant of the
-/// slopes where they are smooth, and by the crossing of the tangents where they jump.
-template <class NeedOf>
-FirstReturn PulseProfile::maximum(FirstReturn low, FirstReturn high, const NeedOf& need_of) const {
-  constexpr double close = 1e-10;  // of the need, by the tangents
-  constexpr int most_motions = 60;
-  for (int step = 0; step < most_motions; ++step) {
-    const Need rises = need_of(low, criterion_);
-    const Need falls = need_of(high, criterion_);
-    const double width = high.f - low.f;
-    const double tangents =
-        (falls.value - rises.value - falls.slope * width) / (rises.slope - falls.slope);
-    if (rises.value + rises.slope * tangents <= std::max(rises.value, falls.value) * (1 + close) ||
-        width <= 2 * edge_width(low.f, high.f)) {
-      break;
-    }
-    const double secant = width * rises.slope / (rises.slope - falls.slope);
-    const double least = edge_width(low.f, high.f);
-    const FirstReturn now =
-        at(low.f + std::clamp(step % 2 == 0 ? secant : tangents, least, width - least));
-    (need_of(now, criterion_).slope > 0 ? low : high) = now;
-  }
-  return need_of(low, criterion_).value > need_of(high, criterion_).value ? low : high;
-}
-
 void PulseProfile::add_maxima_over_square() {
+  const auto figure = [this](const FirstReturn& now) { return need_over_square(now, criterion_); };
   std::vector<FirstReturn> found;
   for (std::size_t i = 1; i < samples_.size(); ++i) {
     const FirstReturn& a = samples_[i - 1];
     const FirstReturn& b = samples_[i];
-    if (a.returns && b.returns && b.f - a.f > 2 * edge_width(a.f, b.f) &&
-        need_over_square(a, criterion_).slope > 0 && need_over_square(b, criterion_).slope < 0) {
-      found.push_back(maximum(a, b, need_over_square));
+    if (a.returns && b.returns && b.f - a.f > 2 * edge_width(a.f, b.f) && figure(a).slope > 0 &&
+        figure(b).slope < 0) {
+      found.push_back(maximum(
+          a, b, [this](double f) { return at(f); }, figure));
     }
   }
   samples_.insert(samples_.end(), found.begin(), found.end());

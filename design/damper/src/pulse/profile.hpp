@@ -30,8 +30,6 @@ class PulseProfile {
  private:
   void add_between(const FirstReturn& a, const FirstReturn& b, int depth);
   void add_edge(const FirstReturn& a, const FirstReturn& b, int depth);
-  template <class NeedOf>
-  [[nodiscard]] FirstReturn maximum(FirstReturn low, FirstReturn high, const NeedOf& need_of) const;
   void add_maxima_over_square();
 
   Pulse pulse_;

@@ -3,6 +3,7 @@
 
 #include "pulse/closed_return.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 
 #include <cmath>
@@ -45,6 +46,7 @@ Pulse unit_pulse(const Pulse& pulse, double p) {
 }
 
 FirstReturn first_return(const Pulse& pulse, double p, double f) {
+  cancellation_point();
   const Pulse unit = unit_pulse(pulse, p);
   if (const auto closed = closed_return(unit, f)) {
     return *closed;

@@ -4,6 +4,8 @@
 // The admissible (f, Delta) of a pulse: the f whose motion returns, stays within beta and keeps the
 // limits, and for each of them every Delta from its need up to delta_max. docs/theory.md section 8.
 
+#include "pulse/intervals.hpp"
+#include "pulse/known_motions.hpp"
 #include "pulse/worst_return.hpp"
 
 #include <stillpoint/design/problem.hpp>
@@ -11,6 +13,7 @@
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/search.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -18,12 +21,6 @@
 #include <vector>
 
 namespace stillpoint::design {
-
-/// An interval of admissible f, in units of k, regardless of the tolerance.
-struct Island {
-  double low{0};
-  double high{0};
-};
 
 /// In the units of WorstReturn.
 class PulseRegion {
@@ -34,25 +31,41 @@ class PulseRegion {
               const Limits& limits);
 
   [[nodiscard]] const std::shared_ptr<const WorstReturn>& profile() const { return profile_; }
+  /// The intervals of admissible f, regardless of the tolerance.
   [[nodiscard]] const std::vector<Island>& islands() const { return islands_; }
   [[nodiscard]] FirstReturn at(double f) const { return profile_->at(f); }
+
   /// The largest need of a box, over what delta_max leaves for it: at most 1 if it fits.
   [[nodiscard]] double use_of_delta(double low, double high, double tolerance,
-                                    RecentMotions* recent = nullptr) const;
-  /// The highest low end of a box of that tolerance whose need is within that part of delta_max.
-  [[nodiscard]] std::optional<double> box_in(const Island& island, double tolerance,
-                                             double use = 1) const;
-  /// What the widest interval has beyond such a box, as a part of it; negative where none fits.
-  [[nodiscard]] double room_for(const Island& island, double tolerance, double use) const;
-  /// The tolerance of f, as far as delta_max allows.
-  [[nodiscard]] double widest_box(const Island& island, double f) const {
-    return widest(island, f, HUGE_VAL);
+                                    KnownMotions* known = nullptr) const;
+  [[nodiscard]] double use_per_need(double tolerance) const {
+    return (1 + shape_.delta_high * tolerance) / (1 - shape_.delta_low * tolerance) / delta_max_;
+  }
+  /// Of the logarithm of that, over the tolerance.
+  [[nodiscard]] double use_growth(double tolerance) const {
+    return shape_.delta_low / (1 - shape_.delta_low * tolerance) +
+           shape_.delta_high / (1 + shape_.delta_high * tolerance);
+  }
+  /// The intervals of an island whose need is within that part of what delta_max leaves for a box
+  /// of that tolerance.
+  [[nodiscard]] std::vector<Island> parts(const Island& island, double tolerance, double use,
+                                          KnownMotions& known) const;
+  /// What an interval has beyond a box of that tolerance, as a part of it; negative where none
+  /// fits.
+  [[nodiscard]] double spare(const Island& part, double tolerance) const {
+    return part.high / part.low * (low_of(1, tolerance) / high_of(1, tolerance)) - 1;
   }
   [[nodiscard]] bool feasible() const;
 
+  /// The tolerance of f, as far as delta_max, or the given Delta, allows.
+  [[nodiscard]] double widest(const Island& island, double f, double delta = HUGE_VAL,
+                              KnownMotions* known = nullptr) const;
+  /// The same without delta_max.
+  [[nodiscard]] double widest_by_edges(const Island& island, double f) const;
   /// The point of an island with the Delta that leaves the most tolerance, and with half of its
   /// capacity in reserve where delta_max allows.
-  [[nodiscard]] DesignPoint with_best_delta(const Island& island, double f) const;
+  [[nodiscard]] DesignPoint with_best_delta(const Island& island, double f,
+                                            KnownMotions& known) const;
   /// The largest tolerance of an admissible point; empty for any other.
   [[nodiscard]] std::optional<double> tolerance_of(double f, double delta) const;
 
@@ -62,20 +75,18 @@ class PulseRegion {
   [[nodiscard]] double length_unit() const { return length_; }
   [[nodiscard]] double asked() const { return asked_; }
   [[nodiscard]] double delta_max() const { return delta_max_; }
+  [[nodiscard]] Criterion criterion() const { return criterion_; }
 
-  /// The sides of a box of f, and the f whose box has that low end.
+  /// The sides of a box of f.
   [[nodiscard]] double low_of(double f, double tolerance) const {
     return f * (1 - shape_.f_low * tolerance);
   }
   [[nodiscard]] double high_of(double f, double tolerance) const {
     return f * (1 + shape_.f_high * tolerance);
   }
-  [[nodiscard]] double middle_of(double low, double tolerance) const {
-    return low / (1 - shape_.f_low * tolerance);
-  }
-  /// The f whose boxes of the tolerance asked for lie in the island: none if low > high.
-  [[nodiscard]] Island middles(const Island& island) const {
-    return {middle_of(island.low, asked_), island.high / (1 + shape_.f_high * asked_)};
+  /// The f whose boxes of that tolerance lie in the interval: none if low > high.
+  [[nodiscard]] Island middles(const Island& part, double tolerance) const {
+    return {part.low / low_of(1, tolerance), part.high / high_of(1, tolerance)};
   }
   [[nodiscard]] const BoxShape& shape() const { return shape_; }
   /// The largest tolerance that is searched for.
@@ -84,19 +95,12 @@ class PulseRegion {
  private:
   using Rooms = std::array<double, 3>;
   [[nodiscard]] Rooms rooms(const FirstReturn& motion) const;
-  [[nodiscard]] double room(const FirstReturn& motion) const;
+  [[nodiscard]] double room(const FirstReturn& motion) const {
+    return std::ranges::min(rooms(motion));
+  }
   [[nodiscard]] bool holds(const FirstReturn& motion) const { return room(motion) >= 0; }
   void find_islands();
   void add_overlaps(std::vector<FirstReturn>& points) const;
-  template <class Figure>
-  void add_minima(std::vector<FirstReturn>& points, const Figure& figure, double limit) const;
-  template <class Room>
-  [[nodiscard]] std::vector<Island> where(const std::vector<FirstReturn>& points,
-                                          const Room& room) const;
-  /// The intervals of an island whose need is within what a box of that tolerance leaves of it.
-  [[nodiscard]] std::vector<Island> left_by_delta(const Island& island, double tolerance,
-                                                  double use) const;
-  [[nodiscard]] double widest(const Island& island, double f, double delta_free) const;
 
   std::shared_ptr<const WorstReturn> profile_;
   std::vector<Island> islands_;

@@ -49,7 +49,7 @@ Region edges_of(const PulseRegion& region, const PulseProblem& problem,
     edges.feasible = true;
     const bool binds = weakest != nullptr && within->low > weakest->f * (1 + 1e-9);
     edges.f2 = binds ? within->low * region.f_unit() : 0;
-    const Island middles = region.middles(*within);
+    const Island middles = region.middles(*within, region.asked());
     edges.f_lower = middles.low * region.f_unit();
     edges.f_upper = middles.high * region.f_unit();
     edges.f_lower = std::min(*edges.f_lower, *edges.f_upper);

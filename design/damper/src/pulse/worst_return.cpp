@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/worst_return.hpp"
 
+#include "pulse/known_motions.hpp"
+
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
@@ -216,23 +218,12 @@ FirstReturn WorstReturn::between(double low, double high) const {
 }
 
 double WorstReturn::need_between(double low, double high, Criterion criterion,
-                                 RecentMotions* recent) const {
+                                 KnownMotions* known_motions) const {
   const auto need_at = [&](double f) {
-    return (recent != nullptr ? recent->at(f) : at(f)).need(criterion);
+    return (known_motions != nullptr ? known_motions->at(f) : at(f)).need(criterion);
   };
   const double known = std::max(need_at(low), need_of_samples(low, high, criterion));
   return most_near(high, criterion) <= known ? known : std::max(known, need_at(high));
-}
-
-const FirstReturn& RecentMotions::at(double f) {
-  auto* const known = std::ranges::find(motions_, f, &FirstReturn::f);
-  if (known != motions_.end()) {
-    return *known;
-  }
-  FirstReturn& forgotten = motions_[oldest_];
-  oldest_ = (oldest_ + 1) % motions_.size();
-  forgotten = profile_.at(f);
-  return forgotten;
 }
 
 /// No need at f is larger: for one pulse and spring the samples have the local maxima.

@@ -8,13 +8,12 @@
 
 #include <stillpoint/design/pulse.hpp>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace stillpoint::design {
 
-class RecentMotions;
+class KnownMotions;
 
 /// For one pulse and one spring it is their PulseProfile. Over ranges every figure of a motion is
 /// the largest of any pulse with any spring, and it returns if all do.
@@ -23,13 +22,19 @@ class WorstReturn {
   explicit WorstReturn(const PulseProblem& problem);
 
   [[nodiscard]] FirstReturn at(double f) const;
+  /// The same for an f that is no sample.
+  [[nodiscard]] FirstReturn found_at(double f) const;
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
   /// The worst from low to high, according to both ends and the samples between them.
   [[nodiscard]] FirstReturn between(double low, double high) const;
   /// The largest need from low to high: of both ends and of the samples between them, which have
   /// the local maxima.
   [[nodiscard]] double need_between(double low, double high, Criterion criterion,
-                                    RecentMotions* recent = nullptr) const;
+                                    KnownMotions* known = nullptr) const;
+  /// The same of the samples alone.
+  [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
+  /// One pulse and one spring.
+  [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
   /// The pulse and the spring, of this problem's, with the largest peak at f.
   [[nodiscard]] PulseProblem largest_peak(PulseProblem problem, double f) const;
 
@@ -44,10 +49,7 @@ class WorstReturn {
   void add_cases(const PulseProblem& problem);
   void add_leg(const Pulse& unit, double lambda, double p, double to_lambda, double to_p);
   void add_samples();
-  [[nodiscard]] FirstReturn found_at(double f) const;
   [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;
-  [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
-  [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
   [[nodiscard]] double most_near(double f, Criterion criterion) const;
 
   Criterion criterion_;  ///< whose largest need the samples have
@@ -55,21 +57,6 @@ class WorstReturn {
   std::vector<Case> cases_;
   std::size_t corner_{0};  ///< the case where p has reached its low end and lambda starts to grow
   std::vector<FirstReturn> samples_;
-};
-
-/// The last motions of one search, which asks for the same f again and again.
-class RecentMotions {
- public:
-  explicit RecentMotions(const WorstReturn& profile) : profile_(profile) {
-    motions_.fill({.f = -1});
-  }
-
-  const FirstReturn& at(double f);
-
- private:
-  const WorstReturn& profile_;
-  std::array<FirstReturn, 8> motions_;
-  std::size_t oldest_{0};
 };
 
 }  // namespace stillpoint::design

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/trade_off.hpp>
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/region.hpp>
@@ -91,6 +92,7 @@ std::optional<DesignPoint> best_with(const AtF& task) {
   const Problem& problem = task.problem;
   std::optional<DesignPoint> best;
   const auto consider = [&](double low, double high) {
+    cancellation_point();
     high = std::min(high, task.limits.delta_max.value_or(high));
     const double delta = low < high ? task.best_in({low, high}) : high;
     if (admissible(task.problem, task.limits, task.f, delta)) {

@@ -11,6 +11,7 @@
 
 #include "way/unit_strip.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <optional>
@@ -116,6 +117,7 @@ void for_each_way(const Problem& problem, const Limits& limits, const Visit& vis
   constexpr double rounding = 1e-12;  // of a tolerance of 1 / (2n - 1)
   const auto last = problem.v0_low == 0.0 ? 1 : static_cast<int>(problem.arrivals);
   for (int n = 1; n <= last; ++n) {
+    cancellation_point();
     const Way way(problem, limits, n);
     // The tip of a later strip is at a smaller f, and its tolerance smaller: (49), (51).
     if (way.a_cap < way.a2 || way.a_cap <= 0 || (way.q > 0 && way.a_cap < way.q && n > 1) ||

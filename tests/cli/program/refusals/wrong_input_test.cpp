@@ -78,6 +78,8 @@ const std::vector<Wrong> values{
     {with(simulate(), "--f", "-0.1"), {"f = -0.1", "from 0"}},
     {with(simulate(), "--delta", "-0.1"), {"delta = -0.1", "from 0"}},
     {simulate("--hold -0.1"), {"hold = -0.1", "from 0"}},
+    {simulate("--hold 1e300"), {"hold = 1e+300", "from 0 to 1e+150"}},
+    {simulate("--hold 1e301"), {"hold = 1e+301", "from 0 to 1e+150"}},
     {simulate("--hold nan"), {"hold = \"nan\"", "finite"}},
     {simulate("--notch-width 0"), {"notch-width = 0", "from 1e-150"}},
     {design("--notch-width -1"), {"notch-width = -1", "1e-150"}},

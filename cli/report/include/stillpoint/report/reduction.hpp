@@ -36,9 +36,10 @@ struct ReductionReport {
 /// Reads the JSON report of a part. Throws records::FileError if it is not complete.
 [[nodiscard]] ReductionReport read_reduction(const std::string& path);
 
-/// The report of the part `wanted`, if its file is there already. Throws LeftoverError for another
-/// part of the same sweep.
-[[nodiscard]] std::optional<ReductionReport> find_reduction(const sweep::PartLabel& wanted);
+/// The report of the part to compute, if its file is there already and the sweep is to be resumed.
+/// Throws InputError if only a part can be resumed, and LeftoverError for another part of the same
+/// sweep.
+[[nodiscard]] std::optional<ReductionReport> find_reduction(const sweep::SweepSpec& spec);
 
 /// The report of the whole sweep, from those of all its parts. Throws as sweep::merge does.
 [[nodiscard]] ReductionReport merged(const std::vector<std::string>& parts);

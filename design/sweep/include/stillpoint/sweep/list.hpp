@@ -23,6 +23,12 @@ enum class ListFormat { csv, jsonl };
 [[nodiscard]] std::span<const Named<ListFormat>> enumerators(ListFormat) noexcept;
 using stillpoint::name;
 
+/// The length of a list and its digest.
+struct ListExtent {
+  std::int64_t entries{0};
+  std::uint64_t digest{0};
+};
+
 /// The entries of a list, one on each line: CSV with a header that names the columns, or JSON
 /// objects that all have the same keys. Blank lines are skipped. Columns are inputs of a sweep.
 /// A wrong line throws records::FileError, with its number.
@@ -43,6 +49,9 @@ class List {
   /// "standard input", or the path.
   [[nodiscard]] const std::string& source() const;
 
+  /// Of the whole list, which is read again. Throws FileError if it is not a file.
+  [[nodiscard]] ListExtent whole() const;
+
   /// The values of the next entry, one for each column; false at the end and after a stop.
   [[nodiscard]] bool next(std::vector<double>& values, const std::stop_token& stop = {});
   /// The line of the last entry read, from 1.
@@ -58,17 +67,12 @@ class List {
   void read_object(std::string_view line, std::vector<double>& values);
   [[noreturn]] void refuse(std::string_view what) const;
 
+  std::string path_;
   std::unique_ptr<LineReader> lines_;
   std::optional<SweepUnits> units_;
   ListFormat format_{ListFormat::csv};
   std::vector<Quantity> columns_;
   std::optional<std::vector<double>> first_;  ///< read with the keys, not yet given
-};
-
-/// The length of a list and its digest.
-struct ListExtent {
-  std::int64_t entries{0};
-  std::uint64_t digest{0};
 };
 
 /// For all that is left of it.

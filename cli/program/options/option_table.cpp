@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+#include "options/excitation_kinds.hpp"
+#include "options/options.hpp"
+
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/record_design.hpp>
+#include <stillpoint/design/search.hpp>
+#include <stillpoint/design/trade_off.hpp>
+#include <stillpoint/records/record_file.hpp>
+#include <stillpoint/sweep/list.hpp>
+#include <stillpoint/sweep/spec.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace stillpoint::cli {
+
+namespace {
+
+using enum Command;
+using enum OptionKind;
+using enum Role;
+
+constexpr std::string_view motion = "Motion (dimensionless)";
+constexpr std::string_view physical =
+    "Motion in SI units, or with units: 150mm, 2.8s, 1200t (instead of the dimensionless options)";
+constexpr std::string_view damper = "Damper";
+constexpr std::string_view shaking = "Excitation (W in units of g)";
+constexpr std::string_view searching = "Search";
+constexpr std::string_view sweeping = "Sweep";
+constexpr std::string_view writing = "Output";
+
+constexpr CommandSet every = design | region | simulate | sweep | accuracy;
+/// One motion.
+constexpr CommandSet motions = simulate | accuracy;
+/// Commands that take metres and seconds.
+constexpr CommandSet in_metres = every;
+/// Commands that take a suite of records and no other load.
+constexpr CommandSet of_suites = design | spectrum;
+/// Commands that make a report.
+constexpr CommandSet reporting = every | spectrum;
+constexpr CommandSet of_designs = design | region | sweep;
+constexpr CommandSet of_excitations = motions | sweep;
+/// Commands that take a load with a wave, or a pulse.
+constexpr CommandSet of_waves = design | region | of_excitations;
+/// Commands that take acceleration records.
+constexpr CommandSet in_records = of_suites | of_excitations;
+constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
+
+/// A scan keeps about 100 bytes for each.
+constexpr std::int64_t most_scan_points = 10'000'000;
+
+/// Those of a design for a hit, then those that only a design under records has.
+std::vector<std::string_view> all_objectives() {
+  std::vector<std::string_view> both = names<design::Objective>();
+  for (const std::string_view name : names<design::SuiteObjective>()) {
+    if (std::ranges::find(both, name) == both.end()) {
+      both.push_back(name);
+    }
+  }
+  return both;
+}
+
+/// In `help`, {} stands for the values.
+Option row(std::string_view name, OptionKind kind, std::string_view placeholder,
+           std::string_view group, std::string help, CommandSet commands,
+           OptionTraits traits = {}) {
+  if (const std::size_t place = help.find("{}"); place != std::string::npos) {
+    std::string values = listed(traits.values);
+    if (traits.first_is_default) {
+      values.insert(traits.values.front().size(), " (default)");
+    }
+    help.replace(place, 2, values);
+  }
+  return {name, kind, placeholder, group, std::move(help), commands, std::move(traits)};
+}
+
+/// An input that a sweep varies, without a unit and with one, and a single number with a unit.
+OptionTraits plain_axis(Rivals rivals, RangeEnd range = RangeEnd::none) {
+  return {.sweeps = true, .rivals = rivals, .units = Units::dimensionless, .range = range};
+}
+OptionTraits in_si(Dimension dimension, Rivals rivals = Rivals::none,
+                   RangeEnd range = RangeEnd::none) {
+  return {.rivals = rivals, .units = Units::physical, .dimension = dimension, .range = range};
+}
+OptionTraits axis_in_si(Rivals rivals, Dimension dimension, RangeEnd range = RangeEnd::none) {
+  OptionTraits traits = in_si(dimension, rivals, range);
+  traits.sweeps = true;
+  return traits;
+}
+/// For only one of the two kinds of design: for a hit, or under records.
+OptionTraits for_hits(OptionTraits traits = {}) {
+  traits.design = DesignFor::hit;
+  return traits;
+}
+OptionTraits under_records(OptionTraits traits = {}) {
+  traits.design = DesignFor::records;
+  return traits;
+}
+OptionTraits of(Load load, OptionTraits traits = {}) {
+  traits.load = load;
+  return traits;
+}
+
+/// Where the numbers go.
+OptionTraits goes(FileUse file = FileUse::none) {
+  return {.role = output, .file = file};
+}
+/// Of design merge too.
+OptionTraits merges(OptionTraits traits) {
+  traits.merges = true;
+  return traits;
+}
+
+std::vector<Option> rows() {
+  return {
+      // name, kind, placeholder, group, help, commands, traits
+      row("v0", number, "V", motion, "initial velocity", every,
+          plain_axis(Rivals::hit, RangeEnd::high)),
+      row("p", number, "P", motion, "square root of the stiffness", every,
+          plain_axis(Rivals::stiffness, RangeEnd::low)),
+      row("beta", number, "B", motion, "largest admissible displacement", of_designs,
+          plain_axis(Rivals::stroke)),
+      row("pulse", text, "TYPE", motion,
+          "{}, with --k and --pulse-duration or --lambda: the hit instead of an initial velocity",
+          of_designs, {.rivals = Rivals::hit, .values = pulse_names()}),
+      row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
+          plain_axis(Rivals::start)),
+
+      row("velocity", number, "M/S", physical, "initial velocity in m/s", in_metres,
+          axis_in_si(Rivals::hit, Dimension::velocity, RangeEnd::high)),
+      row("max-displacement", number, "M", physical, "largest admissible displacement in m",
+          of_designs, axis_in_si(Rivals::stroke, Dimension::length)),
+      row("period", number, "S", physical,
+          "natural period without friction in s; for spectrum, LOW:HIGH:N", in_metres | spectrum,
+          {.sweeps = true,
+           .axis_of_spectrum = true,
+           .rivals = Rivals::stiffness,
+           .units = Units::physical,
+           .dimension = Dimension::time,
+           .range = RangeEnd::high}),
+      row("natural-frequency", number, "HZ", physical, "instead of the period, in Hz", in_metres,
+          axis_in_si(Rivals::stiffness, Dimension::frequency, RangeEnd::low)),
+      row("stiffness", number, "N/M", physical, "instead of the period, in N/m; needs --mass",
+          in_metres, axis_in_si(Rivals::stiffness, Dimension::stiffness, RangeEnd::low)),
+      row("mass", number, "KG", physical, "in kg; adds forces and energies to the report",
+          in_metres, in_si(Dimension::mass)),
+      row("gravity", number, "M/S2", physical, "in m/s2, default 9.80665", in_metres | spectrum,
+          {.units = Units::physical_without_records, .dimension = Dimension::acceleration}),
+      row("x0-m", number, "M", physical, "initial displacement in m", motions | sweep,
+          axis_in_si(Rivals::start, Dimension::length)),
+
+      row("f", number, "F", damper, "constant friction coefficient",
+          region | motions | sweep | spectrum, {.sweeps = true}),
+      row("delta", number, "D", damper, "point friction", region | motions | sweep,
+          {.sweeps = true, .rivals = Rivals::point_friction}),
+      row("delta-m", number, "M", damper, "point friction in m, with physical input",
+          region | motions | sweep | spectrum,
+          axis_in_si(Rivals::point_friction, Dimension::length)),
+      row("hold", number, "H", damper,
+          "load that the notch holds at x = 0 besides f, in g; default: any load",
+          of_suites | of_excitations,
+          {.sweeps = true, .rivals = Rivals::notch, .dimension = Dimension::gravities}),
+      row("notch-width", number, "W", damper,
+          "the notch as friction f + delta/W for |x| < W/2; default: none, all of it at x = 0",
+          design | of_excitations, plain_axis(Rivals::notch)),
+      row("notch-width-m", number, "M", damper, "the same in m, with physical input",
+          of_suites | of_excitations, axis_in_si(Rivals::notch, Dimension::length)),
+      row("friction-zones", text, "X:F,...", damper,
+          "friction that steps with |x|: F up to X, f beyond the last; with physical input X is in "
+          "m or has a unit",
+          of_excitations, {.in_scene = InScene::zones}),
+      row("criterion", text, "NAME", damper, "lower bound of delta: {}", of_designs,
+          for_hits({.values = names<design::Criterion>(), .first_is_default = true})),
+      row("arrivals", integer, "N", damper,
+          "stop at x = 0 by the N-th arrival, from 1 to 1000; default 1", of_designs,
+          for_hits({.sweeps = true, .bounds = {1, design::most_arrivals}})),
+      row("residual", number, "R", damper, "a rest with |x| up to R is admissible too", of_designs,
+          plain_axis(Rivals::residual)),
+      row("residual-m", number, "M", damper, "the same in m, with physical input", of_designs,
+          axis_in_si(Rivals::residual, Dimension::length)),
+      row("tolerance", number, "R", damper,
+          "the design must stay admissible within f(1 +- R), delta(1 +- R); default 0", of_designs),
+      row("tolerance-f", number, "R", damper,
+          "the tolerance of f alone, R or LOW:HIGH: 0.8:1.2 allows f from 0.8 to 1.2 times the "
+          "design's",
+          of_designs, for_hits({.range = RangeEnd::high})),
+      row("tolerance-delta", number, "R", damper, "the same for delta", of_designs,
+          for_hits({.range = RangeEnd::high})),
+      row("f-max", number, "F", damper, "largest f that can be manufactured", of_designs),
+      row("delta-max", number, "D", damper, "largest delta that can be manufactured", of_designs,
+          {.rivals = Rivals::point_friction_limit}),
+      row("delta-max-m", number, "M", damper, "the same in m, with physical input", of_designs,
+          in_si(Dimension::length, Rivals::point_friction_limit)),
+      row("acceleration-max", number, "A", damper,
+          "largest acceleration in g that the mass may feel outside the notch", of_designs,
+          {.dimension = Dimension::gravities}),
+
+      row("catalogue", text, "FILE", searching,
+          "choose among these parts: CSV with the columns name, f, and delta or delta_m; - for "
+          "standard input",
+          of_designs, for_hits({.file = FileUse::read})),
+      row("trade-off", integer, "N", searching,
+          "also N dampers along the front of stroke, acceleration and tolerance, from 2 to 1000; "
+          "in a sweep, one row each instead of the design",
+          design | sweep,
+          for_hits({.bounds = {design::least_trade_offs, design::most_trade_offs}})),
+      row("objective", text, "NAME", searching,
+          "{}; under records acceleration (default), amplitude or residual", design | sweep,
+          {.values = all_objectives(), .first_is_default = true}),
+      row("combine", text, "NAME", searching,
+          "how to combine the figures of all records: {}; default: max for fewer than seven "
+          "records",
+          of_suites, under_records({.values = names<design::Combine>()})),
+      row("search-f", text, "LOW:HIGH", searching,
+          "under records: the range of f to search; default: from 0 to the largest load", design,
+          under_records()),
+      row("search-delta-m", text, "LOW:HIGH", searching,
+          "under records: the range of delta to search, in m; default: from 0 to what stops every "
+          "return",
+          design, under_records(in_si(Dimension::length))),
+      row("search-period", text, "LOW:HIGH", searching,
+          "under records: search the period too, in this range in s", design,
+          under_records(in_si(Dimension::time))),
+      row("scan-points", integer, "N", searching,
+          "under records: scan about this many dampers before the searches; default 10000", design,
+          under_records({.bounds = {1, most_scan_points}})),
+      row("algorithm", text, "NAME", searching, "an NLopt algorithm (default LD_SLSQP)", design,
+          for_hits({.values = design::algorithm_names()})),
+
+      row("excitation", text, "TYPE", shaking, "{}", of_excitations,
+          {.values = excitation_names(), .in_scene = InScene::group}),
+      row("k", number, "K", shaking, "peak of the excitation or pulse in g", of_waves,
+          of(Load::wave,
+             {.sweeps = true, .dimension = Dimension::gravities, .range = RangeEnd::high})),
+      row("excitation-frequency", number, "HZ", shaking,
+          "with physical input: in Hz; for a pulse, that of its sine", of_waves,
+          of(Load::wave, axis_in_si(Rivals::frequency, Dimension::frequency, RangeEnd::low))),
+      row("pulse-duration", number, "S", shaking,
+          "with physical input: how long half-sine, full-sine or rectangle last, in s", of_waves,
+          of(Load::pulse, axis_in_si(Rivals::frequency, Dimension::time, RangeEnd::high))),
+      row("lambda", number, "L", shaking,
+          "dimensionless angular frequency, L/p times the natural one; half-sine and rectangle "
+          "last pi/L, full-sine 2 pi/L",
+          of_waves,
+          of(Load::wave, {.sweeps = true, .rivals = Rivals::frequency, .range = RangeEnd::low})),
+      row("phase", number, "PHI", shaking, "for a harmonic, W = K sin(L tau + PHI); default 0",
+          of_excitations, of(Load::harmonic)),
+      row("excitation-duration", number, "S", shaking,
+          "with physical input: for a harmonic, in s, 0 or more; default: no end", of_excitations,
+          of(Load::harmonic, in_si(Dimension::time, Rivals::duration))),
+      row("duration", number, "TAU", shaking, "for a harmonic, in tau, 0 or more; default: no end",
+          of_excitations, of(Load::harmonic, {.rivals = Rivals::duration})),
+      row("record", text, "FILE", shaking,
+          "accelerations: PEER, ESM, K-NET, CSMIP, COSMOS, SMC or columns; times in s with "
+          "physical input, else in tau; FILE#2 is channel 2; design and spectrum take one or more, "
+          "or folders",
+          in_records, of(Load::record, {.file = FileUse::read, .repeats = true})),
+      row("records-list", text, "FILE", shaking,
+          "CSV with the header file,scale: more records; file,peak and file,spectrum give targets",
+          of_suites, under_records({.file = FileUse::read})),
+      row("record-units", text, "UNITS", shaking, "{}", in_records,
+          of(Load::record, {.values = names<records::RecordUnits>(), .first_is_default = true})),
+      row("record-step", number, "DT", shaking,
+          "step between values without a time column, in the unit of the times", in_records,
+          of(Load::record, {.dimension = Dimension::time})),
+      row("record-scale", number, "X", shaking, "factor on every value", in_records,
+          of(Load::record, {.rivals = Rivals::record_scale})),
+      row("record-peak", number, "A", shaking, "scale each record to this peak, in g", in_records,
+          of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
+      row("record-spectrum", number, "A", shaking,
+          "scale each record so that its elastic spectrum, 5 % damping, has this value in g at the "
+          "period",
+          in_records,
+          of(Load::record, {.rivals = Rivals::record_scale, .dimension = Dimension::gravities})),
+      row("record-spectrum-period", number, "T", shaking,
+          "if not the period of the motion, in the unit of the times", in_records,
+          of(Load::record, {.dimension = Dimension::time})),
+      row("end-time", number, "S", shaking,
+          "with physical input: end of the run in s (default: end of the motion); required for a "
+          "harmonic without a duration",
+          of_excitations, in_si(Dimension::time, Rivals::end)),
+      row("t-end", number, "TAU", shaking,
+          "end of the run in tau (default: end of the motion); required for a harmonic without a "
+          "duration",
+          of_excitations, {.rivals = Rivals::end}),
+
+      row("list", text, "FILE", sweeping,
+          "one entry a row: CSV with a header, or JSON lines; - for standard input", sweep,
+          {.role = entries, .file = FileUse::read}),
+      row("list-format", text, "NAME", sweeping,
+          "{}; default: jsonl if the list begins with a brace, else csv", sweep,
+          {.role = entries, .values = names<sweep::ListFormat>()}),
+      row("format", text, "NAME", sweeping,
+          "{}; default: npy if the output's name ends in .npy, else csv", sweep,
+          {.role = content, .values = names<sweep::RowFormat>()}),
+      row("columns", text, "NAMES", sweeping, "what to write, e.g. f,delta,peak_amplitude", sweep,
+          goes()),
+      row("times", flag, "", sweeping, "write stop_time as well", sweep, {.role = content}),
+      row("threads", integer, "N", sweeping, "default 0: all; no result depends on it",
+          of_suites | sweep, merges(under_records({.role = execution, .bounds = {0, 1024}}))),
+      row("reduce", flag, "", sweeping,
+          "instead of rows write counts, extremes and where they are, quantiles, histograms, the "
+          "best",
+          sweep),
+      row("histogram", text, "BINS", sweeping,
+          "with --reduce: peak_amplitude:0:1:50 or :50:log, or edges, peak_amplitude:0,0.1,0.5",
+          sweep, {.repeats = true}),
+      row("best", text, "ROWS", sweeping,
+          "with --reduce: the ten rows with the smallest value, peak_amplitude:10, or the largest, "
+          "tolerance:10:largest",
+          sweep, {.repeats = true}),
+      row("part", text, "I/N", sweeping,
+          "one of N parts, for sweep merge or, under records, design merge; auto or auto/N: from "
+          "the launcher. {part} in the output's name becomes I-of-N",
+          design | sweep, under_records({.role = execution})),
+      row("resume", flag, "", sweeping,
+          "continue an interrupted sweep; leave a complete part as it is", design | sweep,
+          under_records({.role = execution})),
+
+      row("max-half-cycles", integer, "N", writing, "half-cycles listed (default 1000)", simulate,
+          {.role = content, .bounds = {0, 100'000}}),
+      row("half-cycle-limit", number, "N", writing,
+          "refuse a motion that may take more half-cycles (default 1e8; no limit under an "
+          "excitation)",
+          simulate | sweep),
+      row("trajectory", text, "FILE", writing,
+          "write tau,x,v to a CSV file; - prints them instead of the report", simulate,
+          goes(FileUse::written)),
+      row("samples", integer, "N", writing,
+          "evenly spaced instants in the trajectory, besides every event (default 1000)", simulate,
+          {.role = output, .bounds = {2, 1'000'000}}),
+      row("table", text, "FILE", writing,
+          "write each record and period to a file: NumPy's format if its name ends in .npy, else "
+          "CSV; - prints CSV instead of the report",
+          spectrum, goes(FileUse::written)),
+      row("html", text, "FILE", writing, "write a page with figures, readable offline", drawn,
+          merges(goes(FileUse::written))),
+      row("svg", text, "DIR", writing, "write each figure to this directory", drawn,
+          merges(goes(FileUse::directory))),
+      row("open", flag, "", writing, "open the page of --html, or a temporary one, in a browser",
+          drawn, goes()),
+      row("title", text, "TEXT", writing, "a heading for the report", reporting,
+          merges({.role = content})),
+      row("json", flag, "", writing, "print the JSON report, and nothing else", reporting,
+          merges(goes())),
+      row("output", text, "FILE", writing,
+          "write the JSON report (for a sweep, the rows) to FILE, whole or not at all", reporting,
+          goes(FileUse::written)),
+      row("quiet", flag, "", writing, "print nothing but errors on standard error", reporting,
+          merges({.rivals = Rivals::verbosity, .role = output})),
+      row("verbose", flag, "", writing, "print the whole report", reporting,
+          merges({.rivals = Rivals::verbosity, .role = output})),
+  };
+}
+
+}  // namespace
+
+std::span<const Option> options() {
+  static const std::vector<Option> table = rows();
+  return table;
+}
+
+}  // namespace stillpoint::cli

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <stillpoint/core.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <thread>
+
+namespace stillpoint::test {
+
+BOOST_AUTO_TEST_SUITE(cancellation_test)
+
+namespace {
+
+/// Some seconds: 1e9 half-cycles.
+Response long_motion() {
+  FreeOptions options;
+  options.half_cycle_limit = 1e10;
+  return free_response({.p = 1, .f = 5e-10, .delta = 1e-13}, {.x0 = 0, .v0 = 1}, options);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_long_free_motion_ends_when_it_is_no_longer_wanted) {
+  int asked = 0;
+  const Cancellable cancellable([&] { return ++asked < 3; });
+  BOOST_CHECK_THROW(long_motion(), Cancelled);
+  BOOST_TEST(asked == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_that_is_still_wanted_is_the_same) {
+  const Oscillator oscillator{.p = 1, .f = 1e-7, .delta = 1e-11};  // 4e6 half-cycles
+  const Start start{.x0 = 0, .v0 = 1};
+  const Response alone = free_response(oscillator, start);
+  int asked = 0;
+  const Cancellable cancellable([&] {
+    ++asked;
+    return true;
+  });
+  const Response watched = free_response(oscillator, start);
+  BOOST_TEST(asked > 0);
+  BOOST_TEST(*watched.half_cycles == *alone.half_cycles);
+  BOOST_TEST(*watched.stop_time == *alone.stop_time);
+  BOOST_TEST(*watched.decision_margin == *alone.decision_margin);
+}
+
+BOOST_AUTO_TEST_CASE(the_innermost_one_is_asked_and_the_outer_one_afterwards) {
+  const Cancellable outer([] { return false; });
+  {
+    const Cancellable inner([] { return true; });
+    BOOST_CHECK_NO_THROW(cancellation_point());
+  }
+  BOOST_CHECK_THROW(cancellation_point(), Cancelled);
+}
+
+BOOST_AUTO_TEST_CASE(only_its_own_thread_is_cancelled) {
+  BOOST_CHECK_NO_THROW(cancellation_point());
+  const Cancellable cancellable([] { return false; });
+  bool reached = false;
+  std::jthread([&] {
+    cancellation_point();
+    reached = true;
+  }).join();
+  BOOST_TEST(reached);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stillpoint::test
