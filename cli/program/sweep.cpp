@@ -26,7 +26,7 @@ using sweep::SweepSummary;
 /// What the user can do about an error, given what is `left`.
 std::string advice(const std::exception& error, const sweep::LeftRows& left) {
   const auto* const file = dynamic_cast<const records::FileError*>(&error);
-  if (file == nullptr || left.file.empty()) {
+  if (file == nullptr || !left.file) {
     return "";
   }
   return file->place().kind == "list"
@@ -64,7 +64,7 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
     const sweep::LeftRows left = sink.leave();
     throw Interrupted(
         fmt::format("interrupted: {}{}", description(left),
-                    left.file.empty() ? "" : ", continue with the same command and --resume"));
+                    left.file ? ", continue with the same command and --resume" : ""));
   }
   if (summary.end == SweepEnd::stopped_in_map) {
     throw Interrupted("interrupted: the rows are complete, the page is not written");

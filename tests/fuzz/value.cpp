@@ -64,7 +64,7 @@ void read_axis(std::string_view text, RangeEnd standing) {
 }
 
 void read_bins(std::string_view text) {
-  const AskedBins bins = parse_bins(text, default_columns(spec(), true), {});
+  const BinsRequest bins = parse_bins(text, default_columns(spec(), true), {});
   require(bins.edges.size() >= 2 && std::ranges::is_sorted(bins.edges, std::less_equal()),
           "the edges of bins do not rise");
 }

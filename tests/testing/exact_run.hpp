@@ -10,7 +10,7 @@
 #include "testing/exact.hpp"
 #include "testing/scene.hpp"
 
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <array>
 #include <optional>

@@ -12,7 +12,7 @@
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/report/version.hpp>
 

@@ -125,13 +125,9 @@ answers::DesignTask design_input(const Settings& settings) {
   require_options_for(settings, DesignFor::hit);
   const Task given = read_task(settings, Command::design);
   const std::optional<design::Pulse> pulse = pulse_input(settings, given.physical);
-  const std::optional<std::string> algorithm = settings.text("algorithm");
-  if (algorithm && algorithm->empty()) {
-    throw InputError("algorithm", "\"\"", "must name an NLopt algorithm");
-  }
   answers::DesignTask task{{given.problem,
                             given.limits,
-                            {objective(settings), algorithm.value_or("")},
+                            {objective(settings), settings.text("algorithm")},
                             pulse,
                             pulse_ranges(settings, pulse)},
                            given.physical};

@@ -215,7 +215,7 @@ std::vector<Quantity> columns(const Settings& settings, const SweepSpec& spec) {
 }
 
 /// What is kept from the rows that are not written.
-std::optional<sweep::AskedReduction> reduction(const Settings& settings, const SweepSpec& spec) {
+std::optional<sweep::ReductionRequest> reduction(const Settings& settings, const SweepSpec& spec) {
   if (!settings.flag("reduce")) {
     for (const char* const option : {"histogram", "best"}) {
       if (settings.has(option)) {
@@ -228,7 +228,7 @@ std::optional<sweep::AskedReduction> reduction(const Settings& settings, const S
   if (settings.has("format")) {
     throw UsageError("format and reduce cannot be combined: the report is JSON");
   }
-  sweep::AskedReduction asked;
+  sweep::ReductionRequest asked;
   for (const std::string& bins : settings.texts("histogram")) {
     asked.histograms.push_back(sweep::parse_bins(bins, spec.columns, spec.units));
   }

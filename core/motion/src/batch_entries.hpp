@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The entries of a batch. Plain pointers only: free_lanes.cpp is compiled once for each instruction
-// set, and inline code from other headers has no place in it.
+// The entries of a batch, and where their results go. Plain pointers only: free_lanes.cpp is
+// compiled once for each instruction set, and inline code from other headers has no place in it.
+
+#include <stillpoint/core/state.hpp>
 
 #include <cstddef>
 
@@ -27,6 +29,15 @@ struct BatchEntries {
 struct EntryRange {
   std::ptrdiff_t begin;
   std::ptrdiff_t end;
+};
+
+/// Entry i goes to place i of each array.
+struct FreeLanesOutput {
+  double* peak_amplitude;
+  double* half_cycles;
+  Outcome* outcome;
+  double* stop_position;
+  double* stop_time;  ///< null: not requested
 };
 
 }  // namespace stillpoint

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/core/names.hpp>
-#include <stillpoint/core/outcome.hpp>
 #include <stillpoint/core/state.hpp>
 
 namespace stillpoint {

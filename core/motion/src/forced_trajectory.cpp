@@ -107,18 +107,18 @@ class ForcedTrajectory::Watcher final : public MotionWatcher {
 
 ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& start,
                                    const Excitation& excitation,
-                                   const ForcedTrajectoryOptions& limits, const Surface& surface)
-    : horizon_(limits.horizon) {
-  require_valid(oscillator, start, excitation, limits.horizon);
+                                   const ForcedTrajectoryOptions& options, const Surface& surface)
+    : horizon_(options.horizon) {
+  require_valid(oscillator, start, excitation, options.horizon);
   require_valid(oscillator, surface);
   const double p = oscillator.p;
-  const auto pieces = std::make_shared<Pieces>(p, limits.pieces);
+  const auto pieces = std::make_shared<Pieces>(p, options.pieces);
   pieces_ = pieces;
   Watcher watcher(*this, *pieces);
-  constexpr int ask_every = 1024;
-  const ForcedState<double> state = watched_motion(
-      oscillator, surface, start, excitation, limits.horizon, watcher, {limits.go_on, ask_every});
-  if (limits.to_rest && state.outcome && state.rest_begin.value() > 0) {
+  const ForcedState<double> state =
+      watched_motion(oscillator, surface, start, excitation, options.horizon, watcher,
+                     {options.go_on, ForcedOptions().ask_every});
+  if (options.to_rest && state.outcome && state.rest_begin.value() > 0) {
     horizon_ = state.rest_begin.value() / p;
     std::erase_if(events_, [this](const Event& event) { return event.state.tau > horizon_; });
   }

@@ -16,11 +16,8 @@
 
 #include "free_lanes.hpp"
 
-#include <stillpoint/core/elementary.hpp>
-
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "free_lanes.cpp"
@@ -28,6 +25,7 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
+#include "kernel/free_lane_results-inl.hpp"
 #include "kernel/lane_rotor-inl.hpp"
 #include "kernel/lane_vectors-inl.hpp"
 
@@ -41,40 +39,15 @@ namespace {
 constexpr Index vectors = width >= 8 ? 8 : 12;
 constexpr Index lanes = vectors * width;
 constexpr int steps_between_refills = 4;  // a lane that has ended waits for half of them
-constexpr double no_entry = -1;
 
 /// Beyond these powers of two the scalar kernel runs an entry: within them no step underflows
 /// or overflows, scaled or not.
 constexpr double least_speed = 0x1p-64;
 constexpr double most_speed = 0x1p64;
 
-/// Of an entry that waits, runs or has ended.
-template <Index count>
-struct Entries {
-  Column<count> index;
-  Column<count> phi;
-  Column<count> energy;  // of the last departure, (8)
-  Column<count> radius;  // that it gives, (2)
-};
-
 template <Index count>
 struct Waiting : Entries<count> {
   Column<count> notch;
-};
-
-template <Index count>
-struct Runs : Entries<count> {
-  Column<count> passages;
-  Column<count> cosine;  // of the deficit, as are the next two
-  Column<count> sine;
-  Column<count> quarters;
-};
-
-struct Results {
-  Column<width> half_cycles;
-  Column<width, std::int64_t> outcome;
-  Column<width> stop_position;
-  Column<width> stop_time;
 };
 
 template <bool times>
@@ -86,7 +59,8 @@ class FreeLanes {
         half_cycle_limit_(half_cycle_limit),
         output_(output),
         source_(source),
-        unit_p_(entries.p.stride == 0 && *entries.p.data == 1) {}
+        over_(entries.p),
+        retired_(entries, output) {}
 
   HWY_INLINE void run() {
     for (Index i = 0; i < lanes; i += width) {
@@ -108,7 +82,7 @@ class FreeLanes {
         }
       }
     } while (!drained_ || busy());
-    finish_rest();
+    retired_.finish_rest();
   }
 
  private:
@@ -148,7 +122,7 @@ class FreeLanes {
     const V speed = hn::Abs(values(entries_.v0, begin));
     const V p = values(entries_.p, begin);
     const V delta = values(entries_.delta, begin);
-    const V phi = over(values(entries_.f, begin), p);
+    const V phi = over_(values(entries_.f, begin), p);
     const V notch = hn::Add(delta, delta);
     const V energy = hn::Mul(speed, speed);
     const V radius = hn::Sqrt(hn::Add(energy, hn::Mul(phi, phi)));
@@ -158,7 +132,7 @@ class FreeLanes {
             hn::And(within(p, least_speed, most_speed),
                     within(notch, least_speed * least_speed, most_speed * most_speed))),
         hn::And(hn::Ge(energy, notch), surely_ends(energy, notch, radius, phi)));
-    put(over(peak(speed, radius, phi), p), output_.peak_amplitude + begin);
+    put(over_(peak(speed, radius, phi), p), output_.peak_amplitude + begin);
 
     const V index = hn::Add(hn::Iota(D(), 0), all(static_cast<double>(begin)));
     const bool all_ordinary = hn::AllTrue(D(), ordinary);
@@ -265,145 +239,40 @@ class FreeLanes {
     const M fresh = hn::FirstN(D(), count);
     const Order order = to_front(ended);
 
-    exchange(runs_.index, i, order, fresh, retired_.index, at(waiting_.index, waiting_count_));
+    exchange(runs_.index, i, order, fresh, retired_.runs.index, at(waiting_.index, waiting_count_));
     const V phi =
-        exchange(runs_.phi, i, order, fresh, retired_.phi, at(waiting_.phi, waiting_count_));
-    exchange(runs_.energy, i, order, fresh, retired_.energy, at(waiting_.energy, waiting_count_));
-    exchange(runs_.radius, i, order, fresh, retired_.radius, at(waiting_.radius, waiting_count_));
-    exchange(runs_.passages, i, order, fresh, retired_.passages, all(0));
+        exchange(runs_.phi, i, order, fresh, retired_.runs.phi, at(waiting_.phi, waiting_count_));
+    exchange(runs_.energy, i, order, fresh, retired_.runs.energy,
+             at(waiting_.energy, waiting_count_));
+    exchange(runs_.radius, i, order, fresh, retired_.runs.radius,
+             at(waiting_.radius, waiting_count_));
+    exchange(runs_.passages, i, order, fresh, retired_.runs.passages, all(0));
     if constexpr (times) {
-      exchange(runs_.cosine, i, order, fresh, retired_.cosine, all(1));
-      exchange(runs_.sine, i, order, fresh, retired_.sine, all(0));
-      exchange(runs_.quarters, i, order, fresh, retired_.quarters, all(0));
+      exchange(runs_.cosine, i, order, fresh, retired_.runs.cosine, all(1));
+      exchange(runs_.sine, i, order, fresh, retired_.runs.sine, all(0));
+      exchange(runs_.quarters, i, order, fresh, retired_.runs.quarters, all(0));
     }
     put(hn::IfThenElse(fresh, at(waiting_.notch, waiting_count_), reordered(at(notch_, i), order)),
         notch_, i);
     put(hn::Mul(all(3), phi), three_phi_, i);
     put(hn::Mul(phi, phi), phi_square_, i);
-    retired_count_ += static_cast<Index>(count);
-    if (retired_count_ >= width) {
-      retired_count_ -= width;
-      finish(retired_count_);
-    }
+    retired_.added(static_cast<Index>(count));
   }
 
   HWY_INLINE V exchange(Column<lanes>& running, Index i, Order order, M fresh,
                         Column<2 * width>& retired, V waiting) {
     const V ended_first = reordered(at(running, i), order);
     const V now = hn::IfThenElse(fresh, waiting, ended_first);
-    put(ended_first, retired, retired_count_);
+    put(ended_first, retired, retired_.count());
     put(now, running, i);
     return now;
   }
-
-  // --- results ------------------------------------------------------------------------------
-
-  HWY_INLINE void finish_rest() {
-    for (Index i = retired_count_; i < width; ++i) {
-      retired_.index[i] = no_entry;
-    }
-    finish(0);
-  }
-
-  /// Computes the results of the retired from i on and stores them in their places.
-  HWY_INLINE void finish(Index i) {
-    work_out(i);
-    for (Index lane = 0; lane < width; ++lane) {
-      const auto entry = static_cast<Index>(retired_.index[i + lane]);
-      if (entry >= 0) {
-        output_.half_cycles[entry] = results_.half_cycles[lane];
-        output_.outcome[entry] = static_cast<Outcome>(results_.outcome[lane]);
-        output_.stop_position[entry] = results_.stop_position[lane];
-        if constexpr (times) {
-          output_.stop_time[entry] = results_.stop_time[lane];
-        }
-      }
-    }
-  }
-
-  /// Of the retired from i on.
-  HWY_INLINE V values_of_retired(const EntryValues& entries, Index i) {
-    if (entries.stride == 0) {
-      return all(*entries.data);
-    }
-    Column<width> found;
-    for (Index lane = 0; lane < width; ++lane) {
-      const auto entry = static_cast<Index>(retired_.index[i + lane]);
-      found[lane] = entry < 0 ? 1 : entries.data[entry];
-    }
-    return at(found, 0);
-  }
-
-  HWY_INLINE void work_out(Index i) {
-    const V v0 = values_of_retired(entries_.v0, i);
-    const V p = values_of_retired(entries_.p, i);
-    const V speed = hn::Abs(v0);
-    const V phi = at(retired_.phi, i);
-    const V energy = at(retired_.energy, i);
-    const V passages = at(retired_.passages, i);
-    const V radius = at(retired_.radius, i);
-    const V three_phi = hn::Mul(all(3), phi);
-    const M at_zero = hn::Ge(radius, three_phi);          // (4)
-    const M at_peak = hn::Le(radius, hn::Add(phi, phi));  // (5)
-    const M passed = hn::Gt(passages, hn::Zero(D()));
-    const V quotient = hn::Div(hn::IfThenElse(passed, energy, speed), hn::Add(radius, phi));
-    const V peak = hn::IfThenElse(passed, quotient, hn::Mul(speed, quotient));  // (3), (11)
-    const V rest = hn::IfThenElse(at_peak, peak, hn::Sub(three_phi, radius));   // (6)
-    const V half = hn::Mul(passages, all(0.5));
-    const M odd = hn::Ne(hn::Floor(half), half);
-    const V turned = hn::IfThenElse(odd, hn::Neg(rest), rest);
-    const V signed_rest = hn::Xor(turned, hn::And(v0, hn::SignBit(D())));
-    put(over(hn::IfThenZeroElse(at_zero, signed_rest), p), results_.stop_position, 0);
-    put(hn::Add(passages, all(1)), results_.half_cycles, 0);
-    const Whole whole;
-    const auto dead_zone = hn::Set(whole, static_cast<std::int64_t>(Outcome::stopped_in_dead_zone));
-    const auto zero = hn::Set(whole, static_cast<std::int64_t>(Outcome::stopped_at_zero));
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(whole, at_zero), zero, dead_zone), whole,
-               results_.outcome.numbers.data());
-    if constexpr (times) {
-      const M swings_back = hn::Not(hn::Or(at_zero, at_peak));
-      const V half_turns = hn::Add(passages, hn::IfThenElseZero(swings_back, all(1)));
-      work_out_time(i, speed, phi, radius, at_zero, half_turns, p);
-    }
-  }
-
-  /// PhaseClock of phase_clock.hpp.
-  HWY_INLINE void work_out_time(Index i, V speed, V phi, V radius, M at_zero, V half_turns, V p) {
-    VectorRotor outer{all(1), all(0), all(0)};
-    turn(outer, phi, speed);
-    const V three_phi = hn::Mul(all(3), phi);
-    const V w = hn::Sqrt(hn::Mul(hn::Sub(radius, three_phi), hn::Sub(radius, phi)));
-    VectorRotor down = outer;
-    turn(down, w, phi);
-    outer.cosine = hn::IfThenElse(at_zero, down.cosine, outer.cosine);
-    outer.sine = hn::IfThenElse(at_zero, down.sine, outer.sine);
-    outer.quarters = hn::IfThenElse(at_zero, hn::Add(down.quarters, all(1)), outer.quarters);
-
-    const VectorRotor deficit{at(retired_.cosine, i), at(retired_.sine, i),
-                              at(retired_.quarters, i)};
-    const VectorDirection direction = between(outer, deficit);
-    const V quarters = hn::Sub(outer.quarters, deficit.quarters);
-    Column<width> abscissa;
-    Column<width> ordinate;
-    Column<width> angle;
-    put(direction.x, abscissa, 0);
-    put(direction.y, ordinate, 0);
-    for (Index lane = 0; lane < width; ++lane) {
-      angle[lane] = elementary::atan2(ordinate[lane], abscissa[lane]);
-    }
-    const V phase = hn::Add(hn::Mul(all(std::numbers::pi), half_turns),
-                            hn::Add(hn::Mul(all(std::numbers::pi / 2), quarters), at(angle, 0)));
-    put(over(phase, p), results_.stop_time, 0);
-  }
-
-  /// v / p.
-  HWY_INLINE V over(V v, V p) const { return unit_p_ ? v : hn::Div(v, p); }
 
   const BatchEntries& entries_;
   double half_cycle_limit_;
   const FreeLanesOutput& output_;
   FreeLanesSource& source_;
-  bool unit_p_;  // p = 1 for all: no division by it is needed
+  OverP over_;
   EntryRange range_{0, 0};
 
   Waiting<2 * width> waiting_{};  // last in, first out
@@ -420,9 +289,7 @@ class FreeLanes {
   std::size_t most_going_on_{times ? width * 3 / 4 : width * 5 / 8};
   Column<vectors, std::size_t> going_on_;  // in each vector, some steps ago
 
-  Runs<2 * width> retired_{};
-  Index retired_count_{0};
-  Results results_{};
+  RetiredRuns<times> retired_;
 };
 
 void run_lanes(const BatchEntries& entries, double half_cycle_limit, const FreeLanesOutput& output,

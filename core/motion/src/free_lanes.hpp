@@ -5,20 +5,9 @@
 
 #include "batch_entries.hpp"
 
-#include <stillpoint/core/outcome.hpp>
-
 #include <cstddef>
 
 namespace stillpoint {
-
-/// Entry i goes to place i of each array.
-struct FreeLanesOutput {
-  double* peak_amplitude;
-  double* half_cycles;
-  Outcome* outcome;
-  double* stop_position;
-  double* stop_time;  ///< null: not requested
-};
 
 /// Where the lanes get their work.
 class FreeLanesSource {

@@ -12,7 +12,7 @@ namespace {
 
 /// The part of a wrong value that a message quotes, without cutting a UTF-8 sequence in two.
 std::string shortened(const std::string& value) {
-  constexpr std::size_t longest = 80;
+  constexpr std::size_t longest = 80;  // a line of a terminal
   if (value.size() <= longest) {
     return value;
   }

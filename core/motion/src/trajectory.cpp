@@ -54,33 +54,33 @@ class Trajectory::Builder {
 };
 
 Trajectory::Trajectory(const Oscillator& oscillator, const Start& start,
-                       const TrajectoryOptions& limits)
-    : p_(oscillator.p), horizon_(limits.horizon.value_or(0)) {
-  if (limits.horizon) {
-    require_within("horizon", *limits.horizon, std::numeric_limits<double>::min(),
+                       const TrajectoryOptions& options)
+    : p_(oscillator.p), horizon_(options.horizon.value_or(0)) {
+  if (options.horizon) {
+    require_within("horizon", *options.horizon, std::numeric_limits<double>::min(),
                    std::numeric_limits<double>::max());
   }
   HalfCycleSteps walk(oscillator, start);
   const bool moves =
       walk.leg().end != FirstLegEnd::no_motion && walk.leg().end != FirstLegEnd::caught;
-  if (!limits.horizon && moves && walk.map().without_friction()) {
+  if (!options.horizon && moves && walk.map().without_friction()) {
     throw InputError::missing("horizon", "without friction the motion never ends");
   }
   Builder builder(*this, walk);
   builder.add_event(EventKind::start, 0, start.x0, moves ? start.v0 : 0);
   double reached = 0;
-  while (!limits.horizon || reached < horizon_) {
+  while (!options.horizon || reached < horizon_) {
     const std::optional<HalfCycle> next = walk.next();
     if (!next) {
       break;
     }
-    if (next->index > limits.half_cycles) {
-      throw TooManyHalfCycles::in_trajectory(static_cast<double>(limits.half_cycles));
+    if (next->index > options.half_cycles) {
+      throw TooManyHalfCycles::in_trajectory(static_cast<double>(options.half_cycles));
     }
     builder.add(*next);
     reached = next->end_time;
   }
-  if (!limits.horizon) {
+  if (!options.horizon) {
     horizon_ = reached;
   }
   const auto past = [this](const auto& item) { return item.state.tau > horizon_; };

@@ -12,6 +12,21 @@
 
 namespace stillpoint::records {
 
+namespace {
+
+/// The last line up to that of `end` that begins with `key`; "" without one.
+std::string last_line_with(RecordReader start, const RecordReader& end, std::string_view key) {
+  std::string found;
+  while (start.number() < end.number() && start.next()) {
+    if (trimmed(start.line()).starts_with(key)) {
+      found = single_spaced(start.line());
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 void go_to_channel(RecordReader& reader, bool (*begins)(std::string_view line)) {
   std::vector<RecordReader> channels;
   for (RecordReader ahead = reader; ahead.next();) {
@@ -41,14 +56,19 @@ std::string single_spaced(std::string_view line) {
   return fmt::format("{}", fmt::join(words_of(line, " \t"), " "));
 }
 
-std::string last_line_with(RecordReader start, const RecordReader& end, std::string_view key) {
-  std::string found;
-  while (start.number() < end.number() && start.next()) {
-    if (trimmed(start.line()).starts_with(key)) {
-      found = single_spaced(start.line());
-    }
-  }
-  return found;
+ValueBlock points_below(const RecordReader& reader, std::string_view count) {
+  return {"the count of points", whole_count(reader, "points", count, reader.parse_number(count)),
+          reader.number(), field_width(reader.line())};
+}
+
+RecordFile read_channel(const RecordReader& start, RecordReader& reader, const Channel& channel,
+                        std::string_view station_key, std::string_view channel_key) {
+  reader.set_units(channel.units, reader.number());
+  const std::string description = last_line_with(start, reader, station_key) + "; " +
+                                  last_line_with(start, reader, channel_key);
+  return {{read_block(reader, channel.block, acceleration_field), channel.step, {}},
+          printable(description, longest_description),
+          channel.units};
 }
 
 }  // namespace stillpoint::records

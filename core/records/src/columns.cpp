@@ -134,7 +134,7 @@ class TimeColumn {
   }
 
   void note_step(double time) {
-    constexpr double tolerance = 0x1p-51;
+    constexpr double tolerance = 0x1p-51;  // the step and its multiple are rounded
     const std::size_t i = taus_.size();
     if (i == 1) {
       step_ = time;

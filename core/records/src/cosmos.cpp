@@ -114,22 +114,14 @@ RecordFile read_cosmos(RecordReader& reader) {
   const RecordReader start = reader;
   go_to_channel(reader, begins_cosmos_channel);
   std::string_view rest = reader.line();
-  const std::string_view count = take_word(rest);
-  const ValueBlock block{"the count of points",
-                         whole_count(reader, "points", count, reader.parse_number(count)),
-                         reader.number(), field_width(reader.line())};
+  const ValueBlock block = points_below(reader, take_word(rest));
   const RecordUnits units = read_units(reader, cosmos_units(reader.line()));
   const CosmosTime time = cosmos_time(start, reader);
   const double tau = reader.file_step(
       time.step.line, fmt::format("Real-header value {}, the step,", time.step.number),
       time.step.value);
   check_length(reader, time, block.count);
-  reader.set_units(units, reader.number());
-  const std::string description =
-      last_line_with(start, reader, "Stat") + "; " + last_line_with(start, reader, "Sta Chan");
-  return {{read_block(reader, block, acceleration_field), tau, {}},
-          printable(description, longest_description),
-          units};
+  return read_channel(start, reader, {block, tau, units}, "Stat", "Sta Chan");
 }
 
 }  // namespace

@@ -63,17 +63,10 @@ RecordFile read_csmip(RecordReader& reader) {
   const RecordReader start = reader;
   go_to_channel(reader, begins_csmip_channel);
   const auto [count, step, given] = csmip_line(reader);
-  const ValueBlock block{"the count of points",
-                         whole_count(reader, "points", count, reader.parse_number(count)),
-                         reader.number(), field_width(reader.line())};
+  const ValueBlock block = points_below(reader, count);
   const double tau = reader.file_step(reader.number(), "step", reader.parse_number(step));
   const RecordUnits units = given.empty() ? *reader.options().units : read_units(reader, given);
-  reader.set_units(units, reader.number());
-  const std::string description =
-      last_line_with(start, reader, "Station No") + "; " + last_line_with(start, reader, "Chan");
-  return {{read_block(reader, block, acceleration_field), tau, {}},
-          printable(description, longest_description),
-          units};
+  return read_channel(start, reader, {block, tau, units}, "Station No", "Chan");
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ std::string with_c_exponent(std::string_view text) {
     result[d] = 'e';
     return result;
   }
-  constexpr std::size_t exponent_length = 4;
+  constexpr std::size_t exponent_length = 4;  // a sign and three digits
   if (text.size() > exponent_length) {
     const std::size_t sign = text.size() - exponent_length;
     const bool has_point = text.substr(0, sign).find('.') != std::string_view::npos;
@@ -99,7 +99,7 @@ std::optional<std::int64_t> scan_integer(std::string_view text) {
   if (error == std::errc() && end == text.data() + text.size()) {
     return value;
   }
-  constexpr double most = 1e18;
+  constexpr double most = 1e18;  // below 2^63, or the cast is undefined
   const ScannedNumber scanned = scan_number(text);
   if (scanned.fault != NumberFault::none || scanned.value != std::floor(scanned.value) ||
       std::abs(scanned.value) > most) {

@@ -128,9 +128,9 @@ double peak_acceleration(const Record& record) {
   return peak;
 }
 
-double mean_interval(const Record& record) {
+std::optional<double> mean_interval(const Record& record) {
   if (record.values.size() < 2) {
-    return 0;
+    return std::nullopt;
   }
   return record.times.empty() ? record.step
                               : (record.times.back() - record.times.front()) /
@@ -154,7 +154,7 @@ double own_spectrum(const Record& record, const std::string& path, const RecordC
                               "spectrum is scaled");
   }
   const double period = 2 * std::numbers::pi * clock.per_tau / *p;
-  const double shortest = mean_interval(record) * clock.per_tau;
+  const double shortest = mean_interval(record).value_or(0) * clock.per_tau;
   if (!resolved(period, shortest)) {
     throw InputError(
         "record-spectrum-period", period,
@@ -174,7 +174,7 @@ void require_target(const char* name, const std::optional<double>& target) {
 
 double spectral_acceleration(const Record& record, double p) {
   const double period = 2 * std::numbers::pi / p;
-  const double shortest = mean_interval(record);
+  const double shortest = mean_interval(record).value_or(0);  // any
   if (!resolved(period, shortest)) {
     throw InputError(
         "record-spectrum-period", period,

@@ -53,7 +53,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-constexpr std::size_t most_slips = 2;
+constexpr std::size_t most_slips = 2;  // with more, short names all resemble each other
 
 /// Levenshtein's distance, or a lower bound of it that is too far to suggest.
 std::size_t slips(std::string_view a, std::string_view b) {

@@ -25,7 +25,7 @@ bool is_digit(char c) {
 /// the last three digits may be that of an exponent without its E, and a sign after another sign
 /// does not begin a number. Nothing is read twice: a word may be as long as a file.
 std::size_t number_end(std::string_view word) {
-  constexpr std::size_t exponent = 4;
+  constexpr std::size_t exponent = 4;  // a sign and three digits
   for (std::size_t i = 1; i < word.size(); ++i) {
     const bool goes_on = std::string_view("eEdD+-").find(word[i - 1]) != std::string_view::npos;
     if ((word[i] == '+' || word[i] == '-') && !goes_on &&

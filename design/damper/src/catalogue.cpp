@@ -61,6 +61,58 @@ struct Loosened {
   double& input;  ///< of the task that `admissible` checks
 };
 
+/// The inputs of `task` and `allowed`, which are as given.
+std::vector<Loosened> loosened(const Problem& problem, const Limits& limits,
+                               std::span<const Part> parts, Problem& task, Limits& allowed) {
+  // No friction has a larger peak than V0/p. A box reaches up to twice its centre.
+  const double f = 2 * std::ranges::max(parts, {}, &Part::f).f;
+  const double delta = 2 * std::ranges::max(parts, {}, &Part::delta).delta;
+  std::vector<Loosened> inputs{
+      {"beta", problem.beta, std::max(problem.beta, 2 * problem.v0 / problem.p), task.beta}};
+  if (limits.tolerance > 0) {
+    inputs.push_back({"tolerance", limits.tolerance, 0, allowed.tolerance});
+  }
+  if (limits.f_max) {
+    inputs.push_back({"f_max", *limits.f_max, std::max(*limits.f_max, f), *allowed.f_max});
+  }
+  if (limits.delta_max) {
+    inputs.push_back(
+        {"delta_max", *limits.delta_max, std::max(*limits.delta_max, delta), *allowed.delta_max});
+  }
+  if (limits.acceleration_max) {
+    const double least = 2 * (f + problem.v0 * problem.p);
+    inputs.push_back({"acceleration_max", *limits.acceleration_max,
+                      std::clamp(least, *limits.acceleration_max, largest_square),
+                      *allowed.acceleration_max});
+  }
+  return inputs;
+}
+
+/// The value nearest to the one given with which some part fits; empty if none does even with the
+/// loosest.
+template <class Fits>
+std::optional<double> least_change(const Loosened& loosened, std::span<const Part> parts,
+                                   const Fits& fits) {
+  const auto& [field, now, loosest, input] = loosened;
+  double best = loosest;
+  bool found = false;
+  for (const Part& part : parts) {
+    input = best;
+    if (!fits(part)) {
+      continue;
+    }
+    found = true;
+    double refused = now;
+    for (double middle = std::midpoint(refused, best); middle != refused && middle != best;
+         middle = std::midpoint(refused, best)) {
+      input = middle;
+      (fits(part) ? best : refused) = middle;
+    }
+  }
+  input = now;
+  return found ? std::optional(best) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<RatedPart> ranked(const Problem& problem, const Limits& limits, Objective objective,
@@ -86,47 +138,10 @@ std::vector<Mend> part_mends(const Problem& problem, const Limits& limits,
   if (std::ranges::any_of(parts, any_fits)) {
     return {};
   }
-  // No friction has a larger peak than V0/p. A box reaches up to twice its centre.
-  const double f = 2 * std::ranges::max(parts, {}, &Part::f).f;
-  const double delta = 2 * std::ranges::max(parts, {}, &Part::delta).delta;
-  std::vector<Loosened> inputs{
-      {"beta", problem.beta, std::max(problem.beta, 2 * problem.v0 / problem.p), task.beta}};
-  if (limits.tolerance > 0) {
-    inputs.push_back({"tolerance", limits.tolerance, 0, allowed.tolerance});
-  }
-  if (limits.f_max) {
-    inputs.push_back({"f_max", *limits.f_max, std::max(*limits.f_max, f), *allowed.f_max});
-  }
-  if (limits.delta_max) {
-    inputs.push_back(
-        {"delta_max", *limits.delta_max, std::max(*limits.delta_max, delta), *allowed.delta_max});
-  }
-  if (limits.acceleration_max) {
-    const double least = 2 * (f + problem.v0 * problem.p);
-    inputs.push_back({"acceleration_max", *limits.acceleration_max,
-                      std::clamp(least, *limits.acceleration_max, largest_square),
-                      *allowed.acceleration_max});
-  }
   std::vector<Mend> mends;
-  for (const auto& [field, now, loosest_value, input] : inputs) {
-    double best = loosest_value;
-    bool found = false;
-    for (const Part& part : parts) {
-      input = best;
-      if (!any_fits(part)) {
-        continue;
-      }
-      found = true;
-      double refused = now;
-      for (double middle = std::midpoint(refused, best); middle != refused && middle != best;
-           middle = std::midpoint(refused, best)) {
-        input = middle;
-        (any_fits(part) ? best : refused) = middle;
-      }
-    }
-    input = now;
-    if (found) {
-      mends.push_back({field, best, best > now});
+  for (const Loosened& input : loosened(problem, limits, parts, task, allowed)) {
+    if (const auto value = least_change(input, parts, any_fits)) {
+      mends.push_back({input.field, *value, *value > input.now});
     }
   }
   const auto with_arrivals = [&](std::int64_t n) {

@@ -16,6 +16,7 @@ namespace stillpoint::design {
 namespace {
 
 using records::Dimension;
+using records::standard_gravity_m_per_s2;
 
 /// A stroke is compared with V0/omega, the stroke without friction. A damper exists for strokes
 /// from 0.71 of it and is useless above 1, so a factor of 20 either way is not a sensible task.
@@ -31,12 +32,10 @@ constexpr double far_beyond = 20;
 /// A pulse longer than this many natural periods is not a pulse.
 constexpr double longest_pulse = 10;
 
-constexpr double standard_gravity = 9.80665;
-
 /// The quantities that make dimensionless ratios, in SI units.
 struct Values {
   std::optional<double> velocity, period, frequency, stiffness, mass, stroke, x0;
-  double gravity{standard_gravity};
+  double gravity{standard_gravity_m_per_s2};
 
   [[nodiscard]] std::optional<double> omega() const {
     if (period) {
@@ -198,11 +197,12 @@ std::optional<Doubt> doubtful_pulse(const GivenValues& given, const Values& valu
 /// g itself, within a percent, as a peak that should be in g.
 std::optional<Doubt> doubtful_peak(const GivenValues& given) {
   const auto k = number(given, "k");
-  if (!k || std::abs(*k / standard_gravity - 1) > 0.01 || with_unit(given, "k")) {
+  if (!k || std::abs(*k / standard_gravity_m_per_s2 - 1) > 0.01 || with_unit(given, "k")) {
     return std::nullopt;
   }
-  return Doubt{fmt::format("k = {} is in g, so the load is {:.3g} m/s2", *k, *k * standard_gravity),
-               Doubt::Meant{"k", 1, ""}};
+  return Doubt{
+      fmt::format("k = {} is in g, so the load is {:.3g} m/s2", *k, *k * standard_gravity_m_per_s2),
+      Doubt::Meant{"k", 1, ""}};
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ std::string npy_number(std::string_view name) {
 }
 
 std::string npy_header(const std::string& fields, std::int64_t rows) {
-  constexpr std::size_t alignment = 64;
+  constexpr std::size_t alignment = 64;  // of the rows, as NumPy has it
+  // The header must not grow when the number of rows is filled in.
   constexpr std::int64_t most_rows = 1'000'000'000'000'000'000;
   using namespace std::string_literals;
   const std::string start = "\x93NUMPY\x01\x00"s;

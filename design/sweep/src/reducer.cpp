@@ -34,13 +34,13 @@ Reduction empty_reduction(const SweepSpec& spec) {
     }
   }
   reduction.histograms.reserve(spec.reduction->histograms.size());
-  for (const AskedBins& asked : spec.reduction->histograms) {
+  for (const BinsRequest& asked : spec.reduction->histograms) {
     reduction.histograms.push_back({.column = place(asked.column),
                                     .edges = asked.edges,
                                     .counts = std::vector<std::int64_t>(asked.edges.size() - 1)});
   }
   reduction.best.reserve(spec.reduction->best.size());
-  for (const AskedBest& asked : spec.reduction->best) {
+  for (const BestRequest& asked : spec.reduction->best) {
     reduction.best.emplace_back(place(asked.column), static_cast<std::size_t>(asked.count),
                                 asked.largest);
   }
@@ -145,7 +145,7 @@ std::pair<Quantity, std::string_view> column_of(std::string_view option, std::st
 }
 
 void require_bins(std::string_view option, std::string_view text, std::int64_t bins) {
-  constexpr std::int64_t most_bins = 100'000;
+  constexpr std::int64_t most_bins = 100'000;  // each thread has its own
   if (bins < 1 || bins > most_bins) {
     throw wrong(option, text, fmt::format("must have 1 to {} bins", most_bins));
   }
@@ -177,13 +177,13 @@ Axis edges_of(std::string_view option, std::string_view text, std::string_view r
 
 }  // namespace
 
-AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns,
-                     const std::optional<SweepUnits>& units) {
+BinsRequest parse_bins(std::string_view text, const std::vector<Quantity>& columns,
+                       const std::optional<SweepUnits>& units) {
   const std::string_view option = "histogram";
   const auto [column, rest] = column_of(option, text, columns, units);
   const Axis edges = edges_of(option, text, rest);
   require_bins(option, text, edges.size() - 1);
-  AskedBins result{column, {}};
+  BinsRequest result{column, {}};
   result.edges.reserve(static_cast<std::size_t>(edges.size()));
   for (std::int64_t i = 0; i < edges.size(); ++i) {
     result.edges.push_back(edges[i]);
@@ -194,9 +194,9 @@ AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns
   return result;
 }
 
-AskedBest parse_best(std::string_view text, const std::vector<Quantity>& columns,
-                     const std::optional<SweepUnits>& units) {
-  constexpr std::int64_t most_rows = 100'000;
+BestRequest parse_best(std::string_view text, const std::vector<Quantity>& columns,
+                       const std::optional<SweepUnits>& units) {
+  constexpr std::int64_t most_rows = 100'000;  // each thread keeps as many
   const std::string_view option = "best";
   const auto [column, rest] = column_of(option, text, columns, units);
   const std::size_t colon = std::min(rest.find(':'), rest.size());

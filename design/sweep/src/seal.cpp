@@ -51,9 +51,7 @@ Seal seal_from(const ordered_json& document) {
   seal.format = document.at("format") == name(RowFormat::npy) ? RowFormat::npy : RowFormat::csv;
   document.at("fields").get_to(seal.npy_fields);
   read_integers(document.at("header"), seal.header);
-  read_integers(document.at("rows"), seal.state.rows);
-  read_integers(document.at("outcomes"), seal.state.outcomes);
-  read_integers(document.at("feasible"), seal.state.feasible);
+  read_counts(document, seal.state);
   read_integers(document.at("digest"), seal.state.bytes.words);
   read_integers(document.at("rest"), seal.state.bytes.rest);
   seal.label.task = document.at("task").dump();
@@ -69,6 +67,12 @@ std::string bytes_of(std::ifstream& file, std::int64_t from, std::int64_t to) {
 }
 
 }  // namespace
+
+void read_counts(const ordered_json& document, SweepState& state) {
+  read_integers(document.at("rows"), state.rows);
+  read_integers(document.at("outcomes"), state.outcomes);
+  read_integers(document.at("feasible"), state.feasible);
+}
 
 std::string text(const Seal& seal) {
   const SweepState& state = seal.state;

@@ -5,6 +5,8 @@
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <string>
 
@@ -21,6 +23,9 @@ struct Seal {
   std::int64_t header{0};  ///< bytes before the rows
   SweepState state;        ///< of the part; its bytes are those before the seal
 };
+
+/// What a seal and a checkpoint keep of a state under the same keys.
+void read_counts(const nlohmann::ordered_json& document, SweepState& state);
 
 [[nodiscard]] std::string text(const Seal& seal);
 

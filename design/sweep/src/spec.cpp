@@ -198,10 +198,4 @@ std::vector<Quantity> parse_columns(std::string_view names, SweepKind kind,
   return columns;
 }
 
-std::optional<Quantity> find_quantity(std::string_view name) {
-  const auto* const found =
-      std::ranges::find(quantity_forms, underscored(name), &QuantityForm::name);
-  return found == quantity_forms.end() ? std::nullopt : std::optional(found->quantity);
-}
-
 }  // namespace stillpoint::sweep

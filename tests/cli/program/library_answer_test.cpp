@@ -206,8 +206,8 @@ BOOST_FIXTURE_TEST_CASE(designs, Sandbox) {
       Arguments asked =
           with_criterion(options({"design"}, given(request.problem, request.limits)), criterion);
       asked = joined(asked, {"--objective", std::string(name(request.search.objective))});
-      if (!request.search.algorithm.empty()) {
-        asked = joined(asked, {"--algorithm", request.search.algorithm});
+      if (request.search.algorithm) {
+        asked = joined(asked, {"--algorithm", *request.search.algorithm});
       }
       const auto expected = report::json(answers::answer(answers::DesignTask{request}));
       BOOST_TEST(without_wall_times(reported(asked)) ==

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_notch_that_divides_the_energy_exactly_takes_it_all) {
   ends(response({0, -1, 1, 0, std::nextafter(0x1p-7, 0)}), {at_zero, 65, 65, 64});
 }
 
-BOOST_AUTO_TEST_CASE(a_notch_that_divides_the_energy_in_decimals_only_is_taken_as_its_double) {
+BOOST_AUTO_TEST_CASE(a_notch_that_divides_the_energy_only_in_decimals_is_read_as_its_double) {
   // The doubles 0.1, 0.05 and 0.01 lie above the decimals, that of 1/6 below.
   for (const auto& [delta, half_cycles] :
        {std::pair{0.1, 5.0}, {0.05, 10.0}, {0.01, 50.0}, {1.0 / 6, 4.0}}) {

@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(next_to_a_change_of_the_end_the_margin_is_a_matter_of_round
   }
 }
 
-BOOST_AUTO_TEST_CASE(friction_of_a_kind_that_is_absent_decides_nothing) {
+BOOST_AUTO_TEST_CASE(an_absent_kind_of_friction_decides_nothing) {
   BOOST_TEST(!response({0, 1, 1, 0, 0}).decision_margin);
   // f = 0, v0 = 2, Delta = 0.5: last passage at v^2 = 1 + 1 - 1 = 1 of spread 2 * 4 + 3.
   near("decision_margin", response({0, 2, 1, 0, 0.45}).decision_margin.value(), 0.4 / (8 + 4 * 0.9),

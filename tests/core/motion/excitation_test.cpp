@@ -30,7 +30,7 @@ std::string refused(const Excitation& excitation, std::optional<double> t_end = 
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(right_input_is_taken) {
+BOOST_AUTO_TEST_CASE(valid_input_is_accepted) {
   BOOST_TEST(refused(Harmonic{0.2, 1, -3, 0}) == "");
   BOOST_TEST(refused(Harmonic{0, 1}) == "");
   BOOST_TEST(refused(Record{{0, 1, 2}, 0, {0, 1, 2}}) == "");

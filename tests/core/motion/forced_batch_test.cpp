@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(too_many_half_cycles_name_their_scene) {
   BOOST_TEST(message.starts_with("entry 13: f and delta are so small"), message);
 }
 
-BOOST_AUTO_TEST_CASE(go_on_is_asked_in_every_scene) {
+BOOST_AUTO_TEST_CASE(go_on_is_called_in_every_scene) {
   const Eigen::ArrayXd f = Eigen::ArrayXd::Constant(8, 0.01);
   ForcedBatchOptions options = until(1000, 2);
   options.scene.go_on = [](double tau) { return tau < 20; };

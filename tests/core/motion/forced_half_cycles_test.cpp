@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_stop_in_a_notch_that_lets_go_is_felt_whole) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(are_those_that_the_metrics_count) {
+BOOST_AUTO_TEST_CASE(are_the_ones_that_the_metrics_count) {
   for (const Case& run : runs()) {
     BOOST_TEST_CONTEXT(run.name) {
       const auto response =
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(of_a_free_motion_are_those_of_the_walk) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(so_many_as_asked_are_the_first_of_all) {
+BOOST_AUTO_TEST_CASE(as_many_as_asked_are_the_first_of_all) {
   for (const Case& run : runs()) {
     BOOST_TEST_CONTEXT(run.name) {
       const auto whole = list_of(run);
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(run_no_further_than_the_last_that_is_listed) {
   BOOST_TEST(forced_half_cycles({1, 0.05, 0}, {0, 0.5}, Harmonic{0.2, 1}, 1e14, 0).empty());
 }
 
-BOOST_AUTO_TEST_CASE(end_where_they_are_told_to) {
+BOOST_AUTO_TEST_CASE(end_where_asked) {
   double reached = 0;
   int asked = 0;
   const auto until_third_question = [&](double tau) {
@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(end_where_they_are_told_to) {
   BOOST_TEST(list.size() < 10'000U);
 }
 
-BOOST_AUTO_TEST_CASE(of_nothing_that_moves_there_are_none) {
+BOOST_AUTO_TEST_CASE(a_mass_that_stays_has_none) {
   // Held by friction, held by the notch, not shaken.
   BOOST_TEST(forced_half_cycles({1, 0.3, 0.1}, {0, 0}, Harmonic{0.2, 1}, 50, all).empty());
   BOOST_TEST(forced_half_cycles({1, 0.1, 0.6}, {0, 1}, Harmonic{9, 1}, 50, all).empty());

@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(no_event_is_beyond_the_horizon) {
   BOOST_TEST(at_the_end == 200);
 }
 
-BOOST_AUTO_TEST_CASE(it_ends_where_it_is_told_to) {
+BOOST_AUTO_TEST_CASE(it_ends_where_asked) {
   ForcedTrajectoryOptions limits{.horizon = 1e6};
   int asked = 0;
   limits.go_on = [&asked](double) { return ++asked < 3; };

@@ -4,7 +4,7 @@
 #include "testing/random_scene.hpp"
 #include "testing/scene.hpp"
 
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <boost/test/unit_test.hpp>
 
@@ -29,7 +29,7 @@ Scene<> any_scene(Dice& dice) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(only_what_is_asked_for_is_there_and_the_rest_is_the_same) {
+BOOST_AUTO_TEST_CASE(only_what_was_asked_for_is_there_and_the_rest_is_the_same) {
   Dice dice(801);
   for (int i = 0; i < 2000; ++i) {
     const Scene<> scene = any_scene(dice);

@@ -52,12 +52,12 @@ BOOST_AUTO_TEST_CASE(every_wrong_input_is_named) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_wrong_input_is_found_at_a_start_at_rest_as_well) {
+BOOST_AUTO_TEST_CASE(wrong_input_is_found_even_for_a_start_at_rest) {
   check_refused("delta", [] { (void)response({0, 0, 1, 0, nan}); });
   check_refused("f", [] { (void)response({0, 0, 1, -1, 0}); });
 }
 
-BOOST_AUTO_TEST_CASE(the_bounds_themselves_are_taken) {
+BOOST_AUTO_TEST_CASE(the_bounds_themselves_are_accepted) {
   for (const Scene<>& scene : {Scene<>{0, 1e150, 1e150, 0, 1e300},
                                {0, -1e-150, 1e-150, 0, 1e-300},
                                {0, 1, 1, 0, 5e-324},
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(p_times_x0_and_f_over_p_are_bounded_though_each_input_is_no
   check_refused("f", [] { (void)response({0, 1, 1e-149, 10.1, 0}); });
 }
 
-BOOST_AUTO_TEST_CASE(friction_that_would_underflow_is_not_taken_for_none) {
+BOOST_AUTO_TEST_CASE(friction_that_would_underflow_is_not_treated_as_none) {
   // f / p = 1e-350 is not a double: 5e199 half-cycles, but not a motion that never stops.
   check_refused("f", [] { (void)response({0, 1e-150, 1e150, 1e-200, 0}); });
   check_refused("f", [] { (void)response({0, 1, 1e8, 1e-300, 0.1}); });

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_rest_in_the_notch_is_final_once_the_load_is_over) {
   BOOST_TEST(response.stop_position.value() == 0);
 }
 
-BOOST_AUTO_TEST_CASE(each_leave_of_the_notch_begins_a_half_cycle) {
+BOOST_AUTO_TEST_CASE(each_departure_from_the_notch_begins_a_half_cycle) {
   const Oscillator oscillator{1, 0.02, 0.1, 0.1};
   const Harmonic load{0.3, 0.5};
   const auto response = run(oscillator, {0, 0}, load, 60);

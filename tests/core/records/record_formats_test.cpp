@@ -264,7 +264,7 @@ std::string knet_heading(const std::string& duration) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(mean_of_counts_is_taken_off) {
+BOOST_AUTO_TEST_CASE(mean_of_counts_is_subtracted) {
   const std::string text = knet_heading("0.06");
   const RecordFile file = records::parse_record(text + "1 2 6\n", "record");  // the mean is 3
   const double gal = 3920.0 / 6182761;

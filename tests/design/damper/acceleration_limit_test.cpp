@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(by_hand) {
   BOOST_TEST(admissible(problem, at_most(12.5, 0.01), 3.46, 70));
 }
 
-BOOST_AUTO_TEST_CASE(no_friction_is_little_enough_where_the_spring_alone_is_above_the_limit) {
+BOOST_AUTO_TEST_CASE(no_friction_is_small_enough_where_the_spring_alone_exceeds_the_limit) {
   const Problem problem{13, 1, 30};
   const Limits limits = at_most(12);
   const Region region = admissible_region(problem, limits);
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(no_friction_is_little_enough_where_the_spring_alone_is_abov
   BOOST_TEST(none.mends.size() == 3U);  // v0, p, acceleration_max
 }
 
-BOOST_AUTO_TEST_CASE(amplitude_and_acceleration_may_exclude_each_other) {
+BOOST_AUTO_TEST_CASE(amplitude_and_acceleration_may_conflict) {
   // f2 = 7 with V0 = 24, p = 1, beta = 18; A = 24.5: f4^2 = 24.25.
   const Problem problem{24, 1, 18};
   const Region region = admissible_region(problem, at_most(24.5));
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(the_mend_of_p_is_the_nearest_of_a_scan) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(each_design_keeps_the_limit_over_its_box_and_none_better_is_missed) {
+BOOST_AUTO_TEST_CASE(each_design_meets_the_limit_over_its_box_and_no_better_one_is_missed) {
   RandomSource random(2503);
   constexpr double scan_tolerance = 2e-3;
   int met = 0;

@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_dense_scan_is_better) {
             best = std::min(best, cost_of(objective, problem, f, delta));
           }
         }
-        const auto found = search(problem, limits, {objective, "", 20'000, 10});
+        const auto found = search(problem, limits, {objective, {}, 20'000, 10});
         if (!found) {
           ++empty;
           BOOST_TEST(best == HUGE_VAL);

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_design_of_a_later_arrival_is_reported_and_cross_checked) 
     const Task task = random_task(random);
     for (const Objective objective : objectives) {
       const DesignResult result =
-          design::design(DesignRequest{task.problem, task.limits, {objective, "", 20'000, 10}});
+          design::design(DesignRequest{task.problem, task.limits, {objective, {}, 20'000, 10}});
       BOOST_TEST(result.region.feasible == result.finding.has_value());
       if (!result.finding) {
         BOOST_TEST(!result.reason.empty());
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(more_arrivals_are_offered_where_they_help) {
   BOOST_TEST(offered(1, 0, 0.05, 10) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(mends_of_several_arrivals_are_least_and_suffice) {
+BOOST_AUTO_TEST_CASE(mends_with_several_arrivals_are_minimal_and_sufficient) {
   RandomSource random(906);
   constexpr double nearer = 1e-6;
   int mended = 0;
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(mends_of_several_arrivals_are_least_and_suffice) {
   BOOST_TEST(unexplained == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_damper_that_cannot_stop_the_mass_in_time_is_explained) {
+BOOST_AUTO_TEST_CASE(a_damper_that_stops_the_mass_too_late_is_explained) {
   const Problem problem{1, 1, 2, Criterion::exact, 3};
   const Limits little{1e-3, 0.01, 0};
   const Region region = admissible_region(problem, little);

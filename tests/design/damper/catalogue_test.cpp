@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_come_back_is_not_judged_by_delta1) {
   BOOST_TEST(rated[0].violated[0].name == "return");
 }
 
-BOOST_AUTO_TEST_CASE(without_a_part_that_fits_the_reason_says_so) {
+BOOST_AUTO_TEST_CASE(if_no_part_fits_the_reason_says_so) {
   const std::vector<Part> weak{{"weak", 0.1, 0.45}};
   const Choice none = choose({{1, 1, 0.9}}, weak);
   BOOST_TEST(none.result.region.feasible);

@@ -44,7 +44,7 @@ void check_fires(const std::function<void(Prediction&)>& change) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_right_prediction_passes_both_ways) {
+BOOST_AUTO_TEST_CASE(a_correct_prediction_passes_both_ways) {
   const CrossCheck check = check_changed([](Prediction&) {});
   BOOST_TEST(check.passed);
   BOOST_REQUIRE(check.methods.size() == 2U);
@@ -64,17 +64,17 @@ BOOST_AUTO_TEST_CASE(a_right_prediction_passes_both_ways) {
   BOOST_TEST(check.methods[1].relative_error > 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_peak_that_is_off_by_a_millionth_is_noticed) {
+BOOST_AUTO_TEST_CASE(a_peak_off_by_a_millionth_is_noticed) {
   check_fires([](Prediction& wrong) { wrong.peak_amplitude *= 1 + 1e-6; });
   check_fires([](Prediction& wrong) { wrong.peak_amplitude *= 1 - 1e-6; });
 }
 
-BOOST_AUTO_TEST_CASE(a_stop_time_that_is_off_by_a_millionth_is_noticed) {
+BOOST_AUTO_TEST_CASE(a_stop_time_off_by_a_millionth_is_noticed) {
   check_fires([](Prediction& wrong) { wrong.stop_time *= 1 + 1e-6; });
   check_fires([](Prediction& wrong) { wrong.stop_time *= 1 - 1e-6; });
 }
 
-BOOST_AUTO_TEST_CASE(an_acceleration_or_arrival_speed_that_is_off_by_a_millionth_is_noticed) {
+BOOST_AUTO_TEST_CASE(an_acceleration_or_arrival_speed_off_by_a_millionth_is_noticed) {
   check_fires([](Prediction& wrong) { wrong.peak_acceleration *= 1 + 1e-6; });
   check_fires([](Prediction& wrong) { wrong.arrival_speed *= 1 + 1e-5; });
 }
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_number_of_half_cycles_is_noticed) {
   check_fires([](Prediction& wrong) { wrong.half_cycles = 2; });
 }
 
-BOOST_AUTO_TEST_CASE(a_stop_position_that_is_off_is_noticed) {
+BOOST_AUTO_TEST_CASE(a_wrong_stop_position_is_noticed) {
   check_fires([](Prediction& wrong) { wrong.stop_position = 1e-6; });
   check_fires([](Prediction& wrong) { wrong.stop_position = -1e-6; });
   // The reported error is relative to the peak.
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_stop_position_that_is_off_is_noticed) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_prediction_that_is_not_a_number_is_noticed) {
+BOOST_AUTO_TEST_CASE(a_nan_prediction_is_noticed) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   check_fires([](Prediction& wrong) { wrong.peak_amplitude = nan; });
   check_fires([](Prediction& wrong) { wrong.peak_acceleration = nan; });

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(algorithms_that_take_constraints_come_by_the_constrained_mi
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_exception_of_the_objective_arrives_as_itself) {
+BOOST_AUTO_TEST_CASE(an_exception_from_the_objective_is_rethrown_unchanged) {
   const auto is_the_one = [](const OwnError& error) { return std::string(error.what()) == "mine"; };
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
     for (const int calls : {1, 3}) {
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(an_exception_of_the_objective_arrives_as_itself) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_exception_of_a_constraint_arrives_as_itself) {
+BOOST_AUTO_TEST_CASE(an_exception_from_a_constraint_is_rethrown_unchanged) {
   NloptProblem problem = cut_bowl();
   problem.constraints.emplace_back(
       [](const VectorXd&, VectorXd&) -> double { throw OwnError("mine"); });
@@ -119,13 +119,13 @@ BOOST_AUTO_TEST_CASE(an_exception_of_a_constraint_arrives_as_itself) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_thrown_need_not_be_an_exception_of_the_standard_library) {
+BOOST_AUTO_TEST_CASE(what_is_thrown_need_not_be_a_standard_exception) {
   NloptProblem problem = bowl();
   problem.objective = [](const VectorXd&, VectorXd&) -> double { throw 42; };
   BOOST_CHECK_THROW((void)minimise(problem, "LD_SLSQP", plenty), int);
 }
 
-BOOST_AUTO_TEST_CASE(no_function_is_asked_for_what_is_not_finite) {
+BOOST_AUTO_TEST_CASE(no_function_is_called_with_what_is_not_finite) {
   // Nothing is free to move: the subproblem of SLSQP divides by 0.
   for (const NloptAlgorithm& algorithm : nlopt_algorithms()) {
     if (algorithm.constraints == ConstraintSupport::yes) {
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(a_start_an_ulp_outside_of_the_bounds_is_moved_in) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_way_to_end_has_its_word) {
+BOOST_AUTO_TEST_CASE(every_end_has_a_name) {
   BOOST_TEST(minimise(bowl(), "LN_SBPLX", plenty).status == "XTOL_REACHED");
   const NloptOutcome spent = minimise(bowl(), "LN_SBPLX", {7, 10});
   BOOST_TEST(spent.status == "MAXEVAL_REACHED");
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(evaluations_are_those_of_the_objective) {
   BOOST_TEST(minimise(problem, "LD_SLSQP", plenty).evaluations == calls);
 }
 
-BOOST_AUTO_TEST_CASE(nlopt_tells_its_version) {
+BOOST_AUTO_TEST_CASE(nlopt_reports_its_version) {
   const std::string version = nlopt_version();
   BOOST_TEST(version.front() == '2');
   BOOST_TEST(std::count(version.begin(), version.end(), '.') == 2);

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(an_isolator_of_three_seconds_by_hand) {
   check_close(*scales.energy_per_passage_j(0.05), 1872.9321872065624734);
 }
 
-BOOST_AUTO_TEST_CASE(period_and_stiffness_are_two_words_for_the_same) {
+BOOST_AUTO_TEST_CASE(period_and_stiffness_are_interchangeable) {
   // 4 pi^2 N/m under 1 kg swing once a second.
   const double stiffness = 4 * std::numbers::pi * std::numbers::pi;
   const Scales by_stiffness = physical_scales(with_stiffness(stiffness, 1), 0.4);

@@ -21,7 +21,7 @@ using namespace stillpoint::design_test::in_ranges;
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_tolerance_that_no_damper_has_is_said_with_the_largest) {
+BOOST_AUTO_TEST_CASE(an_unattainable_tolerance_is_reported_with_the_largest_one) {
   constexpr double more =
       1e-7;  // relative, of the largest tolerance: its search, and that of a box
   constexpr int points = 100;

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_scan_is_better) {
     Task task = random_task(random);
     task.problem.criterion = Criterion::exact;
     const Objective objective = objectives[static_cast<std::size_t>(random.pick(4))];
-    const auto found = search(task.problem, task.limits, {objective, "", 20'000, 10});
+    const auto found = search(task.problem, task.limits, {objective, {}, 20'000, 10});
     (found ? found_some : empty) += 1;
     const auto cost = [&](const DesignPoint& at) {
       const Response motion = free_response({task.problem.p, at.f, at.delta}, {0, task.problem.v0});
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(the_search_finds_what_is_found_along_f_alone) {
     const auto& [problem, limits, seed] = task;
     for (const Objective objective : objectives) {
       const auto along_f = optimum_along_f(problem, limits, objective);
-      const auto found = search(problem, limits, {objective, "", 20'000, 10});
+      const auto found = search(problem, limits, {objective, {}, 20'000, 10});
       BOOST_TEST_CONTEXT(name(objective) << ", " << context_of(task)) {
         if (!along_f) {
           BOOST_TEST((!found || objective == Objective::robust));

@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
     RandomSource random(seed);
     const Task task = random_task(random);
     const Objective objective = objectives[static_cast<std::size_t>(random.pick(4))];
-    const auto found = search(task.problem, task.limits, {objective, "", 20'000, 10});
+    const auto found = search(task.problem, task.limits, {objective, {}, 20'000, 10});
     if (!found) {
       continue;
     }
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_design_in_ranges_is_reported_and_cross_checked) {
 }
 
 /// The strip of Delta is as thin as the spread of the hits, so that rounding decides at its end.
-BOOST_AUTO_TEST_CASE(hits_of_nearly_one_strength_meet_each_row_of_their_design) {
+BOOST_AUTO_TEST_CASE(hits_of_nearly_equal_strength_meet_each_row_of_their_design) {
   int designs = 0;
   for (std::uint64_t seed = 1'210'000; seed < 1'211'000; ++seed) {
     RandomSource random(seed);

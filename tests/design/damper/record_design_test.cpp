@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
   check_same(design_with_capacity(), design::design(request));
 }
 
-BOOST_AUTO_TEST_CASE(a_search_that_is_watched_to_its_end_finds_the_same) {
+BOOST_AUTO_TEST_CASE(a_watched_search_finds_the_same) {
   RecordDesignRequest request = with_capacity();
   request.threads = 2;
   std::int64_t evaluations = 0;
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_watched_to_its_end_finds_the_same) {
   BOOST_TEST(best.figures.acceleration == watched.nearest.figures.acceleration);
 }
 
-BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_has_the_best_so_far) {
+BOOST_AUTO_TEST_CASE(a_stopped_search_has_the_best_so_far) {
   RecordDesignRequest request = two_records();
   request.hold = 0.05;
   request.threads = 1;
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_has_the_best_so_far) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_on_its_way_to_no_friction_has_none) {
+BOOST_AUTO_TEST_CASE(a_search_stopped_on_its_way_to_no_friction_has_none) {
   RecordDesignRequest request = two_records();
   request.hold = 0.03;
   request.threads = 1;
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_on_its_way_to_no_friction_has_none
   BOOST_TEST(stopped.nearest.damper.f == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_search_that_is_stopped_says_of_no_limit_that_it_would_do) {
+BOOST_AUTO_TEST_CASE(a_stopped_search_suggests_no_relaxed_limit) {
   RecordDesignRequest request = two_records();
   request.limits = {0.5 * metre, 0.1, 0.001 * metre};
   const RecordDesign stopped = design::design(request, [](const RecordProgress&) { return false; });
@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(a_damper_without_friction_never_rests) {
              "no damper: the nearest, p = 1, f = 0, delta = 0, does not come to rest");
 }
 
-BOOST_AUTO_TEST_CASE(each_single_limit_that_is_said_to_do_does) {
+BOOST_AUTO_TEST_CASE(each_suggested_limit_suffices) {
   RecordDesignRequest request = short_records();
   request.records.resize(1, request.records.front());
   request.limits = {0.1, 0.15, 0.001};
@@ -295,7 +295,7 @@ BOOST_AUTO_TEST_CASE(each_single_limit_that_is_said_to_do_does) {
   BOOST_TEST(relaxed >= 1);
 }
 
-BOOST_AUTO_TEST_CASE(only_the_limit_that_is_in_the_way_is_said_to_do) {
+BOOST_AUTO_TEST_CASE(only_the_limit_in_the_way_is_suggested) {
   // It does not move, so that it feels 0.4 g whatever the stroke.
   RecordDesignRequest request = three_samples();
   request.f = SearchRange{2, 2};

@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(stop_against_delta_max_is_explained) {
   BOOST_TEST(admissible_region(exact, {std::nullopt, 0.06, 0}).feasible);
 }
 
-BOOST_AUTO_TEST_CASE(a_reason_is_in_the_units_that_are_asked_for) {
+BOOST_AUTO_TEST_CASE(a_reason_is_in_the_units_asked_for) {
   const Problem problem{1, 1, 1.1};
   const Limits limits{std::nullopt, 0.06, 0};
   const std::string text =
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_with_the_name_of_its_field) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(no_constraint_is_ever_not_a_number) {
+BOOST_AUTO_TEST_CASE(no_constraint_is_ever_nan) {
   for (const double f : {0.0, 1e-300, 1.0, 1e160, 1e300}) {
     for (const Problem& problem :
          {Problem{1e-150, 1e-150, 1}, Problem{1, 1, 1}, Problem{1e150, 1e150, 1}}) {

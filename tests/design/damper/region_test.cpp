@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(the_line_of_no_constant_friction_is_empty) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(amplitude_does_not_bind_where_beta_p_reaches_v0) {
+BOOST_AUTO_TEST_CASE(amplitude_does_not_bind_if_beta_p_is_at_least_v0) {
   BOOST_TEST(admissible_region({2, 4, 0.5}).f2 == 0);
   RandomSource random(107);
   for (int i = 0; i < problems; ++i) {

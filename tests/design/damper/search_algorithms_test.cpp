@@ -36,7 +36,8 @@ std::vector<Case> cases() {
           {{2e-4, 30, 5.2e-6, Criterion::exact}, {std::nullopt, std::nullopt, 0.05}}};
 }
 
-SearchResult run(const Case& now, Objective objective, const std::string& algorithm) {
+SearchResult run(const Case& now, Objective objective,
+                 const std::optional<std::string>& algorithm) {
   return search(now.problem, now.limits, {objective, algorithm, 20'000, 10}).value();
 }
 
@@ -52,7 +53,7 @@ BOOST_AUTO_TEST_CASE(every_algorithm_comes_near_the_default_one) {
   for (const Case& now : cases()) {
     BOOST_REQUIRE(admissible_region(now.problem, now.limits).feasible);
     for (const Objective objective : objectives) {
-      const double best = cost(now, objective, run(now, objective, "").point);
+      const double best = cost(now, objective, run(now, objective, {}).point);
       for (const std::string_view algorithm : algorithm_names()) {
         BOOST_TEST_CONTEXT(algorithm << ", " << name(objective) << ", v0 = " << now.problem.v0) {
           const SearchResult result = run(now, objective, std::string(algorithm));
@@ -78,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_global_algorithm_ends_at_the_optimum_itself) {
     list.push_back({random_feasible_problem(random), {}});
   }
   for (const Case& now : list) {
-    const double best = run(now, Objective::robust, "").point.tolerance;
+    const double best = run(now, Objective::robust, {}).point.tolerance;
     for (const char* algorithm : {"GN_DIRECT_L", "GN_CRS2_LM"}) {
       const SearchResult result = run(now, Objective::robust, algorithm);
       BOOST_TEST(result.point.tolerance >= best - polished_tolerance,
@@ -110,7 +111,7 @@ BOOST_AUTO_TEST_CASE(the_default_converges_in_a_few_evaluations) {
   for (int i = 0; i < 200; ++i) {
     const Problem problem = random_feasible_problem(random);
     for (const Objective objective : objectives) {
-      const SearchRecord record = run({problem, {}}, objective, "").record;
+      const SearchRecord record = run({problem, {}}, objective, {}).record;
       BOOST_TEST(record.algorithm == "LD_SLSQP");
       BOOST_TEST(record.evaluations <= 100,
                  name(objective) << " takes " << record.evaluations << ", v0 = " << problem.v0
@@ -131,13 +132,14 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_still_gives_an_admissible_point) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_budget_that_is_none_is_refused) {
+BOOST_AUTO_TEST_CASE(no_algorithm_and_no_budget_are_refused) {
   const auto refused = [](const SearchOptions& options, const std::string& field) {
     stillpoint::test::check_refused(field, [&] { return search({1, 1, 0.9}, {}, options); });
   };
-  refused({Objective::robust, "", 0, 10}, "max_evaluations");
-  refused({Objective::robust, "", 100, 0}, "max_seconds");
-  refused({Objective::robust, "", 100, std::nan("")}, "max_seconds");
+  refused({Objective::robust, "", 100, 10}, "algorithm");
+  refused({Objective::robust, {}, 0, 10}, "max_evaluations");
+  refused({Objective::robust, {}, 100, 0}, "max_seconds");
+  refused({Objective::robust, {}, 100, std::nan("")}, "max_seconds");
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_algorithm_is_refused_with_the_names_of_the_known_ones) {

@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_no_ends_it) {
+BOOST_AUTO_TEST_CASE(returning_false_ends_it) {
   SpectrumRequest request = request_of({shaking()}, 0.03, 0.02);
   request.threads = 1;
   request.p.assign(50, 1);

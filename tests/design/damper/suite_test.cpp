@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(many_dampers_at_once_have_the_figures_of_each_alone) {
 }
 
 // After the record a single friction has a closed form, which the kernel computes for any length.
-BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_is_none) {
+BOOST_AUTO_TEST_CASE(a_rest_after_more_than_ten_thousand_half_cycles_does_not_count) {
   const Suite suite(design::design(three_samples()).request);
   const std::vector<SuiteDamper> dampers{{1, 1e-6, 0}, {1, 1e-4, 0}, {1, 0, 1e-7}, {1, 0, 1e-5}};
   const std::vector<SuiteFigures> together = suite.figures(dampers, 1);

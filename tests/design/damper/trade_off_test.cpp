@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(is_dominated_by_no_admissible_damper) {
   BOOST_TEST(dominated > 500);  // so `dominates` can be true
 }
 
-BOOST_AUTO_TEST_CASE(has_no_damper_more_tolerant_than_the_robust_design_and_comes_near_it) {
+BOOST_AUTO_TEST_CASE(has_no_damper_more_tolerant_than_the_robust_design_and_comes_close) {
   RandomSource random(14);
   for (int i = 0; i < 20; ++i) {
     const auto [problem, limits] = random_task(random, 4);

@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_end_to_follow_it_to_is_refused) {
 
 // f just below k: the mass moves by 1e-23, and the width of the regularised model is then so small
 // that its run would take for ever.
-BOOST_AUTO_TEST_CASE(what_hardly_moves_is_given_up) {
+BOOST_AUTO_TEST_CASE(a_mass_that_hardly_moves_is_given_up) {
   const Comparison found = compare(with(FullSine{1, 0.5}, {1, 0.999999999999, 0.125}, {0, 0}, 30));
   BOOST_TEST(found.rows.front().result.turns == 1);
   BOOST_TEST(found.rows.front().peak_error < 1e-8);

@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(the_record_is_that_of_the_reference) {
   BOOST_TEST(record.values == test::rounded_record_s5().values, boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(tables_that_are_not_there_are_an_error) {
+BOOST_AUTO_TEST_CASE(missing_tables_are_an_error) {
   BOOST_CHECK_THROW(static_cast<void>(reference_scenes("/nowhere")), std::runtime_error);
 }
 

@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(in_real_notches_has_the_rows_of_one_motion) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_hold_makes_a_difference_under_a_load_alone) {
+BOOST_AUTO_TEST_CASE(a_hold_matters_only_under_a_load) {
   SweepSpec spec = free_spec(Axis({0.05, 0.1}), Axis({0.05}));
   const Fields paper = rows_of(spec);
   spec.axes.push_back({hold, Axis({0, 0.2, 1})});

@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(is_csv_or_json_lines) {
   BOOST_TEST((list(" {\"f\": 1}\n")->format() == ListFormat::jsonl));
 }
 
-BOOST_AUTO_TEST_CASE(that_is_wrong_is_refused_with_its_line) {
+BOOST_AUTO_TEST_CASE(a_wrong_one_is_refused_with_its_line) {
   check_wrong("", 0, "is empty");
   check_wrong("f,colour\n", 1, "\"colour\" is not a column of a list");
   check_wrong("f,f\n", 1, "the column f appears twice");

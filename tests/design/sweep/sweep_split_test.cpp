@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(each_launcher_says_which_part) {
   check_launched(one_task, "1/1");
 }
 
-BOOST_AUTO_TEST_CASE(launchers_within_each_other) {
+BOOST_AUTO_TEST_CASE(nested_launchers) {
   check_launched(both(array("2", "4", "1"), one_task), "2/4");
   check_launched(both(mpi, array("1", "1", "1")), "3/4");
   check_launched(both(mpi, mpich), "3/4");

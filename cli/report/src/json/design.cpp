@@ -145,7 +145,7 @@ ordered_json json(const DesignReport& report) {
     task["v0"] = number(result.reduced_v0);
   }
   task["objective"] = name(search.objective);
-  task["algorithm"] = text_or_null(search.algorithm);
+  task["algorithm"] = or_null(search.algorithm);
   task["catalogue"] = file_of(report.catalogue);
   task["trade_off"] = or_null(report.trade_offs);
   const PartTask parts{problem, limits, report.physical};

@@ -15,7 +15,6 @@
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/outcome.hpp>
 #include <stillpoint/core/seconds.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/core/state.hpp>

@@ -8,7 +8,7 @@
 #include "kernel/hold.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <limits>
 

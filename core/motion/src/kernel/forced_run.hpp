@@ -22,15 +22,14 @@
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
 #include "kernel/half_cycle_map.hpp"
-#include "kernel/hold.hpp"
 #include "kernel/piece_end.hpp"
+#include "kernel/rest.hpp"
 #include "kernel/run_margin.hpp"
 #include "kernel/touch.hpp"
 #include "kernel/transmitted.hpp"
 #include "kernel/zone_slide.hpp"
 
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/core/outcome.hpp>
 #include <stillpoint/core/state.hpp>
 
 #include <algorithm>
@@ -47,6 +46,7 @@ template <class Real, class Watcher = NoWatcher, class Law = ConstantFriction<Re
 class ForcedRun {
  public:
   using AnyWatcher = Watcher;
+  using AnyLaw = Law;
 
   ForcedRun(const BasicOscillator<Real>& oscillator, const BasicStart<Real>& start,
             Watcher& watcher, Patience patience = {})
@@ -87,7 +87,7 @@ class ForcedRun {
     assert(s_.mode != ForcedMode::sliding || s_.v != 0);
     while (!over() && left.value() > 0 && tick()) {
       if (s_.mode == ForcedMode::resting) {
-        rest(drive, left, for_ever);
+        rest(*this, drive, left, for_ever);
       } else {
         slide(drive, left, last);
       }
@@ -130,7 +130,7 @@ class ForcedRun {
   template <class Drive>
   void set_off_under(Drive& drive) {
     ExactSum<Real> left(Real(1));
-    rest(drive, left, true);
+    rest(*this, drive, left, true);
   }
 
   /// Once per piece; false if the run should end.
@@ -147,6 +147,10 @@ class ForcedRun {
     s_.mode = ForcedMode::over;
     s_.outcome = outcome;
     event(EventKind::rest, s_.rest_begin);
+  }
+
+  void stop_where_it_rests() {
+    stop(s_.caught && !s_.moved ? Outcome::caught_at_start : law_.rest_at(s_.u));
   }
 
   void event(EventKind kind) { event(kind, s_.now); }
@@ -235,10 +239,6 @@ class ForcedRun {
     law_.rest();
   }
 
-  void stop_where_it_rests() {
-    stop(s_.caught && !s_.moved ? Outcome::caught_at_start : law_.rest_at(s_.u));
-  }
-
   /// Rule 4.
   void begin(const BasicStart<Real>& start) {
     s_.u = map_.p * start.x0;
@@ -263,87 +263,6 @@ class ForcedRun {
       slides(s_, law_);
     }
     event(EventKind::start);
-  }
-
-  /// Rule 2.
-  template <class Drive>
-  void rest(Drive& drive, ExactSum<Real>& left, bool for_ever) {
-    const Real w = drive.w();
-    const Real load = s_.u + w;
-    const int sign = load > 0 ? 1 : -1;
-    const Real phi = law_.capacity(s_.u, sign);
-    const Real size = magnitude(s_.u) + magnitude(w) + phi;
-    Real excess = magnitude(load) - phi;
-    if (s_.fresh) {
-      s_.margin.decide(magnitude(excess), std::max(size, Real(drive.amplitude())));
-    }
-    if (Hold<Real>::may_tie(excess, size)) {
-      excess = law_.hold_at(s_.u).excess(drive.load(), sign);
-    }
-    if (excess > 0) {
-      set_off(-sign, excess);
-      return;
-    }
-    if (s_.fresh) {
-      s_.fresh = false;
-      event(EventKind::stick);
-    }
-    const auto hold = law_.hold_at(s_.u);
-    if (for_ever) {
-      const Real largest = drive.largest_load(s_.u);
-      s_.margin.decide(magnitude(Real(largest - phi)), largest + phi);
-      if (!(drive.largest_excess(hold) > 0)) {
-        stop_where_it_rests();
-        return;
-      }
-    }
-    const std::optional<ExactSum<Real>> wait = drive.release(hold);
-    const bool waits = !wait || !(wait->value() < left.value());
-    drive.crests(hold, waits ? left.value() : wait->value(), !waits);
-    if (waits) {
-      s_.now.add(left.high());
-      s_.now.add(left.low());
-      drive.advance(left.value());
-      left = ExactSum<Real>();
-      return;
-    }
-    left.add(-wait->high(), -wait->low());
-    s_.now.add(wait->high(), wait->low());
-    drive.advance(*wait);
-    set_off(drive.release_direction(), Real(0));
-  }
-
-  void set_off(int direction, const Real& acceleration) {
-    const Real waited = s_.fresh ? Real(0) : s_.now.minus(s_.rest_begin);
-    s_.mode = ForcedMode::sliding;
-    s_.direction = direction;
-    if (!s_.moved) {
-      slides(s_, law_);
-    }
-    if (waited > 0) {
-      ++s_.sticks;
-      s_.stick_time.add(waited);
-      is_held(s_, law_, s_.now);
-      s_.transmitted.locked = Real(0);
-      event(EventKind::release);
-    }
-    s_.first_acceleration = acceleration;
-    s_.fresh = false;
-    const bool let_go = law_.at_notch(s_.u);
-    s_.left_notch_from_rest = s_.left_notch_from_rest || (s_.u == 0 && map_.notch > 0 && !let_go);
-    if (let_go) {
-      leave_notch();
-    }
-    s_.moved = true;
-  }
-
-  /// What the notch held is free now; only here a passage takes time.
-  void leave_notch() {
-    *s_.first_acceleration += law_.spare();
-    if (s_.moved) {
-      pass();
-      event(EventKind::passage);
-    }
   }
 
   template <class Drive>

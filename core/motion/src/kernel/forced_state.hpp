@@ -7,7 +7,7 @@
 #include "kernel/piece_end.hpp"
 #include "kernel/transmitted.hpp"
 
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <cstdint>
 #include <functional>

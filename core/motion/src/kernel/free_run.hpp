@@ -10,7 +10,7 @@
 #include "kernel/first_leg.hpp"
 #include "kernel/half_cycle_map.hpp"
 
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <algorithm>
 #include <cmath>

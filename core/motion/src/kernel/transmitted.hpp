@@ -92,7 +92,7 @@ Real largest_wave(const Real& k, DrivePhase<Real> psi, const ExactSum<Real>& fro
 }
 
 // (F30): the largest |W| from `from` until `until`, which is later and not after the end of the
-// excitation. For a record it is in record_run.hpp.
+// excitation. For a record it is in record_samples.hpp.
 
 template <class Real>
 Real largest_load(const NoExcitation& /*none*/, const Real& /*p*/, const ExactSum<Real>& /*from*/,

@@ -11,7 +11,6 @@
 #include "kernel/piece_end.hpp"
 #include "kernel/touch.hpp"
 
-#include <stillpoint/core/outcome.hpp>
 #include <stillpoint/core/state.hpp>
 
 #include <cmath>

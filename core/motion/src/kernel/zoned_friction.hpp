@@ -10,7 +10,7 @@
 #include "kernel/hold.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
 #include <algorithm>

@@ -201,14 +201,14 @@ std::vector<SuiteShortfall> shortfalls(const Suite& suite, const SuiteBox& box,
 
 /// With the figures of a scan, if there are any.
 RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>* scanned,
-                    const RecordWatch& ask) {
+                    const RecordWatch& go_on) {
   require_valid(request);
   const double begun = seconds_now();
   RecordDesign result{completed(request), {}, {}, {}, {}};
   const RecordDesignRequest& task = result.request;
   const Suite suite(task);
   const SuiteBox box(task);
-  SuiteWatch watch(task, ask);
+  SuiteWatch watch(task, go_on);
   const auto [side, all] = grid_size(box, task.scan_points);
   watch.expect((scanned != nullptr ? 0 : all) + usual_evaluations(box));
   SuiteScan scan{side, scanned != nullptr
@@ -252,13 +252,13 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
 
 }  // namespace
 
-RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask) {
-  return design(request, nullptr, ask);
+RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on) {
+  return design(request, nullptr, go_on);
 }
 
 RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteFigures>& scanned,
-                    const RecordWatch& ask) {
-  return design(request, &scanned, ask);
+                    const RecordWatch& go_on) {
+  return design(request, &scanned, go_on);
 }
 
 std::int64_t scan_size(const RecordDesignRequest& request) {
@@ -267,14 +267,14 @@ std::int64_t scan_size(const RecordDesignRequest& request) {
 }
 
 std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request, std::int64_t first,
-                                    std::int64_t count, const RecordWatch& ask) {
+                                    std::int64_t count, const RecordWatch& go_on) {
   require_valid(request);
   const RecordDesignRequest task = completed(request);
   const SuiteBox box(task);
   const GridSize size = grid_size(box, task.scan_points);
   require_within("first", static_cast<double>(first), 0, static_cast<double>(size.all));
   require_within("count", static_cast<double>(count), 0, static_cast<double>(size.all - first));
-  SuiteWatch watch(task, ask);
+  SuiteWatch watch(task, go_on);
   watch.expect(count);
   return grid_figures(Suite(task), box, size.side, first, count, task.threads, watch);
 }

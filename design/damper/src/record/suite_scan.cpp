@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/suite_search.hpp"
+#include "record/suite_scan.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 

@@ -15,8 +15,8 @@ namespace stillpoint::design {
 /// stopped it.
 class SuiteWatch {
  public:
-  SuiteWatch(const RecordDesignRequest& request, const RecordWatch& ask)
-      : objective_(request.objective), limits_(request.limits), ask_(ask) {}
+  SuiteWatch(const RecordDesignRequest& request, const RecordWatch& go_on)
+      : objective_(request.objective), limits_(request.limits), go_on_(go_on) {}
 
   /// About this many more dampers will be evaluated than expected so far.
   void expect(std::int64_t more) { progress_.expected += more; }
@@ -24,7 +24,7 @@ class SuiteWatch {
   /// Adds each damper with its figures, then checks whether to go on. Called by several threads at
   /// once.
   void evaluated(std::span<const SuiteDamper> dampers, std::span<const SuiteFigures> figures) {
-    if (!ask_) {
+    if (!go_on_) {
       return;
     }
     const std::lock_guard lock(one_at_a_time_);
@@ -36,7 +36,7 @@ class SuiteWatch {
         progress_.best = {dampers[i], figures[i]};
       }
     }
-    stopped_ = stopped_ || !ask_(progress_);
+    stopped_ = stopped_ || !go_on_(progress_);
   }
   /// Whether the search is to end.
   [[nodiscard]] bool stopped() const { return stopped_; }
@@ -44,7 +44,7 @@ class SuiteWatch {
  private:
   SuiteObjective objective_;
   SuiteLimits limits_;
-  const RecordWatch& ask_;
+  const RecordWatch& go_on_;
   std::mutex one_at_a_time_;
   RecordProgress progress_;
   SuiteRank best_;

@@ -6,8 +6,8 @@
 #include "nearest_fit.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/design/mend.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/region_result.hpp>
 
 #include <algorithm>
 #include <cstdint>

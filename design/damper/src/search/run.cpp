@@ -40,14 +40,14 @@ NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,
   return outcome;
 }
 
-NloptAlgorithm find_algorithm(const std::string& wanted) {
+NloptAlgorithm find_algorithm(const std::optional<std::string>& wanted) {
   const auto& list = nlopt_algorithms();
-  if (wanted.empty()) {
+  if (!wanted) {
     return list.front();
   }
-  const auto found = std::ranges::find(list, wanted, &NloptAlgorithm::name);
+  const auto found = std::ranges::find(list, *wanted, &NloptAlgorithm::name);
   if (found == list.end()) {
-    throw InputError("algorithm", wanted,
+    throw InputError("algorithm", wanted->empty() ? "\"\"" : *wanted,
                      fmt::format("must be one of {}", fmt::join(algorithm_names(), ", ")));
   }
   return *found;

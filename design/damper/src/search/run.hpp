@@ -12,7 +12,7 @@
 namespace stillpoint::design {
 
 /// The default one for an empty name. Throws InputError.
-[[nodiscard]] NloptAlgorithm find_algorithm(const std::string& wanted);
+[[nodiscard]] NloptAlgorithm find_algorithm(const std::optional<std::string>& wanted);
 
 /// Minimises; after a global algorithm a local one continues from `best`, the best point so far.
 [[nodiscard]] NloptOutcome run(const NloptProblem& posed, std::string_view algorithm,

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -59,7 +60,7 @@ class HighestSearch {
 
   /// By golden sections.
   void narrow(const unit::Ends& around) {
-    constexpr double golden = 0.6180339887498949;
+    constexpr double golden = std::numbers::phi - 1;
     constexpr double resolved = 1e-9;
     auto [left, right] = around;
     double inner_left = right - golden * (right - left);

@@ -5,7 +5,7 @@
 
 #include "way/way.hpp"
 
-#include <stillpoint/design/design_point.hpp>
+#include <stillpoint/design/problem.hpp>
 
 #include <boost/math/tools/toms748_solve.hpp>
 

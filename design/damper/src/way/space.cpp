@@ -170,6 +170,53 @@ double cost_at(const Way& way, Objective objective, double a, double d) {
                                       : objective_value(objective, a);
 }
 
+/// S grows with f, so f replaces it: it keeps its slope towards 0, where SLSQP would otherwise get
+/// lost.
+Function cost_of(const Way& way, const Scaled& scale, Objective objective, Tried& tried) {
+  return [&way, &tried, scale, objective](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
+    const double a = at[0] * scale.a_cap;
+    const double d = at[1] * scale.d_cap;
+    tried.x.push_back(at[0]);
+    if (objective == Objective::time) {
+      double by_a = 0;
+      double by_d = 0;
+      const bool sloped = gradient.size() > 0;
+      const double turns = half_turns(way, a, d, sloped ? &by_a : nullptr, &by_d);
+      scale.slopes(gradient, by_a, by_d, 0);
+      return turns;
+    }
+    const bool force = objective == Objective::acceleration;
+    scale.slopes(gradient, force ? 1 : objective_slope(objective, a), 0, 0);
+    return force ? a : objective_value(objective, a);
+  };
+}
+
+/// The cost for algorithms without constraints: above every value inside where one is violated.
+Function penalised(const Way& way, const Scaled& scale, bool robust, const Function& cost,
+                   const std::vector<Function>& inequalities, Tried& tried) {
+  return [&way, &tried, scale, robust, cost, inequalities](const Eigen::VectorXd& at,
+                                                           Eigen::VectorXd& /*gradient*/) {
+    const double above_all = 10.0 + way.passages();  // a half-cycle takes pi
+    Eigen::VectorXd none;
+    double violation = 0;
+    for (const Function& condition : inequalities) {
+      violation = std::max(violation, condition(at, none));
+    }
+    double value = above_all + violation;
+    if (!(violation > 0)) {
+      value = robust ? -largest_tolerance(way, way.f_of(at[0] * scale.a_cap),
+                                          at[1] * scale.d_cap * way.square())
+                            .value_or(0)
+                     : cost(at, none);
+    }
+    if (value < tried.value) {
+      tried.value = value;
+      tried.best = at.head<2>();
+    }
+    return value;
+  };
+}
+
 }  // namespace
 
 double way_cost(const Way& way, Objective objective, const DesignPoint& point) {
@@ -190,25 +237,7 @@ NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective obje
   posed.lower = Eigen::Vector3d(least_x, 0, scale.tolerance).head(size);
   posed.upper = Eigen::Vector3d(1, 1, std::max(almost_all, scale.tolerance)).head(size);
   posed.start = from.head(size);
-  // S grows with f, so f replaces it: it keeps its slope towards 0, where SLSQP would otherwise get
-  // lost.
-  const auto cost = [&way, &tried, scale, objective](const Eigen::VectorXd& at,
-                                                     Eigen::VectorXd& gradient) {
-    const double a = at[0] * scale.a_cap;
-    const double d = at[1] * scale.d_cap;
-    tried.x.push_back(at[0]);
-    if (objective == Objective::time) {
-      double by_a = 0;
-      double by_d = 0;
-      const bool sloped = gradient.size() > 0;
-      const double turns = half_turns(way, a, d, sloped ? &by_a : nullptr, &by_d);
-      scale.slopes(gradient, by_a, by_d, 0);
-      return turns;
-    }
-    const bool force = objective == Objective::acceleration;
-    scale.slopes(gradient, force ? 1 : objective_slope(objective, a), 0, 0);
-    return force ? a : objective_value(objective, a);
-  };
+  const Function cost = cost_of(way, scale, objective, tried);
   const auto inequalities = conditions_of(way, scale);
   if (support == ConstraintSupport::yes) {
     posed.constraints = inequalities;
@@ -222,28 +251,7 @@ NloptProblem way_posed(ConstraintSupport support, const Way& way, Objective obje
     }
     return posed;
   }
-  posed.objective = [&way, &tried, scale, robust, cost, inequalities](
-                        const Eigen::VectorXd& at, Eigen::VectorXd& /*gradient*/) {
-    // Above every value inside: a half-cycle takes pi.
-    const double above_all = 10.0 + way.passages();
-    Eigen::VectorXd none;
-    double violation = 0;
-    for (const Function& condition : inequalities) {
-      violation = std::max(violation, condition(at, none));
-    }
-    double value = above_all + violation;
-    if (!(violation > 0)) {
-      value = robust ? -largest_tolerance(way, way.f_of(at[0] * scale.a_cap),
-                                          at[1] * scale.d_cap * way.square())
-                            .value_or(0)
-                     : cost(at, none);
-    }
-    if (value < tried.value) {
-      tried.value = value;
-      tried.best = at.head<2>();
-    }
-    return value;
-  };
+  posed.objective = penalised(way, scale, robust, cost, inequalities, tried);
   return posed;
 }
 

@@ -114,7 +114,7 @@ struct WaySpeeds {
 /// arrival first and way 0 last, until it returns false.
 template <class Visit>
 void for_each_way(const Problem& problem, const Limits& limits, const Visit& visit) {
-  constexpr double rounding = 1e-12;
+  constexpr double rounding = 1e-12;  // of a tolerance of 1 / (2n - 1)
   const auto last = problem.v0_low == 0.0 ? 1 : static_cast<int>(problem.arrivals);
   for (int n = 1; n <= last; ++n) {
     cancellation_point();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "part_file.hpp"
 
+#include "seal.hpp"
+
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/records/text_file.hpp>
@@ -58,12 +60,10 @@ Checkpoint from_json(const ordered_json& document) {
   }
   Checkpoint checkpoint;
   checkpoint.task = document.at("task").dump();
-  read_integers(document.at("rows"), checkpoint.state.rows);
+  read_counts(document, checkpoint.state);
   read_integers(document.at("bytes"), checkpoint.bytes);
   document.at("complete").get_to(checkpoint.complete);
   read_integers(document.at("digest"), checkpoint.state.digest);
-  read_integers(document.at("outcomes"), checkpoint.state.outcomes);
-  read_integers(document.at("feasible"), checkpoint.state.feasible);
   const ordered_json& digest = document.at("bytes_digest");
   read_integers(digest.at(0), checkpoint.state.bytes.words);
   read_integers(digest.at(1), checkpoint.state.bytes.rest);
@@ -76,15 +76,6 @@ Checkpoint from_json(const ordered_json& document) {
 
 std::string text(const ordered_json& task, const std::string& key) {
   return task.contains(key) ? task.at(key).dump() : "nothing";
-}
-
-/// The library prints a value by recursion, so a deep one would exhaust the stack.
-bool is_flat(int depth, ordered_json::parse_event_t /*event*/, const ordered_json& /*parsed*/) {
-  constexpr int deepest = 16;  // a checkpoint has three levels
-  if (depth > deepest) {
-    throw std::runtime_error("not a checkpoint");
-  }
-  return true;
 }
 
 }  // namespace
@@ -100,7 +91,8 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
   }
   const std::string content = records::read_text_file("resume", path, largest);
   try {
-    return from_json(ordered_json::parse(content, is_flat));
+    require_json_object(content, {.kind = "resume", .path = path});
+    return from_json(ordered_json::parse(content));
   } catch (const std::exception&) {
     throw LeftoverError(
         fmt::format("resume {}: is not the checkpoint of a sweep: remove it to start again", path));

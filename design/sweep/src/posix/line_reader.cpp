@@ -18,12 +18,13 @@ namespace stillpoint::sweep {
 
 namespace {
 
+/// An entry has some hundred bytes; without a limit a binary file would be one line.
 constexpr std::size_t longest_line = std::size_t{1} << 16U;
 constexpr std::size_t buffer_size = 4 * longest_line;
 
 /// Waits until there is something to read; false after a stop.
 bool ready(int descriptor, const std::stop_token& stop) {
-  constexpr int between_looks_ms = 100;
+  constexpr int between_looks_ms = 100;  // a stop waits as long at most
   pollfd watched{descriptor, POLLIN, 0};
   while (!stop.stop_requested()) {
     if (::poll(&watched, 1, between_looks_ms) > 0) {

@@ -17,7 +17,7 @@ namespace stillpoint::sweep {
 
 namespace {
 
-constexpr double least_between_saves_s = 0.1;
+constexpr double least_between_saves_s = 0.1;  // a save waits for the disk
 
 bool exists(const std::string& path) {
   std::error_code unknown;

@@ -130,7 +130,7 @@ const std::vector<Wrong> values{
     {region("--criterion Exact"), {"criterion = Exact", "published or exact"}},
     {design("--algorithm LD_BEST"), {"algorithm = LD_BEST", "LD_SLSQP"}},
     {design("--algorithm AUGLAG"), {"algorithm = AUGLAG", "LN_COBYLA"}},
-    {design({"--algorithm", ""}), {"algorithm", "NLopt"}},
+    {design({"--algorithm", ""}), {"algorithm = \"\"", "LD_SLSQP"}},
     {"simulate --v0 1 --p 1 --f 1e-200 --delta 1e-200",
      {"f and delta", "half-cycles", "at most 1e+08"}},
     {simulate("--half-cycle-limit 5"), {"f and delta", "half-cycles", "at most 5"}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
 #include <Eigen/Core>

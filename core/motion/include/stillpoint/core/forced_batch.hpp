@@ -4,7 +4,7 @@
 #include <stillpoint/core/batch.hpp>
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <optional>
 #include <string>

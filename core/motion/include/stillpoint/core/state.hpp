@@ -14,6 +14,19 @@ struct State {
   double v{0};
 };
 
+/// How a motion ends. All are legitimate: none is an error.
+enum class Outcome {
+  stopped_at_zero,       ///< rests at x = 0, held by the notch or arrived without speed
+  stopped_in_dead_zone,  ///< rests at 0 < |x| <= f/p^2
+  never_stops,           ///< no friction at all
+  caught_at_start,       ///< v0^2 < 2 delta at x = 0: the notch never lets it go
+  running,               ///< forced motion only: not known to have stopped when the run ended
+  stopped_in_notch,      ///< rests at 0 < |x| <= w/2 in a notch of width w (surface.hpp)
+};
+
+/// Their names are those of the enumerators, here and below.
+[[nodiscard]] std::span<const Named<Outcome>> enumerators(Outcome) noexcept;
+
 /// What happens in a motion, in the order in which simultaneous events take effect: docs/forced.md
 /// section 1. A free motion has no event of the excitation, no stick and no end but its rest.
 enum class EventKind {
@@ -28,7 +41,6 @@ enum class EventKind {
   end,             ///< the end of the run, if the motion goes on
 };
 
-/// Their names are those of the enumerators.
 [[nodiscard]] std::span<const Named<EventKind>> enumerators(EventKind) noexcept;
 
 struct Event {

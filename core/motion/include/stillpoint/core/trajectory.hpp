@@ -30,9 +30,9 @@ struct TrajectoryOptions {
 /// stays.
 class Trajectory {
  public:
-  /// Throws InputError as free_response does, for limits out of range, for a missing horizon where
+  /// Throws InputError as free_response does, for options out of range, for a missing horizon where
   /// the motion never stops, and TooManyHalfCycles.
-  Trajectory(const Oscillator& oscillator, const Start& start, const TrajectoryOptions& limits);
+  Trajectory(const Oscillator& oscillator, const Start& start, const TrajectoryOptions& options);
 
   /// The state at tau; at an instant with two velocities the later one. Throws InputError outside
   /// [0, horizon].
@@ -78,7 +78,7 @@ class ForcedTrajectory {
  public:
   /// Throws InputError as forced_response does.
   ForcedTrajectory(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
-                   const ForcedTrajectoryOptions& limits, const Surface& surface = {});
+                   const ForcedTrajectoryOptions& options, const Surface& surface = {});
 
   /// The state at tau; at an instant with two velocities the later one. Throws InputError outside
   /// [0, horizon].

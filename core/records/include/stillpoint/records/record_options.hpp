@@ -6,6 +6,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/core/oscillator.hpp>
+#include <stillpoint/records/units.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,8 +52,8 @@ struct RecordOptions {
   std::optional<RecordUnits> units{};
   /// Of a file with several records, from 1; empty: the only one.
   std::optional<std::size_t> channel{};
-  double scale{1};                   ///< factor on every value; negative reverses it; not 0
-  double gravity_m_per_s2{9.80665};  ///< one g of the result
+  double scale{1};  ///< factor on every value; negative reverses it; not 0
+  double gravity_m_per_s2{standard_gravity_m_per_s2};  ///< one g of the result
   RecordClock clock{};
 };
 

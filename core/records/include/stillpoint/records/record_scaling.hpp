@@ -12,8 +12,8 @@ namespace stillpoint::records {
 /// The largest |W| in g, the peak ground acceleration.
 [[nodiscard]] double peak_acceleration(const Record& record);
 
-/// The mean time in tau between two values; 0 for a single one.
-[[nodiscard]] double mean_interval(const Record& record);
+/// The mean time in tau between two values; empty for a single one.
+[[nodiscard]] std::optional<double> mean_interval(const Record& record);
 
 /// Of the critical damping, in `spectral_acceleration`.
 inline constexpr double spectrum_damping = 0.05;

@@ -32,6 +32,9 @@ struct Unit {
 inline constexpr double smallest_physical = 1e-30;
 inline constexpr double largest_physical = 1e30;
 
+/// One g where nothing else is given, that of the SI.
+inline constexpr double standard_gravity_m_per_s2 = 9.80665;
+
 /// The units of a dimension, the SI unit first; for gravities, g. None for a plain number.
 [[nodiscard]] std::vector<Unit> units_of(Dimension dimension);
 

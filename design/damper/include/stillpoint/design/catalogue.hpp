@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/mend.hpp>
 #include <stillpoint/design/objective.hpp>
 #include <stillpoint/design/part.hpp>
+#include <stillpoint/design/region_result.hpp>
 
 #include <span>
 #include <vector>

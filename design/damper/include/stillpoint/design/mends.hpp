@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/mend.hpp>
 #include <stillpoint/design/problem.hpp>
+#include <stillpoint/design/region_result.hpp>
 
 #include <optional>
 #include <vector>

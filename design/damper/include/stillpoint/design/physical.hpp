@@ -20,7 +20,7 @@ struct Scales {
   double length_m{1};
   double time_s{1};
   double velocity_m_per_s{1};
-  double gravity_m_per_s2{9.80665};
+  double gravity_m_per_s2{records::standard_gravity_m_per_s2};
   double omega_rad_per_s{1};
   double p{1};                    ///< omega sqrt(H/g)
   std::optional<double> mass_kg;  ///< needed for forces and energies only
@@ -43,7 +43,7 @@ struct PhysicalIsolator {
   std::optional<double> natural_frequency_hz;
   std::optional<double> stiffness_n_per_m;
   std::optional<double> mass_kg;
-  double gravity_m_per_s2{9.80665};
+  double gravity_m_per_s2{records::standard_gravity_m_per_s2};
 };
 
 /// Scales with H = reference_velocity / omega. Throws InputError, naming the field, for a value

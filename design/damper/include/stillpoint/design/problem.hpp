@@ -65,6 +65,13 @@ struct Limits {
   BoxShape shape{};
 };
 
+/// A damper and how far it may be off.
+struct DesignPoint {
+  double f{0};
+  double delta{0};
+  double tolerance{0};  ///< the largest R that it allows
+};
+
 /// One hit, one spring, no residual and the same tolerance on every side: the paper's task, or that
 /// of a later arrival.
 [[nodiscard]] bool is_plain(const Problem& problem, const Limits& limits);

@@ -77,7 +77,8 @@ struct RecordDesign {
 [[nodiscard]] std::string summary(const RecordDesign& result);
 
 /// Scan, NLopt, check. Finding no damper is a result. Throws InputError.
-[[nodiscard]] RecordDesign design(const RecordDesignRequest& request, const RecordWatch& ask = {});
+[[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
+                                  const RecordWatch& go_on = {});
 
 /// How many dampers the scan of that design has.
 [[nodiscard]] std::int64_t scan_size(const RecordDesignRequest& request);
@@ -85,12 +86,12 @@ struct RecordDesign {
 /// not depend on other dampers, so a scan may be computed in parts. Throws InputError.
 [[nodiscard]] std::vector<SuiteFigures> scan_part(const RecordDesignRequest& request,
                                                   std::int64_t first, std::int64_t count,
-                                                  const RecordWatch& ask = {});
+                                                  const RecordWatch& go_on = {});
 /// The same design from the figures of its whole scan, to the last bit. Throws InputError, also if
 /// their number is not scan_size(request).
 [[nodiscard]] RecordDesign design(const RecordDesignRequest& request,
                                   const std::vector<SuiteFigures>& scanned,
-                                  const RecordWatch& ask = {});
+                                  const RecordWatch& go_on = {});
 
 /// The figures over f and delta for one p, in the middles of even cells: delta runs faster.
 struct SuiteMap {

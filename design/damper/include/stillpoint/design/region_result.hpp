@@ -3,9 +3,8 @@
 
 #include <stillpoint/design/admissible_region.hpp>
 #include <stillpoint/design/constraints.hpp>
-#include <stillpoint/design/design_point.hpp>
-#include <stillpoint/design/mend.hpp>
 #include <stillpoint/design/practice.hpp>
+#include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/pulse.hpp>
 #include <stillpoint/design/strips.hpp>
 #include <stillpoint/design/works_for.hpp>
@@ -13,9 +12,28 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stillpoint::design {
+
+/// The least change of one input, with the others unchanged, that makes the region not empty.
+struct Mend {
+  /// v0 (for a pulse k, lambda), p, beta, f_max, delta_max, acceleration_max, tolerance or
+  /// arrivals.
+  std::string_view field;
+  double value{0};
+  bool upwards{false};  ///< it must increase, not decrease
+};
+
+/// The changes that help if no single input suffices, because no damper has the tolerance.
+struct JointMend {
+  double largest_tolerance{0};  ///< of any damper, for any beta and limits
+  /// The tolerance and another input, both changed by the same factor, which is the least that
+  /// makes the region not empty. Neither can be closer to its old value unless the other is farther
+  /// from its own.
+  std::vector<Mend> mends;
+};
 
 /// A region. If it is empty, `reason` says why, `most_tolerant` how much tolerance there is, and
 /// `mends`, or else `joint_mend`, what would help.

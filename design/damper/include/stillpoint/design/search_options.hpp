@@ -5,6 +5,7 @@
 
 #include <stillpoint/design/objective.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,10 +14,9 @@ namespace stillpoint::design {
 
 struct SearchOptions {
   Objective objective{Objective::robust};
-  /// An NLopt algorithm from algorithm_names(); empty: LD_SLSQP.
-  std::string algorithm{};
-  int max_evaluations{20'000};  ///< >= 1
-  double max_seconds{10};       ///< > 0
+  std::optional<std::string> algorithm{};  ///< from algorithm_names(); default: LD_SLSQP
+  int max_evaluations{20'000};             ///< >= 1
+  double max_seconds{10};                  ///< > 0
 };
 
 /// How the search went. `status` is NLopt's own term: XTOL_REACHED or SUCCESS if it converged;

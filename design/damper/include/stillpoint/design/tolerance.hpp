@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/design/design_point.hpp>
 #include <stillpoint/design/problem.hpp>
 
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/core/oscillator.hpp>
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 #include <stillpoint/core/surface.hpp>
 
 #include <cstdint>

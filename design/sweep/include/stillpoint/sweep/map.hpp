@@ -3,7 +3,7 @@
 
 #include <stillpoint/sweep/spec.hpp>
 
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stillpoint/core/outcome.hpp>
+#include <stillpoint/core/state.hpp>
 
 #include <array>
 #include <cstddef>
@@ -125,9 +125,6 @@ constexpr std::optional<Quantity> other_end(Quantity quantity) {
       return std::nullopt;
   }
 }
-
-/// '-' and '_' are the same.
-[[nodiscard]] std::optional<Quantity> find_quantity(std::string_view name);
 
 /// How an entry of a sweep ends, by number: an Outcome or too_many_half_cycles, whose byte in files
 /// is older than stopped_in_notch.

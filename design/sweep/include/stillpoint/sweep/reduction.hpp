@@ -19,30 +19,30 @@
 namespace stillpoint::sweep {
 
 /// A column counted in bins given by the user.
-struct AskedBins {
+struct BinsRequest {
   Quantity column{};
   std::vector<double> edges;  ///< rising, at least two
 };
 
 /// The rows with the smallest or the largest values of a column.
-struct AskedBest {
+struct BestRequest {
   Quantity column{};
   std::int64_t count{1};
   bool largest{false};
 };
 
-struct AskedReduction {
-  std::vector<AskedBins> histograms;
-  std::vector<AskedBest> best;
+struct ReductionRequest {
+  std::vector<BinsRequest> histograms;
+  std::vector<BestRequest> best;
 };
 
 /// "peak_amplitude:0:1:50", "stop_time:1:100:40:log" or "f:0,0.1,0.3": low, high and the number of
 /// bins, or the edges. Throws InputError.
-[[nodiscard]] AskedBins parse_bins(std::string_view text, const std::vector<Quantity>& columns,
-                                   const std::optional<SweepUnits>& units);
+[[nodiscard]] BinsRequest parse_bins(std::string_view text, const std::vector<Quantity>& columns,
+                                     const std::optional<SweepUnits>& units);
 /// "peak_amplitude:10", the ten smallest, or "tolerance:10:largest".
-[[nodiscard]] AskedBest parse_best(std::string_view text, const std::vector<Quantity>& columns,
-                                   const std::optional<SweepUnits>& units);
+[[nodiscard]] BestRequest parse_best(std::string_view text, const std::vector<Quantity>& columns,
+                                     const std::optional<SweepUnits>& units);
 
 struct RowColumn {
   std::string name;

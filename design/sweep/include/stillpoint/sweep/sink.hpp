@@ -4,6 +4,7 @@
 #include <stillpoint/sweep/state.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,7 +14,8 @@ namespace stillpoint::sweep {
 /// The rows of a sweep that ended early.
 struct LeftRows {
   std::int64_t count{0};
-  std::string file{};  ///< where they wait to be resumed; empty if they are written for good
+  std::optional<std::string>
+      file{};  ///< where they wait to be resumed; else they are written for good
 };
 
 /// "149 rows are kept in rows.csv.part"

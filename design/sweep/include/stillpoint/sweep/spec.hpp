@@ -54,7 +54,7 @@ struct SweepSpec {
   std::optional<ListExtent> listed;  ///< of the whole list: needed for a part of one
   std::vector<Quantity> columns;     ///< of the output; see default_columns
   /// If given, the rows are not written but reduced, see Reducer.
-  std::optional<AskedReduction> reduction;
+  std::optional<ReductionRequest> reduction;
   int threads{1};  ///< no result depends on it
 
   std::optional<double> half_cycle_limit;  ///< of motions, 1 to 1e15; empty: as in core

@@ -23,7 +23,7 @@ struct SweepUnits {
   double mass_kg{1};  ///< for a stiffness
   PulseClock pulse_clock{PulseClock::frequency};
   double pulse_angle{0};  ///< lambda times the duration of the pulse
-  double gravity_m_per_s2{9.80665};
+  double gravity_m_per_s2{records::standard_gravity_m_per_s2};
 
   [[nodiscard]] double time_s() const;            ///< of one tau
   [[nodiscard]] double velocity_m_per_s() const;  ///< of one x'

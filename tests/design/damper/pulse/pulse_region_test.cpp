@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(what_never_starts_violates_that_alone) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_limit_has_a_row_and_is_held) {
+BOOST_AUTO_TEST_CASE(a_limit_has_a_row_and_is_met) {
   RegionRequest task = half_period();
   task.limits.f_max = 0.2;
   task.limits.delta_max = 0.4;

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(an_optimum_next_to_the_end_of_an_interval_is_found) {
 }
 
 // Nothing moves at f = k, and what hardly moves cannot be checked.
-BOOST_AUTO_TEST_CASE(a_design_keeps_so_far_from_k_that_its_motion_is_known) {
+BOOST_AUTO_TEST_CASE(a_design_stays_far_enough_from_k_for_its_motion_to_be_known) {
   PulseRequest request;
   request.problem = {FullSine{0.350972, 1034.6095}, 5.0931, 1.1144844e-06, Criterion::published};
   request.search.objective = Objective::time;

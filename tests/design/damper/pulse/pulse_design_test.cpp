@@ -289,7 +289,7 @@ BOOST_AUTO_TEST_CASE(a_full_sine_leaves_no_velocity_and_has_designs_all_the_same
   BOOST_TEST(result.finding->cross_check.passed);
 }
 
-BOOST_AUTO_TEST_CASE(each_reason_names_what_excludes_each_other) {
+BOOST_AUTO_TEST_CASE(each_reason_names_the_two_that_conflict) {
   const auto conflict = [](double beta, const Limits& limits) {
     PulseRequest request = request_of(Rectangle{0.5, 1}, beta);
     request.limits = limits;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "record/suite_scan.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace stillpoint::design {
+
+/// A point of the box with its rank. Of equal ones a search keeps the first.
+struct RankedPoint {
+  std::vector<double> unit;
+  SuiteFigures figures;
+  SuiteRank rank{};
+};
+
+/// Objectives that differ by less than this part are equal but for rounding.
+inline constexpr double no_difference = 1e-6;
+
+/// Evaluates and ranks the points of one search.
+class SuitePoints {
+ public:
+  SuitePoints(const Suite& suite, const SuiteBox& box, SuiteObjective objective,
+              const SuiteLimits& limits, int threads, SuiteWatch& watch)
+      : suite_(suite),
+        box_(box),
+        objective_(objective),
+        limits_(limits),
+        threads_(threads),
+        watch_(watch) {}
+
+  [[nodiscard]] const SuiteBox& box() const { return box_; }
+  [[nodiscard]] std::size_t records() const { return suite_.loads().size(); }
+  [[nodiscard]] int threads() const { return threads_; }
+  [[nodiscard]] bool stopped() const { return watch_.stopped(); }
+
+  /// Several threads may call this at once.
+  [[nodiscard]] RankedPoint ranked(std::vector<double> unit) const;
+  /// The same on all threads; `evaluations` counts these.
+  [[nodiscard]] std::vector<RankedPoint> all_ranked(std::vector<std::vector<double>> units);
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+
+  /// The best valleys of a scan of the box, at most `most`.
+  [[nodiscard]] std::vector<RankedPoint> valleys_of(const SuiteScan& scan, std::size_t most) const;
+
+ private:
+  const Suite& suite_;
+  const SuiteBox& box_;
+  SuiteObjective objective_;
+  SuiteLimits limits_;
+  int threads_;
+  SuiteWatch& watch_;
+  std::int64_t evaluations_{0};
+};
+
+}  // namespace stillpoint::design
