@@ -37,7 +37,7 @@ double slope(const Value& value, double at, const Island& within) {
 /// The least cost of x = f / high of the interval.
 NloptProblem along_f(const PulseTask& task, double scale,
                      const std::function<void(double)>& visit) {
-  const double unit = unit_of(task);
+  const double unit = task.part.high;
   const Island middles = task.middles();
   NloptProblem posed;
   posed.lower = Eigen::VectorXd::Constant(1, middles.low / unit);
@@ -124,10 +124,6 @@ NloptProblem over_boxes(const PulseTask& task, const std::function<void(double)>
 }
 
 }  // namespace
-
-double unit_of(const PulseTask& task) {
-  return task.part.high;
-}
 
 NloptProblem posed(const PulseTask& task, const NloptAlgorithm& algorithm, double scale,
                    const std::function<void(double)>& visit) {

@@ -52,9 +52,9 @@ PulseBest searched(const PulseTask& task, double scale, const SearchOptions& opt
       posed(task, algorithm, scale, [&](double f) { visited.push_back(f); });
   const NloptOutcome outcome = run(problem, algorithm.name, options, [&]() -> Eigen::VectorXd {
     judge();
-    return best.f ? Eigen::VectorXd::Constant(1, *best.f / unit_of(task)) : problem.start;
+    return best.f ? Eigen::VectorXd::Constant(1, *best.f / task.part.high) : problem.start;
   });
-  visited.push_back(outcome.x[0] * unit_of(task));
+  visited.push_back(outcome.x[0] * task.part.high);
   judge();
   record.algorithm = algorithm.name;
   record.status = outcome.status;

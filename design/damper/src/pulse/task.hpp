@@ -75,10 +75,9 @@ struct PulseBest {
 /// sampling and Brent's method.
 [[nodiscard]] PulseBest bracketed(const PulseTask& task);
 
-/// As NLopt sees it, with an objective of order one. `visit` is told every f.
+/// As NLopt sees it, in x = f / high of the interval, with an objective of order one. `visit` is
+/// told every f.
 [[nodiscard]] NloptProblem posed(const PulseTask& task, const NloptAlgorithm& algorithm,
                                  double scale, const std::function<void(double)>& visit);
-/// The f of an x of that problem.
-[[nodiscard]] double unit_of(const PulseTask& task);
 
 }  // namespace stillpoint::design

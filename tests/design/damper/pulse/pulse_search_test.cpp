@@ -96,6 +96,38 @@ BOOST_AUTO_TEST_CASE(random_tasks_have_one_optimum_by_both_ways) {
   BOOST_TEST(apart <= both / 200);
 }
 
+// The parts of an interval that delta_max leaves are those of a dense scan, local minima included.
+BOOST_AUTO_TEST_CASE(parts_within_delta_max_are_those_of_a_scan) {
+  RandomSource random(20261125);
+  int divided = 0;
+  for (int i = 0; i < 300; ++i) {
+    PulseRequest request =
+        request_of(random_pulse(random, 1, 1 / random.log_uniform(0.02, 5)), HUGE_VAL);
+    const WorstReturn profile(request.problem);
+    const auto& some = profile.samples()[profile.samples().size() / 3];
+    request.limits.delta_max = random.uniform(0.2, 1.2) * some.need(request.problem.criterion);
+    const PulseRegion region(request.problem, request.limits);
+    KnownMotions known(*region.profile());
+    const double tolerance = random.uniform(0, 0.5);
+    const double most = *request.limits.delta_max * (1 - tolerance) / (1 + tolerance);
+    for (const Island& island : region.islands()) {
+      const auto parts = region.parts(island, tolerance, 1, known);
+      divided += parts.size() > 1 ? 1 : 0;
+      constexpr int looks = 400;
+      for (int j = 1; j < looks; ++j) {
+        const double f = island.low * std::pow(island.high / island.low, 1.0 * j / looks);
+        const double need = region.at(f).need(request.problem.criterion);
+        const bool inside = std::ranges::any_of(
+            parts, [f](const Island& part) { return part.low <= f && f <= part.high; });
+        BOOST_TEST_CONTEXT("task " << i << ", f " << f << ", need " << need << " of " << most) {
+          BOOST_TEST((inside ? need <= most : need >= most * (1 - 1e-9)));
+        }
+      }
+    }
+  }
+  BOOST_TEST(divided >= 20);
+}
+
 // The least acceleration is between the last sample, which is the end of the interval, and the one
 // before it.
 BOOST_AUTO_TEST_CASE(an_optimum_next_to_the_end_of_an_interval_is_found) {
