@@ -135,16 +135,22 @@ def test_interrupt_ends_a_design(interrupt, options):
     begun = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         stillpoint.design(**options)
-    assert time.monotonic() - begun < 2
+    assert time.monotonic() - begun < 10
+
+
+@pytest.fixture(scope="module")
+def many_parts(tmp_path_factory):
+    path = tmp_path_factory.mktemp("catalogue") / "parts.csv"
+    parts = "".join(f"P{i},{0.35 * i / 1e5},{0.5 * (i * 0.618 % 1)}\n" for i in range(100_000))
+    path.write_text("name,f,delta\n" + parts)
+    return path
 
 
 @pytest.mark.parametrize("command", ["design", "sweep"])
-def test_interrupt_ends_a_choice_of_many_parts(interrupt, tmp_path, command):
-    parts = "".join(f"P{i},{0.35 * i / 1e5},{0.5 * (i * 0.618 % 1)}\n" for i in range(100_000))
-    (tmp_path / "parts.csv").write_text("name,f,delta\n" + parts)
+def test_interrupt_ends_a_choice_of_many_parts(many_parts, interrupt, command):
     with pytest.raises(KeyboardInterrupt):
         while True:
-            getattr(stillpoint, command)(v0=1, p=1, beta=0.9, arrivals=8, residual=0.05, catalogue=tmp_path / "parts.csv")
+            getattr(stillpoint, command)(v0=1, p=1, beta=0.9, arrivals=8, residual=0.05, catalogue=many_parts)
 
 
 def test_interrupt_ends_a_free_motion(interrupt):
