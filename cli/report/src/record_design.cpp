@@ -60,7 +60,7 @@ std::string lock_words(const design::RecordDesign& result) {
   }
   const std::size_t all = result.finding->responses.size();
   return count == 0 ? ""
-                    : format("under {} the notch holds it to the end, and transmits up to {}",
+                    : format("under {} the notch holds the mass to the end, and transmits up to {}",
                              of_records(count, all), acceleration_shown(most));
 }
 

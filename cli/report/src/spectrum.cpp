@@ -34,7 +34,7 @@ std::string lock_words(const SpectrumReport& report) {
   }
   return count == 0 ? ""
                     : format(
-                          "at {} of {} periods the notch holds it to the end of a record, "
+                          "at {} of {} periods the notch holds the mass to the end of a record, "
                           "and transmits up to {}",
                           count, points.size(), acceleration_shown(most));
 }

@@ -106,8 +106,8 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
           "to 0.4 g. f = 0.02"),
       answer.out);
   BOOST_TEST(answer.err ==
-             "stillpoint: locked: under the record the notch holds it to the end, and transmits up "
-             "to 0.4 g\n");
+             "stillpoint: locked: under the record the notch holds the mass to the end, and "
+             "transmits up to 0.4 g\n");
   BOOST_TEST(run(held).err.empty());
 }
 

@@ -133,10 +133,11 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
     BOOST_TEST(point["largest_load_while_locked"] == point["peak_absolute_acceleration"]);
   }
   const ProgramRun answer = run(locked);
-  BOOST_TEST(contains(answer.out, "\n  Locked: at 5 of 5 periods the notch holds it"));
-  BOOST_TEST(answer.err ==
-             "stillpoint: locked: at 5 of 5 periods the notch holds it to the end of a record, "
-             "and transmits up to 0.4 g\n");
+  BOOST_TEST(contains(answer.out, "\n  Locked: at 5 of 5 periods the notch holds the mass"));
+  BOOST_TEST(
+      answer.err ==
+      "stillpoint: locked: at 5 of 5 periods the notch holds the mass to the end of a record, "
+      "and transmits up to 0.4 g\n");
   BOOST_TEST(run(joined(locked, "--quiet")).err.empty());
   BOOST_TEST(run(but("--delta-m", "0")).err.empty());
 }

@@ -195,6 +195,7 @@ BOOST_AUTO_TEST_CASE(neighbouring_strips_differ) {
     for (int arrival = 2; arrival <= 4; ++arrival) {
       BOOST_TEST((ink(arrival) != ink(arrival - 1)), arrival);
     }
+    BOOST_TEST((ink(3) != ink(1)));
   };
   check();
   request.f = 0.005;  // a damper of the third strip
@@ -214,6 +215,12 @@ BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
       "often.");
   BOOST_TEST(contains(caption({.v0 = 1.1, .p = 1, .beta = 2, .v0_low = 0.9}),
                       "for every hit and spring in the ranges; outside"));
+  const design::RegionRequest only{.problem = {.v0 = 1.1, .p = 1, .beta = 0.95, .v0_low = 0.9}};
+  const Figure one = figure(page(RegionReport{only, design::answer(only)}), "region");
+  BOOST_TEST((named(one.areas, "admissible").ink == figures::Ink::sky));
+  BOOST_TEST(one.caption ==
+             "A damper in the clear area stops at x = 0 at the first return, for every hit and "
+             "spring in the ranges; outside, some of them end otherwise.");
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -146,11 +146,13 @@ std::string strips_caption(const Problem& problem) {
   const std::string_view order =
       problem.arrivals > 1 && !problem.residual ? ", the first in the uppermost strip" : "";
   if (problem.v0_low || problem.p_high) {
+    const bool only_one = problem.arrivals == 1 && !problem.residual;
     return format(
-        "A damper in a strip {} at that arrival, for every hit and spring in the ranges{}; "
-        "outside, "
-        "some of them end otherwise.",
-        end, order);
+        "A damper in {}, for every hit and spring in the ranges{}; outside, some of them end "
+        "otherwise.",
+        only_one ? "the clear area stops at x = 0 at the first return"
+                 : format("a strip {} at that arrival", end),
+        order);
   }
   return format("A damper in a strip {} at that arrival{}; {}.", end, order,
                 problem.residual

@@ -3,7 +3,9 @@
 #include "format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -74,7 +76,8 @@ std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t ar
   return lower;
 }
 
-/// Neighbours may touch, so they differ; the damper's own is like any admissible area.
+/// Neighbours may touch, so they differ, and so do the first three, which may be named in the
+/// legend; the damper's own is like any admissible area.
 Ink strip_ink(std::int64_t arrival, std::int64_t own) {
   if (arrival == own) {
     return Ink::sky;
@@ -82,7 +85,8 @@ Ink strip_ink(std::int64_t arrival, std::int64_t own) {
   if (arrival == 0) {
     return Ink::amber;
   }
-  return arrival % 2 == 0 ? Ink::purple : Ink::green;
+  constexpr std::array inks{Ink::orange, Ink::green, Ink::purple};
+  return inks.at(static_cast<std::size_t>(arrival) % inks.size());
 }
 
 }  // namespace
@@ -96,10 +100,16 @@ std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits&
       own = 0;  // it has no strip of its own but rests within the residual
     }
   }
+  const bool only_one = drawn.problem.arrivals == 1 && !drawn.problem.residual;
+  if (only_one) {
+    own = 1;
+  }
   std::vector<FigureArea> areas;
   const auto add = [&](std::int64_t n) {
     if (auto outline = strip_outline(drawn, n, units.length); !outline.empty()) {
-      areas.push_back({n > 0 ? format("arrival {}", n) : "any rest within the residual",
+      areas.push_back({only_one ? "admissible"
+                       : n > 0  ? format("arrival {}", n)
+                                : "any rest within the residual",
                        std::move(outline), strip_ink(n, own)});
     }
   };
