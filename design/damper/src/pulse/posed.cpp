@@ -60,7 +60,8 @@ NloptProblem along_f(const PulseTask& task, double scale,
 ///   0 at each end of the box, and between them,
 /// t times the part of its own on each side.
 NloptProblem over_boxes(const PulseTask& task, const std::function<void(double)>& visit) {
-  const auto [low, high] = task.part;
+  const double low = task.part.low;
+  const double high = task.part.high;
   const double asked = task.region.asked();
   const double most = task.region.most_tolerance();
   const double down = task.region.shape().f_low;

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace stillpoint::design {
@@ -17,7 +19,7 @@ namespace stillpoint::design {
 struct PulseTask {
   const PulseRegion& region;
   KnownMotions& known;
-  Objective objective;
+  Objective objective{Objective::robust};
   Island part;
   double most_use{1};  ///< of delta_max
 
