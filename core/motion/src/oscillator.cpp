@@ -27,8 +27,8 @@ void require_speed(const char* field, double value, double speed, const char* wh
 void require_friction(const std::string& field, double f, double p) {
   require_within(field.c_str(), f, 0, largest_speed * p);
   if (f != 0 && f / p < smallest_friction_speed) {
-    throw InputError(field, f,
-                     fmt::format("must be 0 or at least {} p (p = {})", smallest_friction_speed, p));
+    throw InputError(
+        field, f, fmt::format("must be 0 or at least {} p (p = {})", smallest_friction_speed, p));
   }
 }
 

@@ -218,9 +218,10 @@ BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
   const design::RegionRequest only{.problem = {.v0 = 1.1, .p = 1, .beta = 0.95, .v0_low = 0.9}};
   const Figure one = figure(page(RegionReport{only, design::answer(only)}), "region");
   BOOST_TEST((named(one.areas, "admissible").ink == figures::Ink::sky));
-  BOOST_TEST(one.caption ==
-             "A damper in the clear area stops at x = 0 at the first return, for every hit and "
-             "spring in the ranges; outside, some of them end otherwise.");
+  BOOST_TEST(
+      one.caption ==
+      "A damper in the admissible area stops at x = 0 at the first return, for every hit and "
+      "spring in the ranges; outside, some of them end otherwise.");
 }
 
 /// m V0^2/2 = 100 t (0.4 m/s)^2/2 = 8 kJ.

@@ -150,7 +150,7 @@ std::string strips_caption(const Problem& problem) {
     return format(
         "A damper in {}, for every hit and spring in the ranges{}; outside, some of them end "
         "otherwise.",
-        only_one ? "the clear area stops at x = 0 at the first return"
+        only_one ? "the admissible area stops at x = 0 at the first return"
                  : format("a strip {} at that arrival", end),
         order);
   }
