@@ -16,10 +16,10 @@ double PulseRegion::most_tolerance() const {
 }
 
 double PulseRegion::use_of_delta(double low, double high, double tolerance,
-                                 KnownMotions* known) const {
+                                 KnownMotions& known) const {
   return std::isinf(delta_max_)
              ? 0
-             : profile_->need_between(low, high, criterion_, known) * use_per_need(tolerance);
+             : known.need_between(low, high, criterion_) * use_per_need(tolerance);
 }
 
 std::vector<Island> PulseRegion::parts(const Island& island, double tolerance, double use,
@@ -64,16 +64,16 @@ double PulseRegion::widest_by_edges(const Island& island, double f) const {
 }
 
 double PulseRegion::widest(const Island& island, double f, double delta,
-                           KnownMotions* known) const {
+                           KnownMotions& known) const {
   const auto room = [&](double tolerance) {
     const double low = std::max(island.low, low_of(f, tolerance));
     const double high = std::min(island.high, high_of(f, tolerance));
     if (std::isinf(delta)) {
       return 1 - use_of_delta(low, high, tolerance, known);
     }
-    return std::min(delta_max_ - delta * (1 + shape_.delta_high * tolerance),
-                    delta * (1 - shape_.delta_low * tolerance) -
-                        profile_->need_between(low, high, criterion_, known));
+    return std::min(
+        delta_max_ - delta * (1 + shape_.delta_high * tolerance),
+        delta * (1 - shape_.delta_low * tolerance) - known.need_between(low, high, criterion_));
   };
   const double by_edges = widest_by_edges(island, f);
   if (room(by_edges) >= 0) {
@@ -86,10 +86,10 @@ DesignPoint PulseRegion::with_best_delta(const Island& island, double f,
                                          KnownMotions& known) const {
   constexpr double reserve = 0.5;
   const double inside = std::clamp(f, island.low, island.high);
-  const double tolerance = widest(island, inside, HUGE_VAL, &known);
+  const double tolerance = widest(island, inside, HUGE_VAL, known);
   const double need =
-      profile_->need_between(std::max(island.low, low_of(inside, tolerance)),
-                             std::min(island.high, high_of(inside, tolerance)), criterion_, &known);
+      known.need_between(std::max(island.low, low_of(inside, tolerance)),
+                         std::min(island.high, high_of(inside, tolerance)), criterion_);
   // An arrival at rest needs a notch as well, of any size.
   const double least =
       std::max(need, std::numeric_limits<double>::epsilon() * known.at(inside).peak);
@@ -103,7 +103,8 @@ std::optional<double> PulseRegion::tolerance_of(double f, double delta) const {
   for (const Island& island : islands_) {
     if (island.low <= f && f <= island.high && delta <= delta_max_ &&
         at(f).need(criterion_) <= delta) {
-      return widest(island, f, delta);
+      KnownMotions known(*profile_);
+      return widest(island, f, delta, known);
     }
   }
   // Below every sample nothing but the need changes.

@@ -11,6 +11,13 @@ const FirstReturn& KnownMotions::at(double f) {
                                                   : *motions_.insert(place, profile_.found_at(f));
 }
 
+double KnownMotions::need_between(double low, double high, Criterion criterion) {
+  const double most =
+      std::max(at(low).need(criterion), profile_.need_of_samples(low, high, criterion));
+  return profile_.most_need(high, criterion) <= most ? most
+                                                     : std::max(most, at(high).need(criterion));
+}
+
 double KnownMotions::need_slope(double f, Criterion criterion) {
   if (profile_.is_single()) {
     return at(f).slope(criterion);

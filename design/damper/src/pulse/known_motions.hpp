@@ -16,6 +16,8 @@ class KnownMotions {
   [[nodiscard]] const WorstReturn& profile() const { return profile_; }
   /// Valid until the next one.
   const FirstReturn& at(double f);
+  /// The largest need from low to high: of both ends and of the samples between them.
+  [[nodiscard]] double need_between(double low, double high, Criterion criterion);
   /// Over f, by the difference to a motion nearby where the worst has no slope of its own.
   [[nodiscard]] double need_slope(double f, Criterion criterion);
   /// All of them from low to high, with both ends.

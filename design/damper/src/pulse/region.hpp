@@ -37,7 +37,7 @@ class PulseRegion {
 
   /// The largest need of a box, over what delta_max leaves for it: at most 1 if it fits.
   [[nodiscard]] double use_of_delta(double low, double high, double tolerance,
-                                    KnownMotions* known = nullptr) const;
+                                    KnownMotions& known) const;
   [[nodiscard]] double use_per_need(double tolerance) const {
     return (1 + shape_.delta_high * tolerance) / (1 - shape_.delta_low * tolerance) / delta_max_;
   }
@@ -57,9 +57,9 @@ class PulseRegion {
   }
   [[nodiscard]] bool feasible() const;
 
-  /// The tolerance of f, as far as delta_max, or the given Delta, allows.
-  [[nodiscard]] double widest(const Island& island, double f, double delta = HUGE_VAL,
-                              KnownMotions* known = nullptr) const;
+  /// The tolerance of f, as far as delta_max, or the given Delta where that is finite, allows.
+  [[nodiscard]] double widest(const Island& island, double f, double delta,
+                              KnownMotions& known) const;
   /// The same without delta_max.
   [[nodiscard]] double widest_by_edges(const Island& island, double f) const;
   /// The point of an island with the Delta that leaves the most tolerance, and with half of its

@@ -29,7 +29,7 @@ struct PulseTask {
     return {std::min(low, high), high};
   }
   [[nodiscard]] double cost(double f) const {
-    return objective == Objective::robust ? -region.widest(part, f, HUGE_VAL, &known)
+    return objective == Objective::robust ? -region.widest(part, f, HUGE_VAL, known)
                                           : objective_of(objective, known.at(f));
   }
   /// The need has a local maximum in there.
@@ -50,7 +50,7 @@ struct PulseTask {
     return objective != Objective::robust || std::isinf(cost_known) ||
            (region.widest_by_edges(part, f) > -cost_known &&
             region.use_of_delta(region.low_of(f, -cost_known), region.high_of(f, -cost_known),
-                                -cost_known, &known) <= 1);
+                                -cost_known, known) <= 1);
   }
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/worst_return.hpp"
 
-#include "pulse/known_motions.hpp"
-
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
@@ -217,17 +215,7 @@ FirstReturn WorstReturn::between(double low, double high) const {
   return worst;
 }
 
-double WorstReturn::need_between(double low, double high, Criterion criterion,
-                                 KnownMotions* known_motions) const {
-  const auto need_at = [&](double f) {
-    return (known_motions != nullptr ? known_motions->at(f) : at(f)).need(criterion);
-  };
-  const double known = std::max(need_at(low), need_of_samples(low, high, criterion));
-  return most_near(high, criterion) <= known ? known : std::max(known, need_at(high));
-}
-
-/// No need at f is larger: for one pulse and spring the samples have the local maxima.
-double WorstReturn::most_near(double f, Criterion criterion) const {
+double WorstReturn::most_need(double f, Criterion criterion) const {
   const auto after = std::ranges::lower_bound(samples_, f, {}, &FirstReturn::f);
   return is_single() && after != samples_.begin() && after != samples_.end()
              ? std::max((after - 1)->need(criterion), after->need(criterion))

@@ -13,8 +13,6 @@
 
 namespace stillpoint::design {
 
-class KnownMotions;
-
 /// For one pulse and one spring it is their PulseProfile. Over ranges every figure of a motion is
 /// the largest of any pulse with any spring, and it returns if all do.
 class WorstReturn {
@@ -27,12 +25,10 @@ class WorstReturn {
   [[nodiscard]] const std::vector<FirstReturn>& samples() const { return samples_; }
   /// The worst from low to high, according to both ends and the samples between them.
   [[nodiscard]] FirstReturn between(double low, double high) const;
-  /// The largest need from low to high: of both ends and of the samples between them, which have
-  /// the local maxima.
-  [[nodiscard]] double need_between(double low, double high, Criterion criterion,
-                                    KnownMotions* known = nullptr) const;
-  /// The same of the samples alone.
+  /// The largest need of the samples from low to high, among which are the local maxima.
   [[nodiscard]] double need_of_samples(double low, double high, Criterion criterion) const;
+  /// No need at f is larger: for one pulse and spring, that of the samples on either side of it.
+  [[nodiscard]] double most_need(double f, Criterion criterion) const;
   /// One pulse and one spring.
   [[nodiscard]] bool is_single() const { return cases_.size() == 1 && weakest_ == 1; }
   /// The pulse and the spring, of this problem's, with the largest peak at f.
@@ -50,7 +46,6 @@ class WorstReturn {
   void add_leg(const Pulse& unit, double lambda, double p, double to_lambda, double to_p);
   void add_samples();
   [[nodiscard]] FirstReturn worst_of(const Case& one, double f) const;
-  [[nodiscard]] double most_near(double f, Criterion criterion) const;
 
   Criterion criterion_;  ///< whose largest need the samples have
   double weakest_{1};    ///< k_low / k
