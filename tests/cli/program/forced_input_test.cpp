@@ -263,19 +263,10 @@ BOOST_AUTO_TEST_CASE(synthetic_records_run) {
 
 /// A later load might move the mass again, so that the motion is running, but it does not move.
 BOOST_AUTO_TEST_CASE(a_run_that_ends_at_rest_does_not_say_that_it_moves) {
-  const Arguments built{"simulate",
-                        "--period",
-                        "2.8",
-                        "--record",
-                        STILLPOINT_DATA_DIR "/records/strong_motion.AT2",
-                        "--f",
-                        "0.024",
-                        "--delta-m",
-                        "6mm",
-                        "--notch-width-m",
-                        "20mm",
-                        "--end-time",
-                        "12"};
+  const Arguments shaken{"simulate", "--period", "2.8", "--record",
+                         std::string(STILLPOINT_DATA_DIR) + "/records/strong_motion.AT2"};
+  const Arguments built =
+      joined(shaken, "--f 0.024 --delta-m 6mm --notch-width-m 20mm --end-time 12");
   const json response = json::parse(run(joined(built, "--json")).out)["response"];
   BOOST_TEST(response["outcome"] == "running");
   BOOST_TEST(response["final_velocity"] == 0);
@@ -285,10 +276,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_ends_at_rest_does_not_say_that_it_moves) {
              notch);
   BOOST_TEST(contains(notch, "is at rest at the end of the run\n"), notch);
   BOOST_TEST(contains(notch, "is held\n"), notch);
-  const std::string friction = run({"simulate", "--period", "2.8", "--record",
-                                    STILLPOINT_DATA_DIR "/records/strong_motion.AT2", "--f", "0.05",
-                                    "--delta-m", "0", "--end-time", "15"})
-                                   .out;
+  const std::string friction = run(joined(shaken, "--f 0.05 --delta-m 0 --end-time 15")).out;
   BOOST_TEST(contains(friction, "\n  It is at rest at the end of the run.\n"), friction);
 }
 
