@@ -95,8 +95,8 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
       if (amplitude.islands().empty()) {
         return fmt::format(
             "amplitude and return conflict: coming back to x = 0 needs f <= {:.6g}, and "
-            "then the peak is at least {:.6g}, beyond beta = {:.6g}",
-            last.f * k, last.peak * region.length_unit(), problem.beta);
+            "then the peak is at least {:.6g} times beta",
+            last.f * k, last.peak * region.length_unit() / problem.beta);
       }
       return fmt::format(
           "amplitude and return conflict: a peak within beta needs f >= {:.6g}, coming "
@@ -118,8 +118,8 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
     default:
       return fmt::format(
           "stop and delta_max conflict: no f that meets the other requirements arrives "
-          "slowly enough for delta <= {:.6g}{}",
-          *limits.delta_max, box);
+          "slowly enough for a notch within delta_max{}",
+          box);
   }
 }
 
