@@ -18,6 +18,7 @@ namespace stillpoint {
 
 namespace {
 
+/// Over a period of the slower motion, the phase of the faster one is then rounded by up to 1e-3.
 constexpr double largest_ratio = 1e12;
 
 /// The load relative to p: force and, for a wave, frequency.

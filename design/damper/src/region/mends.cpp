@@ -137,7 +137,7 @@ std::optional<double> mended_p(const Case& base, int n) {
   if (!p) {
     return std::nullopt;
   }
-  constexpr double inside = 1e-9;
+  constexpr double inside = 1e-9;  // on the edge itself, rounding may leave nothing
   return nearest_fit(base.problem.p, *p * (*p > base.problem.p ? 1 + inside : 1 - inside),
                      [&](double value) { return all(with_p(base, value)); });
 }
@@ -145,7 +145,7 @@ std::optional<double> mended_p(const Case& base, int n) {
 /// The p that is nearest in either direction. More p helps the peak and the return and harms the
 /// stop, so it is searched for in steps.
 std::optional<double> stepped_p(const Case& base) {
-  constexpr double step = 1.02;
+  constexpr double step = 1.02;    // an interval of p narrower than this may be missed
   constexpr int most_steps = 700;  // a factor of a million
   const auto fits = [&](double p) { return has_damper(with_p(base, p)); };
   for (double factor = step; factor < elementary::pow(step, most_steps); factor *= step) {

@@ -161,7 +161,7 @@ DesignPoint start_of(const Way& way, Objective objective, const DesignRange& ran
   Best best(way, objective);
   if (objective == Objective::time && way.q > 0) {
     consider_stops(way, ends, best);
-    constexpr int steps = 16;
+    constexpr int steps = 16;  // only for a start: the stops themselves were considered above
     const double least = bound_of(way, objective) + clearly_better;
     for (int i = 0; i <= steps && best.cost() > least; ++i) {
       const double f = ends.low + (ends.high - ends.low) * i / steps;
