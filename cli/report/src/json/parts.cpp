@@ -12,8 +12,8 @@ namespace stillpoint::report {
 using nlohmann::ordered_json;
 
 std::string json_text(const ordered_json& json) {
-  constexpr int indent = 2;
-  return json.dump(indent) + "\n";
+  constexpr int spaces = 2;
+  return json.dump(spaces) + "\n";
 }
 
 namespace {
