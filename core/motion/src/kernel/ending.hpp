@@ -152,6 +152,14 @@ class CancellablePassages {
   std::int64_t passages_{0};
 };
 
+/// Not inlined, so that the map of a motion of usual length is.
+template <class Real, class... Watchers>
+[[gnu::noinline]] Ending<Real> by_cancellable_map(const HalfCycleMap<Real>& map,
+                                                  const Crest<Real>& crest, Watchers&... watchers) {
+  CancellablePassages passages;
+  return by_map(map, crest, watchers..., passages);
+}
+
 /// From a crest to the end, by a closed form where there is one.
 template <class Real, class... Watchers>
 Ending<Real> from_crest(const HalfCycleMap<Real>& map, const Crest<Real>& crest,
@@ -169,8 +177,7 @@ Ending<Real> from_crest(const HalfCycleMap<Real>& map, const Crest<Real>& crest,
     return with_point_friction(map, crest, watchers...);
   }
   if (bound > static_cast<double>(CancellablePassages::between_looks)) {
-    CancellablePassages passages;
-    return by_map(map, crest, watchers..., passages);
+    return by_cancellable_map(map, crest, watchers...);
   }
   return by_map(map, crest, watchers...);
 }
