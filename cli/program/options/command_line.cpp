@@ -226,10 +226,8 @@ std::span<const CommandHelp> all_commands() {
 
 std::string_view program_about() {
   return "Designs friction dampers. A linear oscillator with constant friction f and point "
-         "friction "
-         "delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move farther "
-         "than "
-         "beta.";
+         "friction delta at x = 0 starts with velocity v0; it must stop at x = 0 and never move "
+         "farther than beta.";
 }
 
 std::string short_help() {

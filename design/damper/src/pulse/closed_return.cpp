@@ -117,7 +117,7 @@ FirstReturn under_rectangle(double lambda, double f) {
   }
 }
 
-/// The phase of that sine before or after the LoadPhase::second_crest at pi/2.
+/// The phase of that sine before or after the crest at pi/2.
 LoadPhase phase_of(double sine, bool after) {
   const double cosine = std::sqrt((1 - sine) * (1 + sine));
   return after ? LoadPhase{pi - elementary::asin(sine), {sine, -cosine}}

@@ -46,7 +46,7 @@ struct SlideBeginByF {
 
 /// A phase of the load with its sine and cosine.
 struct LoadPhase {
-  static constexpr double second_crest = 1.5 * std::numbers::pi;
+  static constexpr double second_crest = 1.5 * std::numbers::pi;  ///< of a full sine
 
   double psi{0};
   elementary::SinCos of{0, 1};
