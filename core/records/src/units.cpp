@@ -137,4 +137,21 @@ bool has_unit(std::string_view text) {
   return parts && !parts->unit.empty();
 }
 
+std::vector<FrictionZone> parse_zones(std::string_view field, Dimension edge,
+                                      std::string_view text) {
+  const std::vector<std::string_view> parts = split(text, ',');
+  std::vector<FrictionZone> zones;
+  zones.reserve(parts.size());
+  for (const std::string_view zone : parts) {
+    const std::string place = fmt::format("{} {}", field, zones.size() + 1);
+    const std::size_t colon = zone.find(':');
+    if (colon == std::string_view::npos) {
+      throw InputError(place, std::string(zone), "must be X:F, an edge and the friction up to it");
+    }
+    zones.push_back({parse_value(place + ": to", edge, zone.substr(0, colon)),
+                     parse_number(place + ": f", zone.substr(colon + 1))});
+  }
+  return zones;
+}
+
 }  // namespace stillpoint::records
