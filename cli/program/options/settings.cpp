@@ -150,6 +150,25 @@ std::optional<records::FilePlace> Settings::place_of(std::string_view field) con
   return std::nullopt;
 }
 
+InputError Settings::as_given(const InputError& error) const {
+  std::string field = error.field();
+  std::ranges::replace(field, '_', '-');
+  const Option* const plain = find_option(field);
+  if (plain == nullptr || plain->traits.dimension != Dimension::none || has(plain->name)) {
+    return error;
+  }
+  for (const Option* option : physical_rivals(*plain)) {
+    const Axis* const axis = find<Axis>(option->name);
+    if (has(option->name) && (axis == nullptr || (axis->size() == 1 && !axis->has_ranges()))) {
+      return {std::string(option->name),
+              fmt::format("{} {}", *number(option->name),
+                          records::units_of(option->traits.dimension).front().name),
+              fmt::format("makes {}", error.what())};
+    }
+  }
+  return error;
+}
+
 double Settings::required(std::string_view name, std::string_view hint) const {
   if (const auto value = number(name)) {
     return *value;

@@ -108,7 +108,7 @@ void require_scaled_wave(double k, double lambda, double p) {
   const double ratio = lambda / p;
   if (!(ratio >= 1 / largest_ratio && ratio <= largest_ratio)) {
     throw InputError("lambda", lambda,
-                     fmt::format("lambda / p must be from {} to {} (p = {})", 1 / largest_ratio,
+                     fmt::format("lambda / p must be from {:g} to {:g} (p = {})", 1 / largest_ratio,
                                  largest_ratio, p));
   }
 }

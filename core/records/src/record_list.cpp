@@ -58,7 +58,7 @@ ListedRecord listed_record(std::string path, Column column, std::string_view tex
   }
   const char* const name = column == Column::peak ? "peak" : "spectrum";
   const double value = parse_value(name, Dimension::gravities, text);
-  require_within(name, value, smallest_physical, largest_physical);
+  require_physical(name, Dimension::gravities, value);
   return {std::move(path), 1,
           column == Column::peak ? RecordTarget{value, {}} : RecordTarget{{}, value}};
 }

@@ -18,7 +18,8 @@ PulseRequest pulse_request(const DesignRequest& request) {
                      "must be 1 with a pulse: a design for a pulse stops at the first arrival");
   }
   if (problem.residual) {
-    throw InputError("pulse", std::string(name(*pulse)), "has no design with a residual");
+    throw InputError("residual", *problem.residual,
+                     "must be left out with a pulse: a design for a pulse stops at x = 0");
   }
   return {{*pulse, problem.p, problem.beta, problem.criterion, ranges, problem.p_high},
           limits,

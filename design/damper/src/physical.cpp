@@ -11,12 +11,15 @@ namespace stillpoint::design {
 
 namespace {
 
+using records::Dimension;
+using records::require_physical;
+
 /// A conversion rounds a few times; this much to the safe side keeps the converted input feasible.
 constexpr double conversion_safety = 1e-14;
 
 double omega_of(const PhysicalIsolator& isolator) {
   if (isolator.mass_kg) {
-    require_within("mass", *isolator.mass_kg, smallest_physical, largest_physical);
+    require_physical("mass", Dimension::mass, *isolator.mass_kg);
   }
   if (isolator.natural_frequency_hz && (isolator.period_s || isolator.stiffness_n_per_m)) {
     throw InputError("natural-frequency", *isolator.natural_frequency_hz,
@@ -27,18 +30,17 @@ double omega_of(const PhysicalIsolator& isolator) {
                      "give either period or stiffness, not both");
   }
   if (isolator.period_s) {
-    require_within("period", *isolator.period_s, smallest_physical, largest_physical);
+    require_physical("period", Dimension::time, *isolator.period_s);
     return 2 * std::numbers::pi / *isolator.period_s;
   }
   if (isolator.natural_frequency_hz) {
-    require_within("natural-frequency", *isolator.natural_frequency_hz, smallest_physical,
-                   largest_physical);
+    require_physical("natural-frequency", Dimension::frequency, *isolator.natural_frequency_hz);
     return 2 * std::numbers::pi * *isolator.natural_frequency_hz;
   }
   if (!isolator.stiffness_n_per_m) {
     throw InputError::missing("period", "give period, natural-frequency, or stiffness with mass");
   }
-  require_within("stiffness", *isolator.stiffness_n_per_m, smallest_physical, largest_physical);
+  require_physical("stiffness", Dimension::stiffness, *isolator.stiffness_n_per_m);
   if (!isolator.mass_kg) {
     throw InputError::missing("mass", "stiffness needs a mass as well");
   }
@@ -58,8 +60,8 @@ double reference_velocity(const PhysicalIsolator& isolator, double velocity, dou
 }  // namespace
 
 Scales physical_scales(const PhysicalIsolator& isolator, double reference_velocity) {
-  require_within("velocity", reference_velocity, smallest_physical, largest_physical);
-  require_within("gravity", isolator.gravity_m_per_s2, smallest_physical, largest_physical);
+  require_physical("velocity", Dimension::velocity, reference_velocity);
+  require_physical("gravity", Dimension::acceleration, isolator.gravity_m_per_s2);
   Scales scales;
   scales.gravity_m_per_s2 = isolator.gravity_m_per_s2;
   scales.omega_rad_per_s = omega_of(isolator);

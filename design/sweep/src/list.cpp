@@ -47,8 +47,8 @@ std::string not_a(std::string_view what, std::string_view found,
   for (const Quantity input : listed_inputs) {
     names.push_back(name(input, units));
   }
-  return fmt::format("\"{}\" is not a {} of a list, which may have {}",
-                     printable(found, longest_word), what, fmt::join(names, ", "));
+  return fmt::format("\"{}\" is not a {} of a list; its {}s may be {}",
+                     printable(found, longest_word), what, what, fmt::join(names, ", "));
 }
 
 /// "1 value", "2 values"

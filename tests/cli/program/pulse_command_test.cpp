@@ -315,7 +315,7 @@ const std::vector<Wrong> wrong_pulses{
     {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
     {"design --v0 1 --p 1 --beta 0.9 --lambda 1", {"lambda needs a pulse", "--pulse"}},
     {joined(region, "--arrivals 2"), {"arrivals = 2", "with a pulse"}},
-    {joined(region, "--residual 0.1"), {"pulse = rectangle", "has no design with a residual"}},
+    {joined(region, "--residual 0.1"), {"residual and pulse cannot be combined"}},
     {joined(region, "--v0 1"), {"v0 and pulse cannot be combined"}},
     {joined(region, "--delta 1"), {"f is missing", "give f as well"}},
     {joined(region, "--f nan"), {"f = ", "finite number"}},

@@ -42,7 +42,8 @@ Arguments but(const std::string& option, const std::string& value) {
 const std::vector<Wrong> wrong_inputs{
     {"spectrum --period 1:2:3 --f 0 --delta-m 0", {"record is missing"}},
     {but("--record", "b.txt"), {"b.txt"}},
-    {"spectrum --record a.txt --f 0 --delta-m 0", {"period is missing", "LOW:HIGH:N"}},
+    {"spectrum --record a.txt --f 0 --delta-m 0",
+     {"period is missing", "--period first:last:count"}},
     {"spectrum --record a.txt --period 1:2:3 --delta-m 0", {"f is missing"}},
     {"spectrum --record a.txt --period 1:2:3 --f 0", {"delta-m is missing"}},
     {but("--period", "0:2:3"), {"period = 0", "1e-30"}},
