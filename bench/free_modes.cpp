@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "free_modes.hpp"
+#include "comparison.hpp"
 
 #include "sqrt_floor.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "many_dampers.hpp"
+#include "comparison.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/forced_motion.hpp>

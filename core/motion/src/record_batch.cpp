@@ -3,7 +3,6 @@
 #include "forced_response_of_valid.hpp"
 #include "record_lanes.hpp"
 #include "record_motion.hpp"
-#include "scene_check.hpp"
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>

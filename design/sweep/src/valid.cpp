@@ -20,10 +20,6 @@ namespace stillpoint::sweep {
 
 namespace {
 
-bool contains(std::span<const Quantity> quantities, Quantity quantity) {
-  return std::ranges::find(quantities, quantity) != quantities.end();
-}
-
 /// Checks values with a unit in that unit: the kernel would name dimensionless numbers.
 void require_in_units(const SweepSpec& spec) {
   const auto require_ends = [&](Quantity input, const Axis& axis) {

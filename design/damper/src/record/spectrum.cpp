@@ -80,6 +80,13 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
   return all;
 }
 
+std::size_t count_lower(const std::vector<SpectrumPoint>& points,
+                        double (*value)(const SpectrumFigures&)) {
+  return static_cast<std::size_t>(std::ranges::count_if(points, [&](const SpectrumPoint& point) {
+    return value(point.with_notch) < value(point.without);
+  }));
+}
+
 }  // namespace
 
 Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(double)>& go_on) {
@@ -119,17 +126,6 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
   }
   return result;
 }
-
-namespace {
-
-std::size_t count_lower(const std::vector<SpectrumPoint>& points,
-                        double (*value)(const SpectrumFigures&)) {
-  return static_cast<std::size_t>(std::ranges::count_if(points, [&](const SpectrumPoint& point) {
-    return value(point.with_notch) < value(point.without);
-  }));
-}
-
-}  // namespace
 
 std::string summary(const Spectrum& spectrum) {
   const std::vector<SpectrumPoint>& points = spectrum.combined;

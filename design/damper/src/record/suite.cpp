@@ -3,8 +3,10 @@
 
 #include <stillpoint/core/forced_batch.hpp>
 #include <stillpoint/core/input_error.hpp>
+#include <stillpoint/core/names.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -16,6 +18,40 @@ namespace {
 constexpr double never_rests = 1e9;
 
 }  // namespace
+
+std::span<const Named<SuiteObjective>> enumerators(SuiteObjective) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<SuiteObjective>>({{SuiteObjective::acceleration, "acceleration"},
+                                            {SuiteObjective::amplitude, "amplitude"},
+                                            {SuiteObjective::residual, "residual"}});
+  return rows;
+}
+
+std::span<const Named<Combine>> enumerators(Combine) noexcept {
+  static constexpr auto rows =
+      std::to_array<Named<Combine>>({{Combine::max, "max"}, {Combine::mean, "mean"}});
+  return rows;
+}
+
+Record scaled(const SuiteRecord& record) {
+  Record load = record.record;
+  for (double& value : load.values) {
+    value *= record.scale;
+  }
+  return load;
+}
+
+double value_of(const SuiteFigures& figures, SuiteObjective which) {
+  switch (which) {
+    case SuiteObjective::amplitude:
+      return figures.peak;
+    case SuiteObjective::residual:
+      return figures.residual;
+    case SuiteObjective::acceleration:
+      break;
+  }
+  return figures.acceleration;
+}
 
 void require_valid(const std::vector<SuiteRecord>& records) {
   if (records.empty()) {
