@@ -6,12 +6,26 @@
 #include "machine.hpp"
 #include "many_dampers.hpp"
 #include "methods.hpp"
-#include "verdict.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace stillpoint::bench {
+
+/// The errors of a result. They are absolute, in the dimensionless units of the
+/// scene.
+struct Verdict {
+  double peak{0};
+  double end{0};  ///< of the stop time of a free motion; of x and v at the end of a forced one
+  bool counts_right{
+      false};          ///< passages, turns, sticks; for a free motion also that it stops at zero
+  std::string counts;  ///< "64, 64, 0"
+
+  [[nodiscard]] double largest() const { return peak > end ? peak : end; }
+  /// Right counts and no error above `bound`.
+  [[nodiscard]] bool reaches(double bound) const { return counts_right && largest() <= bound; }
+};
 
 /// A method with one setting on one scene.
 struct Row {
@@ -53,6 +67,9 @@ struct Comparison {
   std::vector<Unit> free_modes;  ///< on scene S2
   ManyDampers many;              ///< scene S6
 };
+
+/// "passages, turns, sticks"
+[[nodiscard]] std::string counts_of(const peers::Result& result);
 
 [[nodiscard]] Comparison compare(const std::vector<peers::ReferenceScene>& scenes,
                                  const peers::MeasureOptions& options);

@@ -8,7 +8,6 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/report/version.hpp>
-#include <stillpoint/sweep/identity.hpp>
 #include <stillpoint/sweep/launcher.hpp>
 #include <stillpoint/sweep/spec.hpp>
 

@@ -135,8 +135,7 @@ void record_batch(double v0, const BatchValues& p, const BatchValues& f, const B
   BatchEntries entries = entries_of(speeds, p, f, delta);
   entries.v0.stride = 0;
   resize(result, entries.size);
-  ForcedOptions scene;
-  scene.half_cycle_limit = options.half_cycle_limit;
+  const ForcedOptions scene{.half_cycle_limit = options.half_cycle_limit};
   const Excitation excitation = record;
   const bool in_lanes = options.surface.plain() && record.times.empty();
   run_batch(entries, record_lanes, options.threads, [&](EntryThreads& work) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace stillpoint::design {
 
@@ -90,13 +91,13 @@ std::optional<double> Scales::stiffness_n_per_m() const {
 
 PhysicalInput physical_input(const PhysicalIsolator& isolator, double velocity_m_per_s,
                              double x0_m) {
-  PhysicalInput physical;
-  physical.scales = physical_scales(isolator, reference_velocity(isolator, velocity_m_per_s, x0_m));
-  physical.velocity_m_per_s = velocity_m_per_s;
-  physical.period_s = 2 * std::numbers::pi / physical.scales.omega_rad_per_s;
-  physical.by_stiffness = isolator.stiffness_n_per_m.has_value();
-  physical.by_frequency = isolator.natural_frequency_hz.has_value();
-  return physical;
+  const Scales scales =
+      physical_scales(isolator, reference_velocity(isolator, velocity_m_per_s, x0_m));
+  return {.scales = scales,
+          .velocity_m_per_s = velocity_m_per_s,
+          .period_s = 2 * std::numbers::pi / scales.omega_rad_per_s,
+          .by_stiffness = isolator.stiffness_n_per_m.has_value(),
+          .by_frequency = isolator.natural_frequency_hz.has_value()};
 }
 
 PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served) {
@@ -116,41 +117,38 @@ PhysicalWorksFor physical_works_for(const Scales& scales, const WorksFor& served
 std::optional<PhysicalMend> physical_mend(const PhysicalInput& physical, const Mend& mend,
                                           const std::optional<Pulse>& pulse) {
   const Scales& scales = physical.scales;
-  const auto outward = [&](double value, bool upwards) {
-    return value * (upwards ? 1 + conversion_safety : 1 - conversion_safety);
+  const auto mended = [](std::string_view name, std::string_view unit, double value, bool up) {
+    return PhysicalMend{name, unit, value * (up ? 1 + conversion_safety : 1 - conversion_safety),
+                        up};
   };
   const bool up = mend.upwards;
   // The ends of a range are those of the input itself; the softest spring has the longest period.
   const auto ends_of = [&](std::string_view whole) { return mend.field.starts_with(whole); };
   if (ends_of("v0")) {
-    return PhysicalMend{"velocity", "m/s", outward(mend.value * scales.velocity_m_per_s, up), up};
+    return mended("velocity", "m/s", mend.value * scales.velocity_m_per_s, up);
   }
   const bool spring = mend.field == "p" || ends_of("p_");
   if (spring && physical.by_stiffness && scales.mass_kg) {
     const double omega = mend.value / scales.time_s;
-    return PhysicalMend{"stiffness", "N/m", outward(*scales.mass_kg * omega * omega, up), up};
+    return mended("stiffness", "N/m", *scales.mass_kg * omega * omega, up);
   }
   if (spring && physical.by_frequency) {
-    const double frequency = mend.value / (2 * std::numbers::pi * scales.time_s);
-    return PhysicalMend{"natural_frequency", "Hz", outward(frequency, up), up};
+    return mended("natural_frequency", "Hz", mend.value / (2 * std::numbers::pi * scales.time_s),
+                  up);
   }
   if (spring) {
-    const double period = 2 * std::numbers::pi * scales.time_s / mend.value;
-    return PhysicalMend{"period", "s", outward(period, !up), !up};
+    return mended("period", "s", 2 * std::numbers::pi * scales.time_s / mend.value, !up);
   }
   if (pulse && ends_of("lambda")) {
     const double angle = duration(excitation(*pulse)).value() * angular_frequency(*pulse);
-    const double lasts = angle / mend.value * scales.time_s;
-    return PhysicalMend{"pulse_duration", "s", outward(lasts, !up), !up};
+    return mended("pulse_duration", "s", angle / mend.value * scales.time_s, !up);
   }
-  if (mend.field == "beta") {
-    return PhysicalMend{"max_displacement", "m", outward(mend.value * scales.length_m, up), up};
-  }
-  if (mend.field == "delta_max") {
-    return PhysicalMend{"delta_max_m", "m", outward(scales.delta_m(mend.value), up), up};
-  }
-  if (mend.field == "residual") {
-    return PhysicalMend{"residual_m", "m", outward(mend.value * scales.length_m, up), up};
+  for (const auto& [field, name] :
+       {std::pair("beta", "max_displacement"), std::pair("delta_max", "delta_max_m"),
+        std::pair("residual", "residual_m")}) {
+    if (mend.field == field) {
+      return mended(name, "m", mend.value * scales.length_m, up);
+    }
   }
   return std::nullopt;
 }

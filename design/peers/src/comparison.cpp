@@ -174,9 +174,7 @@ Comparison compare(const Scene& scene) {
     }
     calls.emplace_back([&, i = calls.size()] { all.rows[i].result = list[i].call(scene); });
   }
-  MeasureOptions options;
-  options.slow = 0.01;
-  const std::vector<Timing> timings = measure(calls, options);
+  const std::vector<Timing> timings = measure(calls, {.slow = 0.01});
   for (std::size_t i = 0; i < calls.size(); ++i) {
     MethodRow& row = all.rows[i];
     if (!row.result.finished) {

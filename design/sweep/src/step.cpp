@@ -230,11 +230,9 @@ Surface SweepStep::surface(const SweepBlock& block, Index i) const {
 }
 
 ForcedOptions SweepStep::forced_options() const {
-  ForcedOptions options;
-  options.t_end = spec_.t_end;
-  options.half_cycle_limit = spec_.half_cycle_limit;
-  options.go_on = [this](double /*tau*/) { return !stop_.stop_requested(); };
-  return options;
+  return {.t_end = spec_.t_end,
+          .half_cycle_limit = spec_.half_cycle_limit,
+          .go_on = [this](double /*tau*/) { return !stop_.stop_requested(); }};
 }
 
 void SweepStep::run_free(SweepBlock& block) {

@@ -4,7 +4,6 @@
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
-#include <stillpoint/records/record_folder.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
 #include <boost/test/unit_test.hpp>

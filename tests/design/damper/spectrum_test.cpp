@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(each_point_is_that_of_the_independent_integrator) {
         continue;
       }
       ++compared;
-      const IntegratedSuiteMotion other = integrate_record_motion(oscillator, surface, load);
+      const SuiteFigures other = integrate_record_motion(oscillator, surface, load);
       BOOST_TEST_CONTEXT("damper " << i << ": p = " << oscillator.p << ", f = " << oscillator.f
                                    << ", delta = " << oscillator.delta) {
         BOOST_TEST(std::abs(figures.peak - other.peak) <= integrator_tolerance * other.peak);

@@ -45,7 +45,7 @@ FigureCurve needs(const LeastDelta& least_delta, double last, const FigureUnits&
 
 /// From the curve, where it is below `top`, to `end`.
 std::vector<FigurePoint> beside_the_curve(const LeastDelta& least_delta,
-                                          const design::FrictionInterval& interval, double top,
+                                          const design::Interval& interval, double top,
                                           double end, double unit) {
   std::vector<FigurePoint> outline;
   for (int i = 0; i <= curve_steps; ++i) {

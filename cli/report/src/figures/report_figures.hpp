@@ -166,7 +166,7 @@ struct DrawnPulseRegion {
   design::PulseProblem problem;
   design::Limits limits;
   design::Region region;
-  std::vector<design::FrictionInterval> intervals;
+  std::vector<design::Interval> intervals;
   std::optional<DrawnDamper> damper;
   std::string mend;
 };

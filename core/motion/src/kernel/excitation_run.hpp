@@ -59,17 +59,14 @@ template <class Real>
 Real duration_of(const BasicHarmonic<Real>& excitation) {
   return excitation.duration.value_or(std::numeric_limits<Real>::infinity());
 }
-template <class Real>
-Real duration_of(const BasicHalfSine<Real>& pulse) {
+/// A half-sine or a rectangle.
+template <class Real, template <class> class Pulse>
+Real duration_of(const Pulse<Real>& pulse) {
   return pi<Real>() / pulse.lambda;
 }
 template <class Real>
 Real duration_of(const BasicFullSine<Real>& pulse) {
   return 2 * pi<Real>() / pulse.lambda;
-}
-template <class Real>
-Real duration_of(const BasicRectangle<Real>& pulse) {
-  return pi<Real>() / pulse.lambda;
 }
 template <class Real>
 Real duration_of(const BasicRecord<Real>& record) {
@@ -95,15 +92,9 @@ Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicHarmonic<Real>&
                           for_ever);
 }
 
-template <class Real, class Watcher, class Law>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicHalfSine<Real>& pulse,
-                  const ExactSum<Real>& end) {
-  return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
-                          detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);
-}
-
-template <class Real, class Watcher, class Law>
-Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const BasicFullSine<Real>& pulse,
+/// A half-sine or a full one.
+template <class Real, class Watcher, class Law, template <class> class Pulse>
+Load<Real> excite(ForcedRun<Real, Watcher, Law>& run, const Pulse<Real>& pulse,
                   const ExactSum<Real>& end) {
   return detail::harmonic(run, pulse.k, pulse.lambda, Real(0),
                           detail::earlier(run.map().p, duration_of<Real>(pulse), end), false);

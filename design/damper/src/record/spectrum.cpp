@@ -22,18 +22,16 @@ namespace {
 /// friction only takes energy from then on.
 SpectrumFigures figures_to_the_peak(const Oscillator& oscillator, const Excitation& load,
                                     const Surface& surface) {
-  ForcedOptions options;
-  options.t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
-  const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
+  const double t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
+  const ForcedResponse motion = forced_response(oscillator, {}, load, {.t_end = t_end}, surface);
   return {motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt};
 }
 
 SpectrumFigures figures(const Oscillator& oscillator, const Excitation& load,
                         const Surface& surface) {
-  ForcedOptions options;
-  options.half_cycle_limit = most_suite_half_cycles;
   try {
-    const ForcedResponse motion = forced_response(oscillator, {}, load, options, surface);
+    const ForcedResponse motion = forced_response(
+        oscillator, {}, load, {.half_cycle_limit = most_suite_half_cycles}, surface);
     SpectrumFigures all{motion.peak_amplitude, motion.peak_absolute_acceleration, std::nullopt,
                         motion.locked_from, motion.largest_load_while_locked};
     if (motion.stop_position && rests_in_time(motion.half_cycles.value())) {

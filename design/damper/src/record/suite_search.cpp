@@ -10,7 +10,6 @@
 
 #include "record/suite_descent.hpp"
 #include "record/suite_population.hpp"
-#include "record/suite_valleys.hpp"
 
 #include <algorithm>
 #include <array>

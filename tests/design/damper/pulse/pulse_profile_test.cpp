@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pulse/edge.hpp"
+#include "pulse/first_return.hpp"
 #include "pulse/known_motions.hpp"
-#include "pulse/pulse_run.hpp"
 #include "pulse/worst_return.hpp"
 #include "pulse_request.hpp"
 #include "pulse_scan.hpp"

@@ -84,7 +84,7 @@ void check_same(const RegionVerdict& region, const RegionVerdict& of_design) {
     return a.field == b.field && a.value == b.value && a.upwards == b.upwards;
   };
   BOOST_TEST(std::ranges::equal(region.mends, of_design.mends, same_mend));
-  const auto same_interval = [](const FrictionInterval& a, const FrictionInterval& b) {
+  const auto same_interval = [](const Interval& a, const Interval& b) {
     return a.low == b.low && a.high == b.high;
   };
   BOOST_TEST(

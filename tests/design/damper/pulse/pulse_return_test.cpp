@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "pulse/closed_return.hpp"
 #include "pulse/edge.hpp"
+#include "pulse/first_return.hpp"
 #include "random_source.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>

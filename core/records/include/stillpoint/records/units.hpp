@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/core/surface.hpp>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,5 +57,10 @@ void require_physical(std::string_view field, Dimension dimension, double value,
 
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
+
+/// The zones of "X:F,X:F,...", each an edge, which may have a unit if it has a dimension, and the
+/// friction up to it. Throws InputError, which names the field and the zone.
+[[nodiscard]] std::vector<FrictionZone> parse_zones(std::string_view field, Dimension edge,
+                                                    std::string_view text);
 
 }  // namespace stillpoint::records
