@@ -34,10 +34,11 @@ CommandHelp command_row(Command command, std::string_view summary,
 }
 
 const std::array command_helps{
-    command_row(Command::design, "design a damper that stops at x = 0 on the first return"),
-    command_row(Command::region, "the admissible region of f and delta, without a search"),
+    command_row(Command::design, "find the damper for a hit, a pulse or a suite of records"),
+    command_row(Command::region,
+                "the admissible f and delta, and whether a given damper is among them"),
     command_row(Command::simulate, "one motion, free or forced: metrics, half-cycles, trajectory"),
-    command_row(Command::spectrum, "one damper under records against the period, beside f alone"),
+    command_row(Command::spectrum, "one damper under records over a range of periods"),
     command_row(Command::sweep, "many motions, or many designs: a grid or a list, as CSV or .npy"),
     command_row(Command::accuracy,
                 "time and error of each method on one motion, against 50 digits"),

@@ -198,9 +198,12 @@ void add_task(Document& document, const RecordDesignReport& report) {
   if (task.notch_width) {
     section.row("notch", format("{} wide", length_text(physical, *task.notch_width)));
   }
-  section.row("f", format("{} to {}", digits(task.f->low), digits(task.f->high)));
-  section.row("delta", format("{} to {}", length_text(physical, task.delta->low),
-                              length_text(physical, task.delta->high)));
+  const auto searched = [](const std::string& low, const std::string& high) {
+    return low == high ? low : format("{} to {}", low, high);
+  };
+  section.row("f", searched(digits(task.f->low), digits(task.f->high)));
+  section.row("delta", searched(length_text(physical, task.delta->low),
+                                length_text(physical, task.delta->high)));
   if (task.p.low < task.p.high) {
     section.row("", format("{} to {}", period_words(physical, task.p.high),
                            period_words(physical, task.p.low)));

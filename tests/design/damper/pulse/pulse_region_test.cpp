@@ -314,7 +314,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_names_its_field) {
   BOOST_TEST(field_of(wrong) == "arrivals");
   wrong = half_period();
   wrong.problem.residual = 0.1;
-  BOOST_TEST(field_of(wrong) == "pulse");
+  BOOST_TEST(field_of(wrong) == "residual");
   wrong = half_period();
   wrong.delta = 1;
   BOOST_TEST(field_of(wrong) == "f");
