@@ -126,7 +126,7 @@ std::vector<Option> rows() {
           plain_axis(Rivals::stroke)),
       row("pulse", text, "TYPE", motion,
           "{}, with --k and --pulse-duration or --lambda: the hit instead of a velocity",
-          of_designs, {.rivals = Rivals::hit, .values = pulse_names()}),
+          of_designs, {.rivals = Rivals::hit, .values = excitation_names(true)}),
       row("x0", number, "X", motion, "initial displacement (default 0)", motions | sweep,
           plain_axis(Rivals::start)),
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -61,7 +60,7 @@ void check(const Harmonic& excitation) {
   }
 }
 
-template <class Pulse>
+template <IsPulse Pulse>
 void check(const Pulse& pulse) {
   require_wave(pulse.k, pulse.lambda);
 }
@@ -149,9 +148,7 @@ void check_scaled(const Record& record, double p, double /*t_end*/) {
 }  // namespace
 
 std::string_view name(const Excitation& excitation) noexcept {
-  constexpr std::array<std::string_view, std::variant_size_v<Excitation>> names{
-      "none", "harmonic", "half-sine", "full-sine", "rectangle", "record"};
-  return names.at(excitation.index());
+  return std::visit([](const auto& kind) { return kind.name; }, excitation);
 }
 
 std::optional<double> duration(const Excitation& excitation) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "testing/forced_scene.hpp"
+
 #include <stillpoint/core.hpp>
 
 #include <boost/test/unit_test.hpp>
@@ -34,7 +36,48 @@ double peak_from(double v, double f) {
   return v * v / (std::sqrt(f * f + v * v) + f);
 }
 
+/// From k to a quarter of it.
+struct Ramp {
+  static constexpr double turns = 0.5;
+  static constexpr PulseLine line{1, 0.25};
+  double k;
+  double lambda;
+};
+
 }  // namespace
+
+// The table of excitations has no pulse with a slope: a new one is a struct like Ramp.
+BOOST_AUTO_TEST_CASE(a_straight_pulse_is_a_record_of_two_samples) {
+  for (const double k : {0.5, -0.8}) {
+    for (const double lambda : {0.4, 3.0}) {
+      const Ramp ramp{k, lambda};
+      const double lasts = half_circle / lambda;
+      ForcedScene<> scene{{.x0 = 0.1, .v0 = 0.2, .p = 1, .f = 0.1, .delta = 0.02},
+                          Record{{k, k / 4}, 0, {0, lasts}},
+                          1.5 * lasts};
+      const ForcedRecord<double> record = run_forced(scene);
+      Recorder<double> seen;
+      const ForcedState<double> state = on_surface(
+          scene.oscillator(), scene.surface, scene.motion.start(), seen, {}, [&](auto& run) {
+            run.state().transmitted.largest_load = [&](const auto& from, const auto& until) {
+              const ExactSum<double> last = detail::earlier(1.0, lasts, until);
+              return last.minus(from) > 0 ? largest_load(ramp, 1.0, from, last) : 0.0;
+            };
+            run_until(run, ramp, scene.t_end);
+            feel_the_end(run.state(), run.law(), ExactSum<double>::product(1.0, scene.t_end));
+            return run.state();
+          });
+      constexpr double rounding = 1e-13;
+      BOOST_TEST_CONTEXT("k " << k << ", lambda " << lambda) {
+        BOOST_TEST(std::abs(state.u - record.state.u) <= rounding);
+        BOOST_TEST(std::abs(state.v - record.state.v) <= rounding);
+        BOOST_TEST(std::abs(state.transmitted.slid - record.state.transmitted.slid) <= rounding);
+        BOOST_TEST(std::abs(state.transmitted.held - record.state.transmitted.held) <= rounding);
+        BOOST_TEST((seen.kinds == record.seen.kinds));
+      }
+    }
+  }
+}
 
 BOOST_AUTO_TEST_CASE(without_friction_each_pulse_leaves_its_closed_form) {
   for (const double k : {0.1, 1.0}) {

@@ -104,17 +104,22 @@ Real largest_load(const BasicHarmonic<Real>& wave, const Real& p, const ExactSum
   return largest_wave(wave.k, DrivePhase<Real>(wave.lambda, p, wave.phase), from, until);
 }
 
-/// A half-sine or a full one.
-template <class Real, template <class> class Pulse>
-Real largest_load(const Pulse<Real>& pulse, const Real& p, const ExactSum<Real>& from,
+template <class Real, IsPulse Pulse>
+Real largest_load(const Pulse& pulse, const Real& p, const ExactSum<Real>& from,
                   const ExactSum<Real>& until) {
-  return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
-}
-
-template <class Real>
-Real largest_load(const BasicRectangle<Real>& pulse, const Real& /*p*/,
-                  const ExactSum<Real>& /*from*/, const ExactSum<Real>& /*until*/) {
-  return magnitude(pulse.k);
+  if constexpr (IsLine<Pulse>) {
+    using std::abs;
+    using std::max;
+    const Real per_turn = pulse.lambda / (p * Real(2 * Pulse::turns) * pi<Real>());
+    const auto load = [&](const ExactSum<Real>& at) {
+      const Real part = at.value() * per_turn;
+      return Real(abs(Real(
+          pulse.k * (Real(Pulse::line.begin) + Real(Pulse::line.end - Pulse::line.begin) * part))));
+    };
+    return max(load(from), load(until));
+  } else {
+    return largest_wave(pulse.k, DrivePhase<Real>(pulse.lambda, p, Real(0)), from, until);
+  }
 }
 
 }  // namespace stillpoint
