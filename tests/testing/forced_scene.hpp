@@ -150,6 +150,11 @@ inline Record random_record(Dice& dice, double k) {
   return record;
 }
 
+/// 1 where nothing was close.
+inline double margin_of(const ForcedState<double>& state) {
+  return state.margin.any() ? state.margin.value() : 1;
+}
+
 /// Every kind of excitation, all forces of comparable size, some tens of events.
 inline ForcedScene<> random_forced_scene(Dice& dice) {
   ForcedScene<> scene;

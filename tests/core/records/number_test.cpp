@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/printing.hpp"
-#include "testing/refusal.hpp"
+#include "testing/test.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/number.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(number_test)
 

@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "random_source.hpp"
-
-#include <stillpoint/core/half_cycles.hpp>
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
+#include "damper.hpp"
 
 BOOST_AUTO_TEST_SUITE(practice_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
 using namespace stillpoint::design_test;
 
 /// A few roundings, and those of the motion's arrival speed.

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite.hpp"
+#include "damper.hpp"
 #include "record/suite_check.hpp"
 
-#include "random_source.hpp"
 #include "suites_of_records.hpp"
-
-#include <stillpoint/design.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(suite_test)
 
 namespace {
 
-using namespace stillpoint;
-using namespace stillpoint::design;
-using stillpoint::design_test::metre;
-using stillpoint::design_test::RandomSource;
-using stillpoint::design_test::recorded;
-using stillpoint::design_test::three_samples;
-using stillpoint::design_test::two_records;
+using namespace stillpoint::design_test;
 
 /// That of the check of a design: what narrow decisions make of Runge-Kutta's 5e-16 a radian.
 constexpr double integrator_tolerance = 1e-6;
