@@ -95,7 +95,7 @@ std::optional<std::string> Settings::known(std::string_view name) const {
   auto wanted = text(name);
   const auto& values = find_option(name)->traits.values;
   if (wanted && std::ranges::find(values, *wanted) == values.end()) {
-    throw InputError(std::string(name), *wanted, fmt::format("must be {}", listed(values)));
+    throw InputError(std::string(name), *wanted, must_be(*wanted, values));
   }
   return wanted;
 }

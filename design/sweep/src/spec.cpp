@@ -6,12 +6,14 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 namespace stillpoint::sweep {
 
@@ -62,12 +64,15 @@ bool contains(const std::vector<Quantity>& columns, Quantity column) {
 
 InputError unknown_column(std::string_view wanted, const std::vector<Quantity>& all,
                           const std::optional<SweepUnits>& units) {
-  std::string names;
+  std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Quantity column : all) {
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", name(column, units));
+    names.emplace_back(name(column, units));
   }
+  const std::vector<std::string_view> known(names.begin(), names.end());
   return {"columns", fmt::format("\"{}\"", records::shortened(wanted, records::longest_word)),
-          "must be among " + names};
+          fmt::format("must be among {}{}", fmt::join(names, ", "),
+                      records::suggestion(wanted, known))};
 }
 
 }  // namespace
