@@ -83,8 +83,15 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
     }
     from = interval.high;
   }
-  figure.areas.push_back({drawn.intervals.empty() ? "not admissible" : "too strong",
-                          rectangle(from, right, 0, top), Ink::grey, AreaLook::hatched});
+  const double returns = std::clamp(drawn.region.f3, from, right);
+  if (returns > from) {
+    figure.areas.push_back({from == 0 ? "not admissible" : "does not meet the limits",
+                            rectangle(from, returns, 0, top), Ink::grey, AreaLook::hatched});
+  }
+  if (right > returns) {
+    figure.areas.push_back({"too strong: does not return", rectangle(returns, right, 0, top),
+                            Ink::grey, AreaLook::hatched});
+  }
   if (cap < top && from > 0) {
     figure.areas.push_back(
         {"above the largest Δ", rectangle(0, from, cap, top), Ink::amber, AreaLook::hatched});
