@@ -22,7 +22,6 @@ namespace stillpoint::report {
 
 using figures::AreaLook;
 using figures::Figure;
-using figures::FigureArea;
 using figures::FigurePoint;
 using figures::Ink;
 

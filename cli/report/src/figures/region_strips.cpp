@@ -27,7 +27,7 @@ constexpr int strip_steps = 200;  // of an edge over f
 
 /// One arrival, or those from `first` to the last one allowed; 0: any rest within the residual.
 struct DrawnStrip {
-  std::int64_t first;
+  std::int64_t first{0};
   bool with_later{false};
 };
 
