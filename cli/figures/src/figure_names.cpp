@@ -69,6 +69,7 @@ class Places {
         near(curve.name, along);
       }
     }
+    leave_out_unseen();
     return std::move(found_);
   }
 
@@ -162,6 +163,53 @@ class Places {
     if (best) {
       put(text, best.at, false);
     }
+  }
+
+  /// The legend does not name areas and bands of which nothing can be seen. A box is enlarged.
+  void leave_out_unseen() {
+    constexpr double visible = 1;  // pixels
+    std::set<std::string> seen;
+    for (const FigureArea& area : figure_.areas) {
+      if (area.look == AreaLook::box || thickness(pixels(area.outline)) >= visible) {
+        seen.insert(area.name);
+      }
+    }
+    for (const FigureBand& band : figure_.bands) {
+      const auto [left, right] =
+          std::minmax({plane_.pixel({band.from, 0}).x, plane_.pixel({band.to, 0}).x});
+      if (std::min(right, plane_.width) - std::max(left, 0.0) >= visible) {
+        seen.insert(band.name);
+      }
+    }
+    const auto leave_out = [&](const std::string& name) {
+      if (!seen.contains(name)) {
+        found_.named.insert(name);
+      }
+    };
+    for (const FigureArea& area : figure_.areas) {
+      leave_out(area.name);
+    }
+    for (const FigureBand& band : figure_.bands) {
+      leave_out(band.name);
+    }
+  }
+
+  /// The mean one of an outline within the plot, across its longer side.
+  [[nodiscard]] double thickness(std::vector<FigurePoint> outline) const {
+    Box around{plane_.width, plane_.height, 0, 0};
+    for (FigurePoint& at : outline) {
+      at = {std::clamp(at.x, 0.0, plane_.width), std::clamp(at.y, 0.0, plane_.height)};
+      around = {std::min(around.left, at.x), std::min(around.top, at.y),
+                std::max(around.right, at.x), std::max(around.bottom, at.y)};
+    }
+    double twice_area = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const auto& [x0, y0] = outline[i];
+      const auto& [x1, y1] = outline[(i + 1) % outline.size()];
+      twice_area += x0 * y1 - x1 * y0;
+    }
+    const double longer = std::max(around.right - around.left, around.bottom - around.top);
+    return longer > 0 ? std::abs(twice_area) / 2 / longer : 0;
   }
 
   /// Within the set cells, as far from their edge as may be; false without room.

@@ -114,8 +114,8 @@ design::Objective objective(const Settings& settings) {
   const auto objective = parse<design::Objective>(*wanted);
   if (!objective) {
     throw InputError("objective", *wanted,
-                     fmt::format("must be {}{}", listed(names<design::Objective>()),
-                                 parse<design::SuiteObjective>(*wanted) ? " without records" : ""));
+                     must_be(*wanted, names<design::Objective>(),
+                             parse<design::SuiteObjective>(*wanted) ? " without records" : ""));
   }
   return *objective;
 }

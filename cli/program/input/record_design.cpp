@@ -50,9 +50,8 @@ design::SuiteObjective suite_objective(const Settings& settings) {
   const auto wanted = settings.text("objective");
   const auto objective = parse<design::SuiteObjective>(wanted.value_or("acceleration"));
   if (!objective) {
-    throw InputError(
-        "objective", *wanted,
-        fmt::format("must be {} under records", listed(names<design::SuiteObjective>())));
+    throw InputError("objective", *wanted,
+                     must_be(*wanted, names<design::SuiteObjective>(), " under records"));
   }
   return *objective;
 }

@@ -76,12 +76,11 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
         " = " + with_unit(*lines->secant_stiffness * *weight / physical->scales.length_m, "N/m");
   }
   section.row("secant stiffness", secant);
-  if (lines->equivalent_damping) {
-    const double damping = 100 * *lines->equivalent_damping;
-    section.row("equiv. damping",
-                format("{} % of critical, for a full cycle at this peak",
-                       damping < 1000 ? format("{:.3g}", damping) : format("{:.0f}", damping)));
-  }
+  section.row("equiv. damping",
+              lines->equivalent_damping
+                  ? format("{:.3g} % of critical, for a full cycle at this peak",
+                           100 * *lines->equivalent_damping)
+                  : "none: a full cycle at this peak would be damped beyond critical");
   if (lines->energy_ratio && lines->residual_ratio) {
     section.row("re-centring", format("E_s/E_h = {:.3g} (EN 15129), d/d_rm = {:.3g} (EN 1998-2)",
                                       *lines->energy_ratio, *lines->residual_ratio));

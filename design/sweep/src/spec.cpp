@@ -6,6 +6,7 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -167,9 +168,12 @@ std::vector<Quantity> parse_columns(std::string_view text, SweepKind kind,
   for (const std::string_view wanted : records::split(text, ',')) {
     const auto found = find_named(all, wanted, units);
     if (!found) {
+      std::vector<std::string_view> known(all.size());
+      std::ranges::transform(all, known.begin(), [&](Quantity now) { return name(now, units); });
       throw InputError("columns",
                        fmt::format("\"{}\"", records::shortened(wanted, records::longest_word)),
-                       "must be among " + names(all, units));
+                       fmt::format("must be among {}{}", fmt::join(known, ", "),
+                                   records::suggestion(wanted, known)));
     }
     if (contains(columns, *found)) {
       throw InputError("columns", std::string(wanted), "must not be named twice");

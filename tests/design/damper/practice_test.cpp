@@ -67,6 +67,26 @@ BOOST_AUTO_TEST_CASE(the_equivalent_damping_is_that_of_the_cycle) {
   }
 }
 
+/// A hit that starts is never damped beyond critical, 3/pi at most; a pulse may be.
+BOOST_AUTO_TEST_CASE(beyond_critical_there_is_no_equivalent_damping) {
+  constexpr double f = 0.5;
+  check_close(of({1, f, 0.5}, 1)->equivalent_damping,
+              (2 * f + 0.5 / (std::sqrt(1.25) - f)) / (std::numbers::pi * std::sqrt(1.25)));
+  constexpr double most = 3 / std::numbers::pi;
+  const double with_much_friction = of({1, 1e6, 0.5}, 1)->equivalent_damping.value();
+  BOOST_TEST(with_much_friction < most);
+  BOOST_TEST(with_much_friction > (1 - 1e-5) * most);
+  // xi = Delta/(pi A^2) without constant friction: 1 at Delta = pi A^2.
+  Response motion;
+  motion.peak_amplitude = 0.5;
+  const double critical = std::numbers::pi / 4;
+  const auto damping = [&](double delta) {
+    return practice({1, 0, delta}, motion, {}, SetOff::load)->equivalent_damping;
+  };
+  check_close(damping(0.999 * critical), 0.999);
+  BOOST_TEST(!damping(1.001 * critical));
+}
+
 /// Of each half-cycle of the motion: the largest change of speed at x = 0.
 BOOST_AUTO_TEST_CASE(the_largest_impulse_is_that_of_all_passages) {
   RandomSource random(2602);

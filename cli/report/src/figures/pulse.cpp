@@ -45,8 +45,8 @@ FigureCurve needs(const LeastDelta& least_delta, double last, const FigureUnits&
 
 /// From the curve, where it is below `top`, to `end`.
 std::vector<FigurePoint> beside_the_curve(const LeastDelta& least_delta,
-                                          const design::Interval& interval, double top,
-                                          double end, double unit) {
+                                          const design::Interval& interval, double top, double end,
+                                          double unit) {
   std::vector<FigurePoint> outline;
   for (int i = 0; i <= curve_steps; ++i) {
     const double f = interval.low + (interval.high - interval.low) * i / curve_steps;
@@ -83,8 +83,15 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
     }
     from = interval.high;
   }
-  figure.areas.push_back({drawn.intervals.empty() ? "not admissible" : "too strong",
-                          rectangle(from, right, 0, top), Ink::grey, AreaLook::hatched});
+  const double returns = std::clamp(drawn.region.f3, from, right);
+  if (returns > from) {
+    figure.areas.push_back({from == 0 ? "not admissible" : "does not meet the limits",
+                            rectangle(from, returns, 0, top), Ink::grey, AreaLook::hatched});
+  }
+  if (right > returns) {
+    figure.areas.push_back({"too strong: does not return", rectangle(returns, right, 0, top),
+                            Ink::grey, AreaLook::hatched});
+  }
   if (cap < top && from > 0) {
     figure.areas.push_back(
         {"above the largest Δ", rectangle(0, from, cap, top), Ink::amber, AreaLook::hatched});

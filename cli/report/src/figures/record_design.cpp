@@ -24,9 +24,9 @@ namespace {
 using design::SuiteFigures;
 using design::SuiteLimits;
 
-/// The objective from least to largest, then what is broken. More red than blue is hatched.
+/// The objective from least to largest, then what is broken, which is hatched: more red than blue.
 constexpr std::array shades{"#0b4f8a", "#2f7fc1", "#6aaede", "#9ecae9", "#c6dff2", "#e6f1fa"};
-constexpr std::array broken{"#ef8a2b", "#f7b267", "#fbd3a4", "#555555"};
+constexpr std::array broken{"#ef8a2b", "#f7b267", "#fbd3a4", "#8a7a68"};
 constexpr std::array broken_names{"stroke too large", "residual too large",
                                   "acceleration too large", "never rests, or is near tipping"};
 
@@ -141,7 +141,7 @@ void add_faults(figures::FigureMap& drawn) {
     drawn.palette.emplace_back(broken.at(i));
     drawn.names.emplace_back(broken_names.at(i));
     if (std::ranges::count(drawn.cells, static_cast<std::uint8_t>(shades.size() + i)) > 0) {
-      drawn.key.push_back({broken_names.at(i), broken.at(i), i < 3});
+      drawn.key.push_back({broken_names.at(i), broken.at(i), true});
     }
   }
 }
@@ -171,7 +171,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
              name(task.objective));
   drawn.caption =
       shown.least <= shown.most
-          ? "Blue meets every limit, the darker the better; every other colour violates one."
+          ? "Blue meets every limit, the darker the better; what is hatched violates one."
           : "Each colour names the first limit that is violated there.";
   return drawn;
 }

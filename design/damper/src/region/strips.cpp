@@ -28,6 +28,18 @@ std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival
   return range ? std::optional(Interval{range->low * square, range->high * square}) : std::nullopt;
 }
 
+double largest_stopping_f(const Problem& problem) {
+  require_valid(problem);
+  return largest_f(problem);
+}
+
+double least_stopping_delta(const Problem& problem, double f) {
+  require_valid(problem);
+  require_within("f", f, 0, largest_square);
+  const Way last(problem, {}, static_cast<int>(problem.arrivals));
+  return d_of_last_stop(last, last.scaled(f)) * last.square();
+}
+
 std::vector<Strip> strips(const Problem& problem, const Limits& limits) {
   require_valid(problem, limits);
   Limits any = limits;

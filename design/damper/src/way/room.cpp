@@ -53,11 +53,15 @@ double d_that_stops_at(int n, double a) {
   return d_on_edge({a, 1, a}, n, 1);
 }
 
+double d_of_last_stop(const Way& way, double a) {
+  return d_on_edge(last_start(way, a), way.passages(), 1);
+}
+
 namespace {
 
 /// The least d with which the strongest hit stops, at the low corner.
 double d_that_stops(const Way& way, double a) {
-  const double last = way.stops_last() ? d_on_edge(last_start(way, a), way.passages(), 1) : 0;
+  const double last = way.stops_last() ? d_of_last_stop(way, a) : 0;
   return way.stops_early() ? std::max(last, d_on_edge(stop_start(way, a), way.n, 1)) : last;
 }
 

@@ -32,6 +32,8 @@ Arguments in_seconds(const char* record) {
 const std::vector<Wrong> wrong_inputs{
     {pulse("sine"), {"excitation = sine", "harmonic, half-sine"}},
     {pulse(""), {"excitation = ", "must be harmonic"}},
+    {pulse("half-sin"), {"rectangle or record; did you mean half-sine?"}},
+    {pulse("sin"), {"rectangle or record\n"}},
     {pulse("Harmonic"), {"excitation = Harmonic", "must be"}},
     {at_rest("--excitation half-sine --lambda 1"), {"k is missing", "--k"}},
     {at_rest("--excitation half-sine --k 1"), {"lambda is missing", "--lambda"}},

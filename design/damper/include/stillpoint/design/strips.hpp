@@ -28,6 +28,13 @@ struct Strip {
 [[nodiscard]] std::optional<Interval> delta_range(const Problem& problem, std::int64_t arrival,
                                                   double f);
 
+/// The f beyond which no Delta lets the mass stop or rest as it must. Throws InputError.
+[[nodiscard]] double largest_stopping_f(const Problem& problem);
+
+/// The Delta below which the mass passes x = 0 more often than it may; 0 where it never does.
+/// Throws InputError.
+[[nodiscard]] double least_stopping_delta(const Problem& problem, double f);
+
 /// The arrival, of those that are allowed, at which the damper stops the mass at x = 0 by the
 /// problem's criterion; empty if there is none. The peak and the limits are not checked.
 /// Throws as admissible() does.
