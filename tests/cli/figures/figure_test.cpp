@@ -184,6 +184,26 @@ BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
   BOOST_TEST(text.find(">too narrow</text>") > plot_ends);
 }
 
+/// A pixel is 0.027 s wide and 0.037 mm high.
+BOOST_AUTO_TEST_CASE(the_legend_leaves_out_what_is_too_thin_to_see) {
+  Figure figure = one_of_everything();
+  figure.map = {};
+  figure.areas = {{"sliver", {{0, 0}, {9, 0}, {9, 0.01}, {0, 0.01}}, Ink::sky},
+                  {"thin", {{0, 2}, {9, 2}, {9, 2.04}, {0, 2.04}}, Ink::sky},
+                  {"tiny box", {{5, 0}, {5.001, 0}, {5.001, 1}, {5, 1}}, Ink::blue, AreaLook::box}};
+  figure.bands = {{"blink", 2, 2.01, Ink::grey},
+                  {"often", 3, 3.01, Ink::amber},
+                  {"often", 5, 5.01, Ink::amber},
+                  {"often", 7, 7.01, Ink::amber}};
+  const std::string text = svg(figure, Frame::in_page);
+  for (const char* name : {"thin", "tiny box", "often"}) {
+    BOOST_TEST(contains(text, "<text x=\"30\">" + std::string(name)), name);
+  }
+  for (const char* name : {"sliver", "blink"}) {
+    BOOST_TEST(!contains(text, "<text x=\"30\">" + std::string(name)), name);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
   Figure figure = one_of_everything();
   figure.marks = {{"far off", {{1000, 2.5}}, Shape::disc, Ink::blue}};
