@@ -8,6 +8,7 @@
 #include "figure_paths.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -101,6 +102,9 @@ class Drawing {
       for (const auto& stroke : curve.strokes) {
         for (const auto& [at, angle] :
              curve.directed ? headings(plot, stroke) : std::vector<Heading>{}) {
+          if (is_marked(plot, at)) {
+            continue;
+          }
           add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><path class=\"disc arrow "
               "{}\" "
               "transform=\"rotate({:.1f})\" d=\"M-5-4.5L5 0L-5 4.5Z\"/></g>\n",
@@ -122,6 +126,17 @@ class Drawing {
         }
       }
     }
+  }
+
+  /// Where an arrow would lie on a mark.
+  [[nodiscard]] bool is_marked(const Plane& plot, const FigurePoint& pixel) const {
+    constexpr double apart = 11;
+    return std::ranges::any_of(figure_.marks, [&](const FigureMarks& marks) {
+      return std::ranges::any_of(marks.points, [&](const FigurePoint& point) {
+        const FigurePoint at = plot.pixel(point);
+        return std::hypot(at.x - pixel.x, at.y - pixel.y) < apart;
+      });
+    });
   }
 
   /// Degrees from the right, clockwise, along the nearest way out of the plot.
@@ -157,8 +172,8 @@ class Drawing {
     const double nearest = (left + right) / 2 < (x0 + x1) / 2 ? right : left;
     add("<g class=\"inset\" transform=\"translate({} {})\">\n<path class=\"lens\" "
         "d=\"M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}ZM{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n",
-        layout_.left, layout_.upper, x0, y0, x1, y1, x0, (x0 + x1) / 2, (y0 + y1) / 2, nearest,
-        (top + bottom) / 2);
+        layout_.left, layout_.upper, x0, y0, x1, y1, x0, within((low.x + high.x) / 2, plot.width),
+        within((low.y + high.y) / 2, plot.height), nearest, (top + bottom) / 2);
     add("<svg x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\">\n<rect class=\"paper\" "
         "width=\"100%\" height=\"100%\"/>\n",
         left, top, part.width, part.height);
