@@ -76,6 +76,20 @@ std::vector<FigurePoint> strip_outline(const DrawnRegion& drawn, std::int64_t ar
   return lower;
 }
 
+/// One strip, below which the mass passes x = 0.
+bool only_the_first(const design::Problem& problem) {
+  return problem.arrivals == 1 && !problem.residual;
+}
+
+/// The outline of a strip is its lower edge and then, backwards, the upper one.
+void add_below(Figure& figure, const FigureArea& strip) {
+  const auto edge = static_cast<std::ptrdiff_t>(strip.outline.size() / 2);
+  std::vector<FigurePoint> outline(strip.outline.begin(), strip.outline.begin() + edge);
+  outline.push_back({outline.back().x, figure.y.least});
+  outline.push_back({outline.front().x, figure.y.least});
+  figure.areas.push_back({"notch too weak", std::move(outline), Ink::grey, AreaLook::hatched});
+}
+
 /// Neighbours may touch, so they differ, and so do the first three, which may be named in the
 /// legend; the damper's own is like any admissible area.
 Ink strip_ink(std::int64_t arrival, std::int64_t own) {
@@ -100,7 +114,7 @@ std::vector<FigureArea> strip_areas(const DrawnRegion& drawn, const FigureUnits&
       own = 0;  // it has no strip of its own but rests within the residual
     }
   }
-  const bool only_one = drawn.problem.arrivals == 1 && !drawn.problem.residual;
+  const bool only_one = only_the_first(drawn.problem);
   if (only_one) {
     own = 1;
   }
@@ -144,6 +158,9 @@ void add_limits(Figure& figure, const DrawnRegion& drawn, const FigureUnits& uni
   double last = 0;  // f of the strips
   for (const FigureArea& strip : figure.areas) {
     last = std::max(last, std::ranges::max(strip.outline, {}, &FigurePoint::x).x);
+  }
+  if (only_the_first(drawn.problem) && last > 0) {
+    add_below(figure, figure.areas.front());
   }
   const double f4 = drawn.region.f4.value_or(far);
   const double f_max = drawn.limits.f_max.value_or(far);
