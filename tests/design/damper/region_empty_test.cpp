@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(amplitude_against_return_is_explained) {
                   {"amplitude", "return", "f2 = 0.75", "f3 = 0.353553"});
   // f2 = 0.225 and f3 = 0.3536 do not fit with 25 %: 0.281 > 0.265.
   check_explained({1, 1, 0.8}, {std::nullopt, std::nullopt, 0.25},
-                  Conflict::amplitude_against_return, {"tolerance of 0.25"});
+                  Conflict::amplitude_against_return, {"tolerance of 25 %"});
 }
 
 BOOST_AUTO_TEST_CASE(an_amplitude_missed_by_an_ulp_is_explained_in_all_digits) {
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(amplitude_against_f_max_is_explained) {
 BOOST_AUTO_TEST_CASE(stop_against_start_is_explained) {
   // f <= 0.01 leaves a strip of 4 %, too narrow for +-10 %.
   check_explained({1, 1, 1.1}, {0.01, std::nullopt, 0.1}, Conflict::stop_against_start,
-                  {"stop", "start", "delta2 = 0.5", "tolerance of 0.1"});
+                  {"stop", "start", "delta2 = 0.5", "tolerance of 10 %"});
 }
 
 BOOST_AUTO_TEST_CASE(stop_against_delta_max_is_explained) {
