@@ -45,9 +45,10 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
   if (lines->notch_used) {
     const double energy = *lines->notch_used * lines->notch_capacity;
     const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
-    section.row("used at the stop", format("{}, {:.3g} % of the notch's capacity",
-                                           joules ? with_unit(*joules, "J") : digits(energy),
-                                           100 * *lines->notch_used));
+    section.row("used at the stop",
+                format("{}, {:.3g} % of the notch's capacity",
+                       joules ? with_unit(*joules, "J") : length_shown(physical, energy),
+                       100 * *lines->notch_used));
   }
   if (lines->notch_width_min) {
     section.row("notch width",
@@ -79,8 +80,10 @@ void add_practice(Section& section, const std::optional<design::Practice>& lines
   if (lines->equivalent_damping) {
     const double damping = 100 * *lines->equivalent_damping;
     section.row("equiv. damping",
-                format("{} % of critical, for a full cycle at this peak",
-                       damping < 1000 ? format("{:.3g}", damping) : format("{:.0f}", damping)));
+                damping > 100
+                    ? "above critical for a full cycle at this peak: no linear oscillator "
+                      "stands for this damper"
+                    : format("{:.3g} % of critical, for a full cycle at this peak", damping));
   }
   if (lines->energy_ratio && lines->residual_ratio) {
     section.row("re-centring", format("E_s/E_h = {:.3g} (EN 15129), d/d_rm = {:.3g} (EN 1998-2)",
