@@ -284,14 +284,21 @@ void bind_units(std::string& text) {
   }
 }
 
-/// "f >= 0.02" and "f + delta/w" in one piece; of "delta > 2 delta2" what precedes the sign.
+/// "+-5 %" as it is printed, and "EN 15129" in one piece.
+void set_signs(std::string& text) {
+  for (std::size_t i = text.find("+-"); i != std::string::npos; i = text.find("+-", i)) {
+    text.replace(i, 2, "\u00b1");
+  }
+  for (std::size_t i = text.find("EN "); i != std::string::npos; i = text.find("EN ", i + 1)) {
+    text.replace(i + 2, 1, no_break);
+  }
+}
+
+/// "f >= 0.02", "f <= f3" and "f + delta/w" in one piece.
 void bind_bounds(std::string& text) {
   for (const std::string_view sign : {" &gt;= ", " &lt;= ", " &gt; ", " &lt; ", " + "}) {
     for (std::size_t i = text.find(sign); i != std::string::npos; i = text.find(sign, i + 1)) {
-      const std::size_t behind = i + sign.size();
-      if (sign == " + " || (behind < text.size() && is_digit(text[behind]))) {
-        text.replace(behind - 1, 1, no_break);
-      }
+      text.replace(i + sign.size() - 1, 1, no_break);
       text.replace(i, 1, no_break);
     }
   }
@@ -345,6 +352,7 @@ std::string with_whole_numbers(std::string_view text) {
 
 std::string prose(std::string_view text) {
   std::string result = escaped(text);
+  set_signs(result);
   bind_units(result);
   bind_equations(result);
   bind_bounds(result);
