@@ -57,14 +57,10 @@ double plot_left(const Figure& figure) {
 }
 
 Layout::Layout(const Figure& figure, double at_least)
-    : y(labelled(figure.y, figure.height < 200 ? 3 : 6)),
+    : y(labelled(figure.y, figure.height < 200 ? 5 : 6)),
       left(std::max(at_least, plot_left(figure))),
       bottom(upper + figure.height),
       axis_words(figure.x.label.empty() ? 6 : 44) {
-  // A single value does not show the scale.
-  for (int wanted = 4; y.values.size() < 2 && wanted <= 6; ++wanted) {
-    y = labelled(figure.y, wanted);
-  }
   for (const int wanted : {6, 4, 3, 2}) {
     x = labelled(figure.x, wanted);
     width = figure_width - left - std::max(right_margin, widest(x) / 2 + 1);

@@ -6,12 +6,41 @@
 #include "figure_looks.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace stillpoint::figures {
 
 namespace {
 
 constexpr double line_height = 20;
+
+/// Thick enough to be seen, on average: 2 A/P is the width of a long strip. A box may be small,
+/// since it is enlarged elsewhere.
+bool is_seen(const FigureArea& area, const Plane& plane) {
+  constexpr double thinnest = 0.5;  // pixels
+  double twice_area = 0;
+  double perimeter = 0;
+  for (std::size_t i = 0; i < area.outline.size(); ++i) {
+    const FigurePoint a = plane.pixel(area.outline[i]);
+    const FigurePoint b = plane.pixel(area.outline[(i + 1) % area.outline.size()]);
+    twice_area += a.x * b.y - b.x * a.y;
+    perimeter += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  return area.look == AreaLook::box || std::abs(twice_area) > thinnest * perimeter;
+}
+
+/// Bands of the same name count together.
+bool is_seen(const std::string& band, const Figure& figure, const Plane& plane) {
+  constexpr double narrowest = 1;  // pixel
+  double wide = 0;
+  for (const FigureBand& each : figure.bands) {
+    if (each.name == band) {
+      wide += plane.pixel({each.to, 0}).x - plane.pixel({each.from, 0}).x;
+    }
+  }
+  return wide >= narrowest;
+}
 
 }  // namespace
 
@@ -26,8 +55,9 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
           fmt::format(R"(<path class="cell" fill="{}" d="M2-10h20v12h-20Z"/>{})", key.colour,
                       key.hatched ? R"(<path class="over" d="M2 2L14-10M10 2L22-10"/>)" : ""));
   }
+  const Plane plane{figure.x, figure.y, figure_width, figure.height};
   for (const FigureArea& area : figure.areas) {
-    if (!area.in_legend) {
+    if (!area.in_legend || !is_seen(area, plane)) {
       continue;
     }
     enter_unless_named(
@@ -39,8 +69,10 @@ void FigureLegend::add(const Figure& figure, const std::set<std::string>& named)
                           area.look == AreaLook::box ? "box" : "area", word(area.ink)));
   }
   for (const FigureBand& band : figure.bands) {
-    enter_unless_named(
-        band.name, fmt::format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)", word(band.ink)));
+    if (is_seen(band.name, figure, plane)) {
+      enter_unless_named(band.name, fmt::format(R"(<path class="band {}" d="M2-10h20v12h-20Z"/>)",
+                                                word(band.ink)));
+    }
   }
   for (const FigureCurve& curve : figure.curves) {
     enter_unless_named(curve.name, fmt::format(R"(<path class="curve {}{}" d="M0-4h24"/>)",

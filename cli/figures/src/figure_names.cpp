@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -39,6 +40,7 @@ class Places {
       : figure_(figure),
         plane_(plane),
         ink_(plane.width, plane.height),
+        limits_(plane.width, plane.height),
         taken_(plane.width, plane.height) {}
 
   NamesInPlace operator()() {
@@ -52,11 +54,13 @@ class Places {
       inside.fill(pixels(area.outline));
       within(area.name, inside);
     }
-    for (const FigureBand& band : figure_.bands) {
+    for (auto band = figure_.bands.begin(); band != figure_.bands.end(); ++band) {
       Raster inside(plane_.width, plane_.height);
-      inside.set(
-          Box{plane_.pixel({band.from, 0}).x, 0, plane_.pixel({band.to, 0}).x, plane_.height});
-      within(band.name, inside);
+      inside.set(strip(*band));
+      for (auto above = std::next(band); above != figure_.bands.end(); ++above) {
+        inside.clear(strip(*above));
+      }
+      within(band->name, inside);
     }
     map_labels();
     for (const FigureCurve& curve : figure_.curves) {
@@ -69,7 +73,6 @@ class Places {
         near(curve.name, along);
       }
     }
-    leave_out_unseen();
     return std::move(found_);
   }
 
@@ -83,11 +86,19 @@ class Places {
     return made;
   }
 
+  [[nodiscard]] Box strip(const FigureBand& band) const {
+    return {plane_.pixel({band.from, 0}).x, 0, plane_.pixel({band.to, 0}).x, plane_.height};
+  }
+
   /// What words should not cover, and marks, which they must not.
   void draw() {
     for (const FigureCurve& curve : figure_.curves) {
       for (const auto& stroke : curve.strokes) {
-        ink_.set_line(pixels(stroke));
+        const auto line = pixels(stroke);
+        ink_.set_line(line);
+        if (curve.labelled) {
+          limits_.set_line(line);
+        }
       }
     }
     for (const FigureArea& area : figure_.areas) {
@@ -126,6 +137,10 @@ class Places {
     found_.inset = box_around(best.at, wide, high);
     taken_.set(*found_.inset);
     taken_.set(box_around(middle, 14, 14));
+    const FigurePoint low = plane_.pixel({x.least, y.least});
+    const FigurePoint high_end = plane_.pixel({x.most, y.most});
+    ink_.set_line({low, {high_end.x, low.y}, high_end, {low.x, high_end.y}, low});
+    ink_.set_line({middle, best.at});
   }
 
   [[nodiscard]] bool is_free(const Box& box) const {
@@ -141,20 +156,42 @@ class Places {
                        : box_around(centre, width, text_height));
   }
 
-  /// Beside, above or below one of the points: near it, rather than clear of every line.
+  /// Whether a limit lies between a point, or the mark on it, and its words.
+  [[nodiscard]] bool is_beyond_limit(const FigurePoint& point, const Box& words) const {
+    constexpr double mark = 6;  // pixels
+    const FigurePoint nearest{std::clamp(point.x, words.left, words.right),
+                              std::clamp(point.y, words.top, words.bottom)};
+    const double length = std::hypot(nearest.x - point.x, nearest.y - point.y);
+    for (double along = mark; along < length; along += Raster::cell / 2) {
+      const double x = point.x + (nearest.x - point.x) * along / length;
+      const double y = point.y + (nearest.y - point.y) * along / length;
+      if (limits_.set_in({x, y, x + 1e-9, y + 1e-9}) > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Beside, above or below one of the points: clear of every line, if that is not too far from it,
+  /// and on its side of a limit, which words beyond it would call exceeded.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
-    constexpr double farther = 0.5;  // pixels against cells covered
+    constexpr double farther = 0.3;    // of a cell covered, a pixel
+    constexpr double covering = 12;    // cells: 40 pixels away rather than on a line
+    constexpr double misleading = 60;  // cells: rather on a line than beyond a limit
     const double width = text_width(text);
     Best best;
-    for (double gap = 7; gap < 60; gap += 9) {
+    for (double gap = 7; gap < 60; gap += 4) {
       for (const FigurePoint& point : points) {
-        for (const double right : {1, 0, -1}) {
+        for (const double right : {1.0, 0.0, -1.0, 0.5, -0.5}) {
           for (const double down : {-1, 1, 0}) {
             const FigurePoint centre{point.x + right * (width / 2 + gap),
                                      point.y + down * (text_height / 2 + gap)};
             const Box box = box_around(centre, width, text_height);
-            if ((right != 0 || down != 0) && is_free(box)) {
-              best.offer(ink_.set_in(box) + farther * gap, centre);
+            if ((std::abs(right) == 1 || down != 0) && is_free(box)) {
+              const int covered = ink_.set_in(box);
+              best.offer(covered + (covered > 0 ? covering : 0) + farther * gap +
+                             (is_beyond_limit(point, box) ? misleading : 0),
+                         centre);
             }
           }
         }
@@ -165,71 +202,30 @@ class Places {
     }
   }
 
-  /// The legend does not name areas and bands of which nothing can be seen. A box is enlarged.
-  void leave_out_unseen() {
-    constexpr double visible = 1;  // pixels
-    std::set<std::string> seen;
-    for (const FigureArea& area : figure_.areas) {
-      if (area.look == AreaLook::box || thickness(pixels(area.outline)) >= visible) {
-        seen.insert(area.name);
-      }
-    }
-    for (const FigureBand& band : figure_.bands) {
-      const auto [left, right] =
-          std::minmax({plane_.pixel({band.from, 0}).x, plane_.pixel({band.to, 0}).x});
-      if (std::min(right, plane_.width) - std::max(left, 0.0) >= visible) {
-        seen.insert(band.name);
-      }
-    }
-    const auto leave_out = [&](const std::string& name) {
-      if (!seen.contains(name)) {
-        found_.named.insert(name);
-      }
-    };
-    for (const FigureArea& area : figure_.areas) {
-      leave_out(area.name);
-    }
-    for (const FigureBand& band : figure_.bands) {
-      leave_out(band.name);
-    }
-  }
-
-  /// The mean one of an outline within the plot, across its longer side.
-  [[nodiscard]] double thickness(std::vector<FigurePoint> outline) const {
-    Box around{plane_.width, plane_.height, 0, 0};
-    for (FigurePoint& at : outline) {
-      at = {std::clamp(at.x, 0.0, plane_.width), std::clamp(at.y, 0.0, plane_.height)};
-      around = {std::min(around.left, at.x), std::min(around.top, at.y),
-                std::max(around.right, at.x), std::max(around.bottom, at.y)};
-    }
-    double twice_area = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const auto& [x0, y0] = outline[i];
-      const auto& [x1, y1] = outline[(i + 1) % outline.size()];
-      twice_area += x0 * y1 - x1 * y0;
-    }
-    const double longer = std::max(around.right - around.left, around.bottom - around.top);
-    return longer > 0 ? std::abs(twice_area) / 2 / longer : 0;
-  }
-
-  /// Within the set cells, as far from their edge as may be; false without room.
-  bool within(const std::string& text, const Raster& inside) {
+  /// Within the set cells, as far from their edge and from lines as may be, if there is room.
+  void within(const std::string& text, const Raster& inside) {
+    constexpr double tight = 0.1;   // of a cell covered, a pixel that a margin lacks
+    constexpr double turned = 4.5;  // cells: rather upright than across a line
     if (text.empty() || found_.named.contains(text)) {
-      return false;
+      return;
     }
     const double width = text_width(text);
+    Best best;
+    bool best_upright = false;
     for (const bool upright : {false, true}) {
       const double w = upright ? text_height : width;
       const double h = upright ? width : text_height;
       const std::vector<FigurePoint> places = free_places(inside, w, h);
       for (const double margin : {40.0, 20.0, 10.0, 3.0, 0.0}) {
-        if (const auto centre = fit(places, inside, w, h, margin)) {
-          put(text, *centre, upright);
-          return true;
-        }
+        const auto [covered, at] = fit(places, inside, w, h, margin);
+        const double cost = covered - tight * margin + (upright ? turned : 0);
+        best_upright = cost < best.cost ? upright : best_upright;
+        best.offer(cost, at);
       }
     }
-    return false;
+    if (best) {
+      put(text, best.at, best_upright);
+    }
   }
 
   [[nodiscard]] std::vector<FigurePoint> free_places(const Raster& inside, double w,
@@ -255,9 +251,8 @@ class Places {
   }
 
   /// The middle of the places where a box with a margin fits and covers the least.
-  [[nodiscard]] std::optional<FigurePoint> fit(const std::vector<FigurePoint>& places,
-                                               const Raster& inside, double w, double h,
-                                               double margin) const {
+  [[nodiscard]] Best fit(const std::vector<FigurePoint>& places, const Raster& inside, double w,
+                         double h, double margin) const {
     std::vector<std::pair<int, FigurePoint>> fitting;
     FigurePoint mean;
     for (const FigurePoint& at : places) {
@@ -272,7 +267,7 @@ class Places {
       constexpr double aside = 0.05;  // cells covered against pixels from the middle
       best.offer(covered + aside * std::hypot(at.x - mean.x / count, at.y - mean.y / count), at);
     }
-    return best ? std::optional(best.at) : std::nullopt;
+    return best;
   }
 
   void map_labels() {
@@ -295,6 +290,7 @@ class Places {
   const Figure& figure_;
   const Plane& plane_;
   Raster ink_;
+  Raster limits_;  ///< the part of the ink that is named beside its line
   Raster taken_;
   NamesInPlace found_;
 };

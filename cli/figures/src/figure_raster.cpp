@@ -18,12 +18,12 @@ Raster::Range Raster::range(double from, double to, std::size_t most) {
   return {static_cast<std::size_t>(within(from)), static_cast<std::size_t>(std::ceil(within(to)))};
 }
 
-void Raster::set(const Box& box) {
+void Raster::write(const Box& box, int value) {
   const Range across = columns(box.left, box.right);
   const Range down = rows(box.top, box.bottom);
   for (std::size_t row = down.first; row < down.last; ++row) {
     for (std::size_t column = across.first; column < across.last; ++column) {
-      cells_[row * columns_ + column] = 1;
+      cells_[row * columns_ + column] = value;
     }
   }
   summed_ = false;

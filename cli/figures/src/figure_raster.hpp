@@ -24,7 +24,8 @@ class Raster {
   Raster(double width, double height);
 
   void set(const FigurePoint& at);
-  void set(const Box& box);
+  void set(const Box& box) { write(box, 1); }
+  void clear(const Box& box) { write(box, 0); }
   /// Along the straight lines between points.
   void set_line(const std::vector<FigurePoint>& points);
   /// Inside the polygon.
@@ -73,6 +74,7 @@ class Raster {
   }
 
  private:
+  void write(const Box& box, int value);
   [[nodiscard]] static Range range(double from, double to, std::size_t most);
   [[nodiscard]] static double middle(std::size_t index) {
     return (static_cast<double>(index) + 0.5) * cell;

@@ -8,6 +8,7 @@
 #include "figure_paths.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
@@ -101,6 +102,9 @@ class Drawing {
       for (const auto& stroke : curve.strokes) {
         for (const auto& [at, angle] :
              curve.directed ? headings(plot, stroke) : std::vector<Heading>{}) {
+          if (is_marked(plot, at)) {
+            continue;
+          }
           add("<g class=\"pin\" transform=\"translate({:.2f} {:.2f})\"><path class=\"disc arrow "
               "{}\" "
               "transform=\"rotate({:.1f})\" d=\"M-5-4.5L5 0L-5 4.5Z\"/></g>\n",
@@ -122,6 +126,17 @@ class Drawing {
         }
       }
     }
+  }
+
+  /// Where an arrow would lie on a mark.
+  [[nodiscard]] bool is_marked(const Plane& plot, const FigurePoint& pixel) const {
+    constexpr double apart = 11;
+    return std::ranges::any_of(figure_.marks, [&](const FigureMarks& marks) {
+      return std::ranges::any_of(marks.points, [&](const FigurePoint& point) {
+        const FigurePoint at = plot.pixel(point);
+        return std::hypot(at.x - pixel.x, at.y - pixel.y) < apart;
+      });
+    });
   }
 
   /// Degrees from the right, clockwise, along the nearest way out of the plot.
@@ -157,8 +172,8 @@ class Drawing {
     const double nearest = (left + right) / 2 < (x0 + x1) / 2 ? right : left;
     add("<g class=\"inset\" transform=\"translate({} {})\">\n<path class=\"lens\" "
         "d=\"M{:.2f} {:.2f}H{:.2f}V{:.2f}H{:.2f}ZM{:.2f} {:.2f}L{:.2f} {:.2f}\"/>\n",
-        layout_.left, layout_.upper, x0, y0, x1, y1, x0, (x0 + x1) / 2, (y0 + y1) / 2, nearest,
-        (top + bottom) / 2);
+        layout_.left, layout_.upper, x0, y0, x1, y1, x0, within((low.x + high.x) / 2, plot.width),
+        within((low.y + high.y) / 2, plot.height), nearest, (top + bottom) / 2);
     add("<svg x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\">\n<rect class=\"paper\" "
         "width=\"100%\" height=\"100%\"/>\n",
         left, top, part.width, part.height);
@@ -269,14 +284,21 @@ void bind_units(std::string& text) {
   }
 }
 
-/// "f >= 0.02" and "f + delta/w" in one piece; of "delta > 2 delta2" what precedes the sign.
+/// "+-5 %" as it is printed, and "EN 15129" in one piece.
+void set_signs(std::string& text) {
+  for (std::size_t i = text.find("+-"); i != std::string::npos; i = text.find("+-", i)) {
+    text.replace(i, 2, "\u00b1");
+  }
+  for (std::size_t i = text.find("EN "); i != std::string::npos; i = text.find("EN ", i + 1)) {
+    text.replace(i + 2, 1, no_break);
+  }
+}
+
+/// "f >= 0.02", "f <= f3" and "f + delta/w" in one piece.
 void bind_bounds(std::string& text) {
   for (const std::string_view sign : {" &gt;= ", " &lt;= ", " &gt; ", " &lt; ", " + "}) {
     for (std::size_t i = text.find(sign); i != std::string::npos; i = text.find(sign, i + 1)) {
-      const std::size_t behind = i + sign.size();
-      if (sign == " + " || (behind < text.size() && is_digit(text[behind]))) {
-        text.replace(behind - 1, 1, no_break);
-      }
+      text.replace(i + sign.size() - 1, 1, no_break);
       text.replace(i, 1, no_break);
     }
   }
@@ -330,6 +352,7 @@ std::string with_whole_numbers(std::string_view text) {
 
 std::string prose(std::string_view text) {
   std::string result = escaped(text);
+  set_signs(result);
   bind_units(result);
   bind_equations(result);
   bind_bounds(result);

@@ -25,7 +25,7 @@ figcaption{font-size:14px;margin:2px 8px 0 14px}
 .readout button{font:inherit;margin-left:8px}
 tr{break-inside:avoid}
 .wide{overflow-x:auto;break-inside:avoid}
-tr.violated td{background:#fbe3e1}
+tr.violated{background:#fbe3e1}
 summary{cursor:pointer;font-weight:bold;margin-top:24px}
 @media screen and (max-width:520px){body{padding:8px}pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td{min-width:0}td,th{padding:3px 4px 3px 0;overflow-wrap:anywhere}.columns,.columns tr,.columns tbody{display:block}.columns tr{border-bottom:1px solid #999;padding:4px 0}.columns th{display:none}.columns td{display:inline-block;border:0;margin-right:10px;white-space:normal}.columns td[data-head]::before{content:attr(data-head) " ";opacity:.8}.columns td:empty{display:none}}
 table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left;white-space:nowrap}
@@ -36,14 +36,15 @@ footer{margin-top:24px;font-size:13px;color:#666}
 )";
 
 constexpr std::string_view dark_page_style = R"(
-body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}tr.violated td{background:#45221f}footer{color:#aaa}
+body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}tr.violated{background:#45221f}footer{color:#aaa}
 )";
 
 /// Short sections stand in pairs, and the input is a few lines of small print at the end, so that a
-/// short page is one sheet and no section is alone on one.
+/// short page is one sheet and no section is alone on one. Each pair is a line of text to the
+/// browser, which by default keeps two lines together.
 constexpr std::string_view print_style = R"(
 @page{margin:12mm}
-body{max-width:none;padding:0;font-size:13px}h1{font-size:19px}h2{font-size:15px;margin:10px 0 4px}.answer{font-size:15px;margin:8px 0}.figures{grid-template-columns:1fr 1fr;gap:8px 20px}figcaption{font-size:12px}.readout,details{display:none}
+body{max-width:none;padding:0;font-size:13px;orphans:1;widows:1}h1{font-size:19px}h2{font-size:15px;margin:10px 0 4px}.answer{font-size:15px;margin:8px 0}.figures{grid-template-columns:1fr 1fr;gap:8px 20px}figcaption{font-size:12px}.readout,details{display:none}
 section:not(:has(tr:nth-child(17),td:nth-child(6))){display:inline-block;vertical-align:top;width:48%;margin-right:1.5%}section p{margin:6px 0;break-after:avoid}section code{font-size:11px;overflow-wrap:anywhere}
 body section.input{display:block;width:auto;margin:10px 0 0;break-before:avoid;break-inside:avoid}.input p{display:none}.input h2,.input pre{display:inline;font-size:11px}
 pre{white-space:normal;overflow-wrap:anywhere;overflow:visible;background:none;padding:0 4px}.wide+p{break-before:avoid;break-after:auto}footer{break-before:avoid;margin-top:12px}.wide{overflow:visible}td,.columns th{white-space:normal}td,th{padding:2px 5px}table{font-size:11px}.rows td{min-width:0;overflow-wrap:anywhere}

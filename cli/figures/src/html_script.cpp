@@ -108,7 +108,7 @@ for (const figure of document.querySelectorAll('svg.figure')) {
         const x = left + u * w;
         text += `<path class="grid" d="M${x} ${top}v${h}"/><text x="${x}" y="${top + h + 17}" text-anchor="middle">${t}</text>`;
       }
-      if (has_y) for (const [u, t] of ticks(scales[1], c, d, h < 200 ? 3 : 6)) {
+      if (has_y) for (const [u, t] of ticks(scales[1], c, d, h < 200 ? 5 : 6)) {
         const y = top + (1 - u) * h;
         text += `<path class="grid" d="M${left} ${y}h${w}"/><text x="${left - 6}" y="${Math.min(y + 4, top + h + 1)}" text-anchor="end"${
           letter * String(t).length > room ? ` textLength="${room}" lengthAdjust="spacingAndGlyphs"` : ''}>${t}</text>`;

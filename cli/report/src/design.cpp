@@ -22,7 +22,8 @@ void add_damper(Document& document, const DesignReport& report, const Physical& 
   section.row("tolerance", box_text(result.request.limits, point.tolerance));
   if (stops_by_delta1(finding.constraints)) {
     section.row("Delta1(f)",
-                format("{:.6g} published, {} exact", needs.published, digits(needs.exact)));
+                format("{} published, {} exact", length_shown(physical, needs.published),
+                       needs.exact ? length_shown(physical, *needs.exact) : "none"));
   }
   add_damper_physics(section, physical, point.f, point.delta);
   add_notch(section, finding.practice, physical);
@@ -115,6 +116,12 @@ void add_search(Document& document, const design::DesignResult& result) {
   }
 }
 
+/// "a tolerance of 29.44 %", or each side of a box of another shape.
+std::string tolerance_asked(const design::Limits& limits, double tolerance) {
+  return limits.shape == design::BoxShape{} ? format("a tolerance of {:.4g} %", 100 * tolerance)
+                                            : "a box of " + box_text(limits, tolerance);
+}
+
 }  // namespace
 
 Optimum optimum_of(const design::DesignResult& result) {
@@ -148,6 +155,12 @@ Document document(const DesignReport& report) {
   if (!result.finding) {
     add_emptiness(document, result, {problem, limits, pulse, physical});
     if (report.catalogue) {
+      const design::RatedPart& best = report.catalogue->parts.front();
+      if (best.tolerance) {  // it is admissible but for that
+        document.verdict = format("No admissible design. No part has {}; the best, {}, has {}.",
+                                  tolerance_asked(limits, limits.tolerance), best.part.name,
+                                  tolerance_asked(limits, *best.tolerance));
+      }
       add_parts(document, *report.catalogue, {problem, limits, physical});
     }
     return document;

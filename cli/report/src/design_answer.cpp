@@ -45,7 +45,8 @@ std::string checks_agree(const design::CrossCheck& check) {
   std::string text = "agree";
   for (const design::CheckMethod& method : check.methods) {
     text +=
-        format("{} {} to {:.1e}", text == "agree" ? ":" : ",", method.name, method.relative_error);
+        format("{} {} {}", text == "agree" ? ":" : ",", method.name,
+               method.relative_error == 0 ? "exactly" : format("to {:.1e}", method.relative_error));
   }
   return text;
 }
@@ -86,7 +87,8 @@ std::string felt(const design::Finding& finding, const Response& response,
 /// For the ranges of a pulse; a range of only k needs no samples.
 void add_worst(Section& answer, const design::PulseCheck& check, bool sampled,
                const Physical& physical) {
-  answer.row("ranges", format("up to {}, {} and {} with any pulse and spring in the ranges; the "
+  answer.row("ranges", format("with any pulse and spring in the ranges the peak is at most {}, the "
+                              "acceleration outside the notch {}, and it rests within {}; the "
                               "motion shown has the largest peak, at lambda = {} and p = {:.6g}{}",
                               length_shown(physical, check.worst->peak),
                               acceleration_shown(check.worst->acceleration),
@@ -163,7 +165,7 @@ void add_answer(Section& answer, const DesignReport& report, const Physical& phy
   // A weaker hit than this is caught at the start: rule 4 of docs/theory.md, section 1.
   if (const double caught = std::sqrt(2 * delta); problem.v0_low && *problem.v0_low < caught) {
     const std::string words = FigureUnits(physical).velocity_words(caught);
-    answer.row("weak hits", format("below {} are held and felt in full: {}", words,
+    answer.row("weak hits", format("below {} are held, and felt in full: up to {}", words,
                                    impulse_shown(physical, caught)));
   }
   if (finding.cross_check.passed) {

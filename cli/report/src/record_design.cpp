@@ -43,6 +43,21 @@ std::string period_words(const Physical& physical, double p) {
                   : format("p = {}", digits(p));
 }
 
+/// What a reader should know of a spring at an end of what was searched; empty elsewhere.
+std::string end_words(const design::SearchRange& searched, double p, bool of_period) {
+  constexpr double apart = 1e-6;
+  if (!(searched.low < searched.high)) {
+    return {};
+  }
+  if (p <= searched.low * (1 + apart)) {
+    return of_period ? ", the longest that was searched" : ", the least that was searched";
+  }
+  if (p >= searched.high * (1 - apart)) {
+    return of_period ? ", the shortest that was searched" : ", the largest that was searched";
+  }
+  return {};
+}
+
 /// "the record", "1 of 2 records"
 std::string of_records(std::size_t count, std::size_t all) {
   return all == 1 ? "the record" : format("{} of {} records", count, all);
@@ -117,7 +132,8 @@ void add_damper(Document& document, const RecordDesignReport& report) {
   Section& section = document.detail("Design");
   section.row("f", digits(damper.f), Tone::heading);
   section.row("delta", length_text(physical, damper.delta), Tone::heading);
-  section.row("spring", period_words(physical, damper.p));
+  section.row("spring", period_words(physical, damper.p) +
+                            end_words(report.result.request.p, damper.p, physical.has_value()));
   add_damper_physics(section, physical, damper.f, damper.delta);
   const design::Sensitivity& near = report.result.finding->sensitivity;
   section.row("sensitivity", format("f and delta off by up to {:.3g} %, at the four corners and {} "
@@ -205,8 +221,12 @@ void add_task(Document& document, const RecordDesignReport& report) {
   section.row("delta", searched(length_text(physical, task.delta->low),
                                 length_text(physical, task.delta->high)));
   if (task.p.low < task.p.high) {
-    section.row("", format("{} to {}", period_words(physical, task.p.high),
-                           period_words(physical, task.p.low)));
+    const auto period = [&](double p) {
+      return format("{:.4g}", 2 * std::numbers::pi / p * physical->scales.time_s);
+    };
+    section.row(physical ? "period" : "p",
+                physical ? format("{} to {} s", period(task.p.high), period(task.p.low))
+                         : format("{} to {}", digits(task.p.low), digits(task.p.high)));
   }
 }
 

@@ -113,10 +113,10 @@ std::string reason_in_units(const design::RegionVerdict& empty, const EmptyTask&
 void add_emptiness(Document& document, const design::RegionVerdict& empty, const EmptyTask& task) {
   const auto& mends = empty.mends;
   const auto& joint = empty.joint_mend;
-  document.verdict = format("No admissible design: {}.", reason_in_units(empty, task));
-  if (empty.most_tolerant) {
-    document.verdict += most_tolerant_text(*empty.most_tolerant, task.limits, task.physical);
-  }
+  document.verdict = empty.most_tolerant
+                         ? "No admissible design." +
+                               most_tolerant_text(*empty.most_tolerant, task.limits, task.physical)
+                         : format("No admissible design: {}.", reason_in_units(empty, task));
   document.tone = Tone::bad;
   Section& section = document.section("What would make it feasible");
   if (joint) {

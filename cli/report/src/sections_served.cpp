@@ -45,9 +45,10 @@ void add_notch(Section& section, const std::optional<design::Practice>& lines,
   if (lines->notch_used) {
     const double energy = *lines->notch_used * lines->notch_capacity;
     const auto joules = physical ? physical->scales.energy_per_passage_j(energy) : std::nullopt;
-    section.row("used at the stop", format("{}, {:.3g} % of the notch's capacity",
-                                           joules ? with_unit(*joules, "J") : digits(energy),
-                                           100 * *lines->notch_used));
+    section.row("used at the stop",
+                format("{}, {:.3g} % of the notch's capacity",
+                       joules ? with_unit(*joules, "J") : length_shown(physical, energy),
+                       100 * *lines->notch_used));
   }
   if (lines->notch_width_min) {
     section.row("notch width",

@@ -34,9 +34,40 @@ std::string lock_words(const SpectrumReport& report) {
   }
   return count == 0 ? ""
                     : format(
-                          "at {} of {} periods the notch holds the mass to the end of a record, "
+                          "at {} of {} periods the notch holds the mass to the end of {} record, "
                           "and transmits up to {}",
-                          count, points.size(), acceleration_shown(most));
+                          count, points.size(), report.result.records.size() == 1 ? "the" : "a",
+                          acceleration_shown(most));
+}
+
+/// The largest of each figure of friction alone, and the period at which it occurs.
+std::string friction_words(const SpectrumReport& report) {
+  const design::SpectrumRequest& task = report.result.request;
+  const std::vector<SpectrumPoint>& points = report.result.combined;
+  const FigureUnits units(report.physical);
+  const auto largest = [&](const auto& value, const auto& words) {
+    const auto most = std::ranges::max_element(
+        points, {}, [&](const SpectrumPoint& point) { return value(point.without); });
+    const double p = task.p[static_cast<std::size_t>(most - points.begin())];
+    return format("{} at a period of {:.4g}{}", words(value(most->without)),
+                  2 * std::numbers::pi / p * units.time, units.time_unit.empty() ? "" : " s");
+  };
+  const auto length = [&](double value) { return units.length_words(value); };
+  const std::size_t count = report.result.records.size();
+  const std::string of =
+      count == 1 ? ""
+                 : format(" ({} of {} records)",
+                          *task.combine == design::Combine::max ? "largest" : "mean", count);
+  const bool settles = std::ranges::all_of(
+      points, [](const SpectrumPoint& point) { return point.without.residual.has_value(); });
+  const std::string rest =
+      settles ? "the largest residual " +
+                    largest([](const SpectrumFigures& one) { return *one.residual; }, length)
+              : "and at some period the mass never comes to rest";
+  return format(
+      "Friction alone transmits at most {}{}; the largest peak is {}, {}. ",
+      largest([](const SpectrumFigures& one) { return one.acceleration; }, acceleration_shown), of,
+      largest([](const SpectrumFigures& one) { return one.peak; }, length), rest);
 }
 
 /// In the units of the figures. Without a notch there is nothing to compare with.
@@ -122,7 +153,8 @@ Document document(const SpectrumReport& report) {
   Document document;
   document.title = "Response spectrum";
   const std::string locked = lock_words(report);
-  document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) + summary(result);
+  document.verdict = (locked.empty() ? "" : format("Locked: {}. ", locked)) +
+                     (result.request.delta == 0 ? friction_words(report) : "") + summary(result);
   const std::size_t count = result.records.size();
   add_points(document.section(heading(report)), report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {

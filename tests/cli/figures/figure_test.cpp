@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure_map.hpp"
+#include "figure_names.hpp"
 #include "testing/contains.hpp"
 #include "testing/printing.hpp"
 
@@ -7,6 +8,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -184,6 +187,68 @@ BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
   BOOST_TEST(text.find(">too narrow</text>") > plot_ends);
 }
 
+/// A pixel is 0.027 s wide and 0.037 mm high.
+BOOST_AUTO_TEST_CASE(the_legend_leaves_out_what_is_too_thin_to_see) {
+  Figure figure = one_of_everything();
+  figure.map = {};
+  figure.areas = {{"sliver", {{0, 0}, {9, 0}, {9, 0.01}, {0, 0.01}}, Ink::sky},
+                  {"thin", {{0, 2}, {9, 2}, {9, 2.04}, {0, 2.04}}, Ink::sky},
+                  {"tiny box", {{5, 0}, {5.001, 0}, {5.001, 1}, {5, 1}}, Ink::blue, AreaLook::box}};
+  figure.bands = {{"blink", 2, 2.01, Ink::grey},
+                  {"often", 3, 3.01, Ink::amber},
+                  {"often", 5, 5.01, Ink::amber},
+                  {"often", 7, 7.01, Ink::amber}};
+  const std::string text = svg(figure, Frame::in_page);
+  for (const char* name : {"thin", "tiny box", "often"}) {
+    BOOST_TEST(contains(text, "<text x=\"30\">" + std::string(name)), name);
+  }
+  for (const char* name : {"sliver", "blink"}) {
+    BOOST_TEST(!contains(text, "<text x=\"30\">" + std::string(name)), name);
+  }
+}
+
+// 400 pixels by 300 with 10 by 10 units: y = 5 is 150 pixels from the top.
+PlacedName placed(const Figure& figure, const std::string& text) {
+  const auto words = names_in_place(figure, {figure.x, figure.y, 400, 300}).words;
+  const auto found = std::ranges::find(words, text, &PlacedName::text);
+  BOOST_TEST_REQUIRE((found != words.end()), text);
+  return *found;
+}
+
+BOOST_AUTO_TEST_CASE(words_keep_clear_of_lines_and_on_their_side_of_a_limit) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.marks = {{"", {{5, 5}}}};
+  figure.notes = {{"peak 0.5", {5, 5}}};
+  // A limit 12 pixels above the mark and a line 3 below it: there is room below the line.
+  figure.curves = {{.name = "limit", .strokes = {{{0, 5.4}, {10, 5.4}}}, .labelled = true},
+                   {.name = "", .strokes = {{{0, 4.9}, {10, 4.9}}}}};
+  const PlacedName below = placed(figure, "peak 0.5");
+  BOOST_TEST(below.centre.y - 7 > 153);
+  // A limit below the mark, and nothing above: there.
+  figure.curves = {{.name = "limit", .strokes = {{{0, 4.6}, {10, 4.6}}}, .labelled = true}};
+  BOOST_TEST(placed(figure, "peak 0.5").centre.y < 150);
+}
+
+BOOST_AUTO_TEST_CASE(a_band_is_named_where_no_other_lies_on_it) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.bands = {{"pulse", 0, 10, Ink::sky}, {"held", 3, 7, Ink::grey}};
+  BOOST_TEST(std::abs(placed(figure, "pulse").centre.x - 200) > 80);
+  BOOST_TEST(std::abs(placed(figure, "held").centre.x - 200) < 20);
+}
+
+BOOST_AUTO_TEST_CASE(an_area_is_named_beside_a_line_through_it) {
+  Figure figure;
+  figure.x = {"x", 0, 10};
+  figure.y = {"y", 0, 10};
+  figure.areas = {{"centred", {{4, 0}, {6, 0}, {6, 10}, {4, 10}}, Ink::sky}};
+  figure.curves = {{.name = "", .strokes = {{{0, 5}, {10, 5}}}}};
+  BOOST_TEST(std::abs(placed(figure, "centred").centre.y - 150) > 7);
+}
+
 BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
   Figure figure = one_of_everything();
   figure.marks = {{"far off", {{1000, 2.5}}, Shape::disc, Ink::blue}};
@@ -211,15 +276,16 @@ BOOST_AUTO_TEST_CASE(prose_does_not_break_numbers_or_short_equations) {
   BOOST_TEST(prose("rest at x = 0") == "rest at x\u00a0=\u00a00");
   BOOST_TEST(prose("delta = 0.03 = 5.9 mm") == "delta\u00a0=\u00a00.03 =\u00a05.9\u00a0mm");
   BOOST_TEST(prose("needs f >= f2 = 0.5, x <= 1") ==
-             "needs f\u00a0&gt;= f2\u00a0=\u00a00.5, x\u00a0&lt;=\u00a01");
+             "needs f\u00a0&gt;=\u00a0f2\u00a0=\u00a00.5, x\u00a0&lt;=\u00a01");
   BOOST_TEST(prose("inside (f + delta/w)") == "inside (f\u00a0+\u00a0delta/w)");
   BOOST_TEST(prose("--delta-max keeps it small") ==
              "<span class=\"number\">--delta-max</span> keeps it small");
   BOOST_TEST(prose("off by 6.2e-09, or -3") ==
              "off by <span class=\"number\">6.2e-09,</span> or -3");
-  BOOST_TEST(prose("(EN 1998-2)") == "(EN <span class=\"number\">1998-2)</span>");
+  BOOST_TEST(prose("(EN 1998-2)") == "<span class=\"number\">(EN\u00a01998-2)</span>");
+  BOOST_TEST(prose("off by +-5 %") == "off by \u00b15\u00a0%");
   BOOST_TEST(prose("half-cycles of part P25-N5 < x = y") ==
-             "half-cycles of part P25-N5\u00a0&lt; x = y");
+             "half-cycles of part P25-N5\u00a0&lt;\u00a0x = y");
 }
 
 BOOST_AUTO_TEST_CASE(smooth_curves_pass_through_their_points_with_arrows) {

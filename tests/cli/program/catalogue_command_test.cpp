@@ -114,6 +114,13 @@ struct Few : Sandbox {
 
 BOOST_FIXTURE_TEST_SUITE(catalogue, Few)
 
+/// The region is not empty: what is wanting is tolerance.
+BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_of_a_part) {
+  const ProgramRun text = run(design("--catalogue few.csv --tolerance 0.5"));
+  BOOST_TEST(text.exit_code == 3);
+  BOOST_TEST(contains(text.out, "No part has a tolerance of 50 %; the best, good, has"), text.out);
+}
+
 BOOST_AUTO_TEST_CASE(of_100_MB_is_refused_before_it_is_read_to_its_end) {
   {
     std::ofstream file(path("huge.csv"));

@@ -141,6 +141,12 @@ BOOST_FIXTURE_TEST_CASE(the_period_is_a_third_variable, Recorded) {
       "--search-delta-m 0:1mm --threads 1");
   BOOST_TEST(report["design"]["period_s"].get<double>() >= 1 - hand_tolerance);
   BOOST_TEST(report["design"]["period_s"].get<double>() <= 3 + hand_tolerance);
+  const std::string text =
+      run("design --record a.txt --search-period 1s:3s --search-f 0.1:0.1 --search-delta-m 0:0 "
+          "--threads 1 --verbose")
+          .out;
+  BOOST_TEST(contains(text, "\n  period            1 to 3 s\n"), text);
+  BOOST_TEST(contains(text, "period 3 s, the longest that was searched"), text);
 }
 
 BOOST_FIXTURE_TEST_CASE(without_a_damper_it_says_which_limit_is_in_the_way, Recorded) {

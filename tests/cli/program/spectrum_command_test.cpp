@@ -137,10 +137,12 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
   BOOST_TEST(contains(answer.out, "\n  Locked: at 5 of 5 periods the notch holds the mass"));
   BOOST_TEST(
       answer.err ==
-      "stillpoint: locked: at 5 of 5 periods the notch holds the mass to the end of a record, "
+      "stillpoint: locked: at 5 of 5 periods the notch holds the mass to the end of the record, "
       "and transmits up to 0.4 g\n");
   BOOST_TEST(run(joined(locked, "--quiet")).err.empty());
-  BOOST_TEST(run(but("--delta-m", "0")).err.empty());
+  const ProgramRun friction = run(but("--delta-m", "0"));
+  BOOST_TEST(friction.err.empty());
+  BOOST_TEST(contains(friction.out, "\n  Friction alone transmits at most "), friction.out);
 }
 
 BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {

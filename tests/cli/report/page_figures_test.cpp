@@ -2,6 +2,7 @@
 #include "drawn_pages.hpp"
 #include "testing/contains.hpp"
 
+#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/report/report.hpp>
@@ -10,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <regex>
 #include <string>
 #include <utility>
 
@@ -132,11 +135,50 @@ BOOST_AUTO_TEST_CASE(the_hits_are_told_with_the_digits_that_tell_them_apart) {
 BOOST_AUTO_TEST_CASE(the_sides_of_strips_have_names) {
   design::DesignRequest request;
   request.problem = {.v0 = 1.1, .p = 0.95, .beta = 2, .v0_low = 0.9, .p_high = 1.05};
+  request.problem.criterion = design::Criterion::exact;
   const Figure drawn = figure(page(DesignReport{design::design(request), {}}), "region");
-  for (const char* side : {"notch holds at the start", "too strong: does not return"}) {
+  for (const char* side :
+       {"notch holds at the start", "too strong: does not return", "notch too weak"}) {
     const auto& found = named(drawn.areas, side);
     BOOST_TEST((found.look == figures::AreaLook::hatched));
   }
+  // The hardest hit on the stiffest spring passes a notch just below the edge, not one just above.
+  const auto& weak = named(drawn.areas, "notch too weak").outline;
+  constexpr double aside = 1e-3;
+  for (std::size_t i = 0; i + 2 < weak.size(); ++i) {
+    const auto passages = [&](double delta) {
+      return free_response({.p = 1.05, .f = weak[i].x, .delta = delta}, {.x0 = 0, .v0 = 1.1})
+          .zero_passages.value();
+    };
+    if (weak[i].x > 0) {
+      BOOST_TEST(passages(weak[i].y * (1 - aside)) > 0, weak[i].x);
+      BOOST_TEST(passages(weak[i].y * (1 + aside)) == 0, weak[i].x);
+    }
+  }
+}
+
+/// The peak is 11 mm below the limit, and so are its words, though there is more room above.
+BOOST_AUTO_TEST_CASE(the_peak_is_named_on_its_side_of_the_limit) {
+  design::DesignRequest request;
+  design::PhysicalIsolator isolator;
+  isolator.period_s = 2.8;
+  const design::PhysicalInput physical = design::physical_input(isolator, 0.4, 0);
+  const double p = physical.scales.p;
+  request.problem = {.v0 = p,
+                     .p = p,
+                     .beta = 0.15 / physical.scales.length_m,
+                     .criterion = design::Criterion::exact};
+  request.limits.f_max = 0.03;
+  const Figure drawn = figure(page(DesignReport{design::design(request), physical}), "motion");
+  const std::string text = svg(drawn, figures::Frame::in_page);
+  const auto height_of = [&](const std::string& words) {
+    const std::regex place(R"re(translate\([\d.]+ ([\d.]+)\)"><text class="note"[^>]*>)re" + words);
+    std::smatch found;
+    BOOST_TEST_REQUIRE(std::regex_search(text, found, place), words);
+    return std::stod(found[1]);
+  };
+  BOOST_TEST(height_of("peak 139.1 mm") > (1 - drawn.y.position(150)) * drawn.height);
+  BOOST_TEST(height_of("limit 150 mm") < (1 - drawn.y.position(139.1)) * drawn.height);
 }
 
 /// f from 0.9 to 1.2 and Delta from 0.95 to 1.05 times the design's, or some multiple of that.

@@ -319,6 +319,9 @@ BOOST_AUTO_TEST_CASE(the_sensitivity_is_that_of_the_samples) {
   const Sensitivity& sensitivity = wide.finding->sensitivity;
   BOOST_TEST(sensitivity.samples == 64);
   BOOST_TEST(sensitivity.tolerance == 0.1);
+  BOOST_TEST(sensitivity.worst.peak >= point.figures.peak);
+  BOOST_TEST(sensitivity.worst.acceleration >= point.figures.acceleration);
+  BOOST_TEST(sensitivity.worst.residual >= point.figures.residual);
   request.f = SearchRange{point.damper.f * 1.1, point.damper.f * 1.1};
   request.delta = SearchRange{point.damper.delta * 1.1, point.damper.delta * 1.1};
   request.tolerance = 0;

@@ -88,12 +88,12 @@ BOOST_AUTO_TEST_CASE(every_conflict_is_explained) {
                   {"amplitude", "return", "f2 = 0.75", "f3 = 0.353553"});
   // f2 = 0.225 and f3 = 0.3536 do not fit with 25 %: 0.281 > 0.265.
   check_explained({1, 1, 0.8}, {none, none, 0.25}, Conflict::amplitude_against_return,
-                  {"tolerance of 0.25"});
+                  {"tolerance of 25 %"});
   check_explained({1, 1, 0.8}, {0.2, none, 0}, Conflict::amplitude_against_f_max,
                   {"amplitude", "f_max", "f2 = 0.225", "0.2"});
   // f <= 0.01 leaves a strip of 4 %, too narrow for +-10 %.
   check_explained({1, 1, 1.1}, {0.01, none, 0.1}, Conflict::stop_against_start,
-                  {"stop", "start", "delta2 = 0.5", "tolerance of 0.1"});
+                  {"stop", "start", "delta2 = 0.5", "tolerance of 10 %"});
   // Even at f3 the published Delta1 is 1/16.
   check_explained({1, 1, 1.1}, {none, 0.06, 0}, Conflict::stop_against_delta_max,
                   {"stop", "delta_max is 0.06", "0.0625"});

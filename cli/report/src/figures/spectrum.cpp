@@ -124,10 +124,13 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
       most = std::max(most, highest(curve.strokes));
     }
     constexpr double above_most = 1.08;
-    figure.y = {kind.label, 0, most > 0 ? above_most * most : 1};
+    constexpr double below_zero = -0.02;  // so that a line at 0 is seen whole
+    most = most > 0 ? above_most * most : 1;
+    figure.y = {kind.label, below_zero * most, most};
     if (chosen) {
       const double at = period(*chosen);
-      FigureCurve line{"period of the design", {{{at, 0}, {at, figure.y.most}}}, Ink::green};
+      FigureCurve line{
+          "period of the design", {{{at, figure.y.least}, {at, figure.y.most}}}, Ink::green};
       line.dash = figures::Dash::dotted;
       line.hover = false;
       figure.curves.push_back(std::move(line));
@@ -135,8 +138,8 @@ std::vector<Figure> spectrum_figures(const design::Spectrum& spectrum, const Fig
     figure.description = format(
         "The {} over the period from {:.4g} to {:.4g}, with the notch and without, f and Δ fixed.",
         kind.name, shortest, longest);
-    figure.caption =
-        format("The {} over the period, with the same f and Δ at every period.", kind.name);
+    figure.caption = format("The {} over the period, with the same {} at every period.", kind.name,
+                            spectrum.request.delta > 0 ? "f and Δ" : "f");
     all.push_back(std::move(figure));
   }
   all.back().caption.back() = ';';

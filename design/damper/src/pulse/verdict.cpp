@@ -84,7 +84,7 @@ std::string reason_of(Conflict conflict, const PulseRegion& region, const PulseP
                       const Limits& limits) {
   const bool even = limits.shape == BoxShape{};
   const std::string box = limits.tolerance > 0 && even
-                              ? fmt::format(", with a tolerance of {:g}", limits.tolerance)
+                              ? fmt::format(", with a tolerance of {:g} %", 100 * limits.tolerance)
                           : limits.tolerance > 0 ? ", with the tolerances asked for"
                                                  : "";
   const PulseRegion amplitude(region.profile(), problem, {});

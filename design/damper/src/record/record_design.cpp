@@ -116,7 +116,8 @@ double between_minus_one_and_one(std::mt19937_64& random) {
 }
 
 Sensitivity sensitivity(const Suite& suite, const RecordDesignRequest& request,
-                        const SuiteDamper& damper) {
+                        const SuitePoint& chosen) {
+  const SuiteDamper& damper = chosen.damper;
   std::mt19937_64 random(sampling_seed);
   std::vector<std::pair<double, double>> places{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
   for (int i = 0; i < random_samples; ++i) {
@@ -125,6 +126,7 @@ Sensitivity sensitivity(const Suite& suite, const RecordDesignRequest& request,
   }
   Sensitivity result;
   result.tolerance = request.tolerance;
+  result.worst = chosen.figures;
   for (const auto& [f, delta] : places) {
     const SuiteFigures there = suite.figures({damper.p, damper.f * (1 + request.tolerance * f),
                                               damper.delta * (1 + request.tolerance * delta)});
@@ -239,7 +241,7 @@ RecordDesign design(const RecordDesignRequest& request, const std::vector<SuiteF
   result.search.wall_time_s = seconds_now() - begun;
   if (feasible) {
     RecordFinding finding{found.point, suite.responses(found.point.damper), {}, {}};
-    finding.sensitivity = sensitivity(suite, task, found.point.damper);
+    finding.sensitivity = sensitivity(suite, task, found.point);
     finding.check = check(suite, found.point.damper, finding.responses);
     result.finding = std::move(finding);
   }

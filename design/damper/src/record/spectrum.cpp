@@ -80,11 +80,23 @@ SpectrumFigures combined(const std::vector<std::vector<SpectrumPoint>>& records,
   return all;
 }
 
-std::size_t count_lower(const std::vector<SpectrumPoint>& points,
-                        double (*value)(const SpectrumFigures&)) {
-  return static_cast<std::size_t>(std::ranges::count_if(points, [&](const SpectrumPoint& point) {
-    return value(point.with_notch) < value(point.without);
-  }));
+using Value = double (*)(const SpectrumFigures&);
+
+double transmitted(const SpectrumFigures& one) {
+  return one.acceleration;
+}
+
+/// At how many of the periods `first` has less than `second`.
+std::string periods_with_less(const std::vector<SpectrumPoint>& points, Value value,
+                              SpectrumFigures SpectrumPoint::*first,
+                              SpectrumFigures SpectrumPoint::*second) {
+  const auto all = static_cast<std::ptrdiff_t>(points.size());
+  const auto less = std::ranges::count_if(points, [&](const SpectrumPoint& point) {
+    return value(point.*first) < value(point.*second);
+  });
+  return less == 0     ? "at no period"
+         : less == all ? "at every period"
+                       : fmt::format("at {} of {} periods", less, all);
 }
 
 }  // namespace
@@ -133,22 +145,24 @@ std::string summary(const Spectrum& spectrum) {
   if (task.delta == 0) {
     return "Delta is 0, so there is no notch to compare with.";
   }
-  const auto count = [&](double (*value)(const SpectrumFigures&)) {
-    const std::size_t lower = count_lower(points, value);
-    return lower == 0               ? std::string("at no period")
-           : lower == points.size() ? std::string("at every period")
-                                    : fmt::format("at {} of {} periods", lower, points.size());
+  const auto lowered = [&](Value value) {
+    return periods_with_less(points, value, &SpectrumPoint::with_notch, &SpectrumPoint::without);
   };
   const bool largest = *task.combine == Combine::max;
   const std::string of =
       task.records.size() == 1
           ? std::string("under the record")
           : fmt::format("({} of {} records)", largest ? "largest" : "mean", task.records.size());
-  return fmt::format(
+  std::string text = fmt::format(
       "The notch lowers the residual {} {}, the transmitted acceleration {}, the peak {}.", of,
-      count([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
-      count([](const SpectrumFigures& one) { return one.acceleration; }),
-      count([](const SpectrumFigures& one) { return one.peak; }));
+      lowered([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
+      lowered(transmitted), lowered([](const SpectrumFigures& one) { return one.peak; }));
+  const std::string raised =
+      periods_with_less(points, transmitted, &SpectrumPoint::without, &SpectrumPoint::with_notch);
+  if (raised != "at no period") {
+    text += fmt::format(" It raises the transmitted acceleration {}.", raised);
+  }
+  return text;
 }
 
 }  // namespace stillpoint::design

@@ -84,8 +84,9 @@ std::string too_fast(const Problem& problem, const Limits& limits, const ReasonU
 
 std::string reason(const Region& region, const Problem& problem, const Limits& limits,
                    const ReasonUnits& units) {
-  const std::string box =
-      limits.tolerance > 0 ? fmt::format(", with a tolerance of {:g}", limits.tolerance) : "";
+  const std::string box = limits.tolerance > 0
+                              ? fmt::format(", with a tolerance of {:g} %", 100 * limits.tolerance)
+                              : "";
   switch (region.conflict) {
     case Conflict::none:
       break;

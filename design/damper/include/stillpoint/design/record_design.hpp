@@ -29,7 +29,7 @@ struct Sensitivity {
   double tolerance{0};
   std::int64_t samples{0};
   std::int64_t admissible{0};  ///< of the samples
-  SuiteFigures worst;          ///< the largest of each figure; settled if all are
+  SuiteFigures worst;  ///< the largest of each figure, of the damper itself too; settled if all are
 };
 
 /// One record by another integrator, and its distance from the kernel.
