@@ -258,11 +258,12 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
       several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
               : plane_words(region, span, units);
   figure.caption = admissible.empty() ? "No damper is admissible: the forbidden sides meet."
-                   : !region.feasible ? "The clear area is what the requirements leave without a "
-                                        "tolerance; each hatched side says what goes wrong there."
+                   : !region.feasible ? "The area without hatching is what the requirements leave "
+                                        "without a tolerance; each hatched side says what goes "
+                                        "wrong there."
                    : several          ? strips_caption(drawn.problem)
-                                      : "A damper in the clear area is admissible; each hatched "
-                                        "side says what goes wrong there.";
+                                      : "A damper in the area without hatching is admissible; each "
+                                        "hatched side says what goes wrong there.";
   figure.areas = std::move(admissible);
   if (several) {
     add_limits(figure, drawn, units);

@@ -146,12 +146,12 @@ std::string summary(const Spectrum& spectrum) {
                                     : fmt::format("at {} of {} periods", lower, points.size());
   };
   const bool largest = *task.combine == Combine::max;
-  const std::string of =
-      task.records.size() == 1
-          ? std::string("under the record")
-          : fmt::format("({} of {} records)", largest ? "largest" : "mean", task.records.size());
+  const std::string of = task.records.size() == 1
+                             ? std::string("Under the record")
+                             : fmt::format("Taking the {} of {} records",
+                                           largest ? "largest" : "mean", task.records.size());
   return fmt::format(
-      "The notch lowers the residual {} {}, the transmitted acceleration {}, the peak {}.", of,
+      "{}, the notch lowers the residual {}, the transmitted acceleration {}, and the peak {}.", of,
       count([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
       count([](const SpectrumFigures& one) { return one.acceleration; }),
       count([](const SpectrumFigures& one) { return one.peak; }));
