@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <variant>
 
 namespace stillpoint::report {
@@ -57,10 +59,18 @@ void add_surface(Section& section, const SimulationRequest& request, const Physi
   if (surface.notch_width) {
     const double half = *surface.notch_width / 2;
     section.row("notch", format("friction {:.6g} for |x| < {}", f + delta / *surface.notch_width,
-                                length_text(physical, half)));
+                                length_shown(physical, half)));
   }
+  std::optional<double> from;
   for (const FrictionZone& zone : surface.zones) {
-    section.row("friction", format("{:.6g} for |x| < {}", zone.f, length_text(physical, zone.to)));
+    const std::string to = length_shown(physical, zone.to);
+    section.row(from ? "" : "friction", from ? format("{:.6g} for |x| from {} to {}", zone.f,
+                                                      length_shown(physical, *from), to)
+                                             : format("{:.6g} for |x| < {}", zone.f, to));
+    from = zone.to;
+  }
+  if (from) {
+    section.row("", format("f = {:.6g} beyond", f));
   }
 }
 
@@ -172,7 +182,7 @@ Section& add_region(Document& document, const design::Region& region, const Phys
     section.row("acceleration", format("f <= f4 = {:.6g}{}", *region.f4,
                                        *region.f4 < 0 ? "  (no f is small enough)" : ""));
   }
-  section.row("dead zone", format("f <  f1 = {:.6g}", region.f1));
+  section.row("dead zone", format("f < f1 = {:.6g}", region.f1));
   section.row("start",
               format("delta <= delta2 = {}", length_text(physical, region.delta2.value())));
   section.row("smallest beta", length_text(physical, region.beta_min));
@@ -188,19 +198,31 @@ bool stops_by_delta1(std::span<const design::Constraint> constraints) {
   });
 }
 
+namespace {
+
+std::pair<double, std::string> unit_of(std::string_view variable, const FigureUnits& units) {
+  if (variable == "delta" || variable == "peak") {
+    return {units.length, units.length_unit};
+  }
+  if (variable == "v0") {
+    return {units.velocity, units.velocity_unit};
+  }
+  return {1, variable == "acceleration" ? "g" : ""};
+}
+
+}  // namespace
+
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical) {
   const FigureUnits units(physical);
   const bool all_met = std::ranges::all_of(constraints, &design::Constraint::satisfied);
   Table table{{"", "", "value", "", "limit", "slack", ""}, {}};
   for (const design::Constraint& now : constraints) {
-    const bool length = (now.variable == "delta" || now.variable == "peak") && physical;
-    const double unit = length ? units.length : 1;
+    const auto [unit, unit_name] = unit_of(now.variable, units);
     table.rows.push_back(
-        {{std::string(now.name),
-          std::string(now.variable) + (length ? ", " + units.length_unit : ""),
-          digits(now.value * unit), std::string(now.relation), digits(now.limit * unit),
-          digits(now.slack * unit), now.satisfied ? "met" : "violated"},
+        {{std::string(now.name), in(std::string(now.variable), unit_name), digits(now.value * unit),
+          std::string(now.relation), digits(now.limit * unit), digits(now.slack * unit),
+          now.satisfied ? "met" : "violated"},
          now.satisfied ? Tone::good : Tone::bad});
   }
   Section& section = all_met ? document.detail("Constraints") : document.section("Constraints");

@@ -39,7 +39,8 @@ Section& add_pulse_region(Document& document, const design::RegionVerdict& verdi
   }
   const bool up_to_k = region.beta_min == 0;
   section.row("return", format("f {} {:.6g}", up_to_k ? "<" : "<=", region.f3));
-  section.row("start", "f below the peak load; nothing bounds delta, the mass starts from rest");
+  section.row("start",
+              "f below the peak load; nothing bounds delta, since the mass starts from rest");
   section.row("smallest beta", up_to_k ? "none: with f just below the peak load it hardly moves"
                                        : length_text(physical, region.beta_min));
   for (const auto& [low, high] : verdict.intervals.value()) {

@@ -210,6 +210,12 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
+  const Arguments soft("design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077");
+  check_contains(run(joined(soft, "--delta-max 0.005 --acceleration-max 0.12 --verbose")).out,
+                 {" (EN 15129 asks for 0.25)\n", " (EN 1998-2)\n", "acceleration, g  "});
+}
+
 BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
   const Arguments bad(
       "design --pulse rectangle --k 0.5 --lambda 3 --p 1 --beta 0.6 --objective amplitude");

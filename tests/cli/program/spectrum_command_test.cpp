@@ -156,7 +156,7 @@ BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {
 
 BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   const ProgramRun answer = succeed(joined(asked, "--html p.html --svg figures"));
-  BOOST_TEST(contains(answer.out, "The notch lowers the residual"), answer.out);
+  BOOST_TEST(contains(answer.out, "Under the record, the notch lowers the residual"), answer.out);
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);
   const std::string page = read("p.html");
   for (const char* const head : {"period, s", "acceleration, g", "acceleration without", "peak, mm",

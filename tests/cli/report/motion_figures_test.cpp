@@ -180,7 +180,8 @@ BOOST_AUTO_TEST_CASE(a_short_motion_under_a_long_load_is_drawn_finely) {
 }
 
 BOOST_AUTO_TEST_CASE(the_phase_portrait_speaks_of_a_notch_where_one_acts_alone) {
-  BOOST_TEST(contains(figure(isolator(), "phase").caption, "the notch takes its energy"));
+  BOOST_TEST(contains(figure(isolator(), "phase").caption,
+                      "the velocity jumps because the notch takes energy"));
   BOOST_TEST(!contains(figure(motion({1, 0.1, 0}), "phase").caption, "notch"));
 }
 

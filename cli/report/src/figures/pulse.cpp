@@ -148,11 +148,12 @@ Figure pulse_region_figure(const DrawnPulseRegion& drawn, const FigureUnits& uni
       "The plane of f and Δ under the pulse. The mass returns up to f = {:.4g}; every Δ "
       "above the curve stops it there. ",
       drawn.region.f3);
-  figure.caption = drawn.intervals.empty() ? "No f returns and meets the limits."
-                   : drawn.limits.delta_max
-                       ? "A damper in the clear area is admissible."
-                       : "A damper in the clear area is admissible: nothing bounds Δ from "
-                         "above, because the mass starts from rest.";
+  figure.caption =
+      drawn.intervals.empty() ? "No f returns and meets the limits."
+      : drawn.limits.delta_max
+          ? "A damper in the area without hatching is admissible."
+          : "A damper in the area without hatching is admissible: nothing bounds Δ from "
+            "above, because the mass starts from rest.";
   add_pulse_areas(figure, drawn, least_delta, units);
   figure.curves.push_back(std::move(curve));
   if (drawn.damper) {

@@ -220,11 +220,12 @@ std::size_t worst_record(const design::RecordDesign& result) {
   return static_cast<std::size_t>(std::ranges::max_element(all, {}, value) - all.begin());
 }
 
-/// The worst one large with its load, then all small; a single one only large.
+/// The worst one large with its load, then the others small.
 void add_records(std::vector<Figure>& figures, const design::RecordDesign& result,
                  const FigureUnits& units) {
   const std::size_t count = result.request.records.size();
-  DrawnRecord worst = drawn_record(result, worst_record(result), units);
+  const std::size_t worst_one = worst_record(result);
+  DrawnRecord worst = drawn_record(result, worst_one, units);
   if (count > 1) {
     worst.motion.id = "worst";
     worst.motion.title = "The worst record: " + worst.motion.title;
@@ -233,9 +234,11 @@ void add_records(std::vector<Figure>& figures, const design::RecordDesign& resul
   figures.push_back(std::move(worst.motion));
   figures.push_back(std::move(worst.load));
   constexpr double small = 130;
-  for (std::size_t i = 0; i < std::min(most_drawn_records, count) && count > 1; ++i) {
-    figures.push_back(drawn_record(result, i, units).motion);
-    figures.back().height = small;
+  for (std::size_t i = 0; i < std::min(most_drawn_records, count); ++i) {
+    if (i != worst_one) {
+      figures.push_back(drawn_record(result, i, units).motion);
+      figures.back().height = small;
+    }
   }
 }
 

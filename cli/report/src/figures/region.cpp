@@ -201,9 +201,10 @@ Figure region_figure(const DrawnRegion& drawn, const FigureUnits& units) {
       several ? "The plane of f and Δ with the strip of each arrival at which the mass may rest. "
               : plane_words(region, units);
   figure.caption = admissible.empty() ? "No damper is admissible: the forbidden sides meet."
-                   : !region.feasible ? "The clear area is what the requirements leave without a "
-                                        "tolerance; each hatched side says what goes wrong there."
-                                      : admissible_caption(drawn.problem);
+                   : !region.feasible
+                       ? "The area without hatching is what the requirements leave without a "
+                         "tolerance; each hatched side says what goes wrong there."
+                       : admissible_caption(drawn.problem);
   figure.areas = std::move(admissible);
   add_sides(figure, drawn, units);
   if (!several) {

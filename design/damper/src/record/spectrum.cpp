@@ -149,12 +149,12 @@ std::string summary(const Spectrum& spectrum) {
     return periods_with_less(points, value, &SpectrumPoint::with_notch, &SpectrumPoint::without);
   };
   const bool largest = *task.combine == Combine::max;
-  const std::string of =
-      task.records.size() == 1
-          ? std::string("under the record")
-          : fmt::format("({} of {} records)", largest ? "largest" : "mean", task.records.size());
+  const std::string of = task.records.size() == 1
+                             ? std::string("Under the record")
+                             : fmt::format("Taking the {} of {} records",
+                                           largest ? "largest" : "mean", task.records.size());
   std::string text = fmt::format(
-      "The notch lowers the residual {} {}, the transmitted acceleration {}, the peak {}.", of,
+      "{}, the notch lowers the residual {}, the transmitted acceleration {}, and the peak {}.", of,
       lowered([](const SpectrumFigures& one) { return one.residual.value_or(HUGE_VAL); }),
       lowered(transmitted), lowered([](const SpectrumFigures& one) { return one.peak; }));
   const std::string raised =
