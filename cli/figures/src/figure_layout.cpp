@@ -61,8 +61,8 @@ Layout::Layout(const Figure& figure, double at_least)
       left(std::max(at_least, plot_left(figure))),
       bottom(upper + figure.height),
       axis_words(figure.x.label.empty() ? 6 : 44) {
-  // A single value does not show the scale.
-  for (int wanted = 4; y.values.size() < 2 && wanted <= 6; ++wanted) {
+  // Two values do not show what lies between them.
+  for (int wanted = 4; y.values.size() < 3 && wanted <= 6; ++wanted) {
     y = labelled(figure.y, wanted);
   }
   for (const int wanted : {6, 4, 3, 2}) {

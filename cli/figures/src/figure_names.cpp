@@ -140,19 +140,21 @@ class Places {
                        : box_around(centre, width, text_height));
   }
 
-  /// Beside, above or below one of the points: near it, rather than clear of every line.
+  /// Beside, above or below one of the points: clear of lines if that is not much farther, which
+  /// matters less for the name of a line than for words about a point.
   void near(const std::string& text, const std::vector<FigurePoint>& points) {
-    constexpr double farther = 0.5;  // pixels against cells covered
+    const double farther = points.size() > 1 ? 0.2 : 0.5;  // pixels against cells covered
     const double width = text_width(text);
     Best best;
     for (double gap = 7; gap < 60; gap += 9) {
       for (const FigurePoint& point : points) {
-        for (const double right : {1, 0, -1}) {
-          for (const double down : {-1, 1, 0}) {
+        for (const double right : {1.0, 0.0, -1.0, 0.5, -0.5}) {
+          for (const double down : {-1.0, 1.0, 0.0}) {
             const FigurePoint centre{point.x + right * (width / 2 + gap),
                                      point.y + down * (text_height / 2 + gap)};
             const Box box = box_around(centre, width, text_height);
-            if ((right != 0 || down != 0) && is_free(box)) {
+            const bool beside = down != 0 || std::abs(right) == 1;
+            if (beside && is_free(box)) {
               best.offer(ink_.set_in(box) + farther * gap, centre);
             }
           }
@@ -164,20 +166,30 @@ class Places {
     }
   }
 
-  /// Within the set cells, as far from their edge as may be; false without room.
+  /// Within the set cells: clear of every line if it can be, then level, then as far from their
+  /// edge as may be; false without room.
   bool within(const std::string& text, const Raster& inside) {
     if (text.empty() || found_.named.contains(text)) {
       return false;
     }
     const double width = text_width(text);
-    for (const bool upright : {false, true}) {
-      const double w = upright ? text_height : width;
-      const double h = upright ? width : text_height;
-      const std::vector<FigurePoint> places = free_places(inside, w, h);
-      for (const double margin : {40.0, 20.0, 10.0, 3.0, 0.0}) {
-        if (const auto centre = fit(places, inside, w, h, margin)) {
-          put(text, *centre, upright);
-          return true;
+    for (const bool clear : {true, false}) {
+      for (const bool upright : {false, true}) {
+        if (upright && width < 2 * text_height) {
+          continue;  // a single number is read level
+        }
+        const double w = upright ? text_height : width;
+        const double h = upright ? width : text_height;
+        std::vector<FigurePoint> places = free_places(inside, w, h);
+        if (clear) {
+          std::erase_if(
+              places, [&](const FigurePoint& at) { return ink_.set_in(box_around(at, w, h)) > 0; });
+        }
+        for (const double margin : {40.0, 20.0, 10.0, 3.0, 0.0}) {
+          if (const auto centre = fit(places, inside, w, h, margin)) {
+            put(text, *centre, upright);
+            return true;
+          }
         }
       }
     }

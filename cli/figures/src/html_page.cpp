@@ -25,7 +25,7 @@ figcaption{font-size:14px;margin:2px 8px 0 14px}
 .readout button{font:inherit;margin-left:8px}
 tr{break-inside:avoid}
 .wide{overflow-x:auto;break-inside:avoid}
-tr.violated td{background:#fbe3e1}
+tr.violated{background:#fbe3e1}
 summary{cursor:pointer;font-weight:bold;margin-top:24px}
 @media screen and (max-width:520px){body{padding:8px}pre{white-space:pre-wrap;overflow-wrap:anywhere}.rows td{min-width:0}td,th{padding:3px 4px 3px 0;overflow-wrap:anywhere}.columns,.columns tr,.columns tbody{display:block}.columns tr{border-bottom:1px solid #999;padding:4px 0}.columns th{display:none}.columns td{display:inline-block;border:0;margin-right:10px;white-space:normal}.columns td[data-head]::before{content:attr(data-head) " ";opacity:.8}.columns td:empty{display:none}}
 table{border-collapse:collapse;font-size:14px}td,th{padding:3px 10px;border-bottom:1px solid #ccc;text-align:left;white-space:nowrap}
@@ -36,7 +36,7 @@ footer{margin-top:24px;font-size:13px;color:#666}
 )";
 
 constexpr std::string_view dark_page_style = R"(
-body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}tr.violated td{background:#45221f}footer{color:#aaa}
+body{color:#ddd;background:#14181d}td,th{border-color:#444}.rows th,.faint{color:#aaa}.good{color:#4fd0a4}.bad{color:#ff8a80}pre{background:#1d232a}tr.violated{background:#45221f}footer{color:#aaa}
 )";
 
 /// Short sections stand in pairs, so that a short page is one sheet and no section is alone on one.

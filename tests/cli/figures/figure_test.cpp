@@ -7,6 +7,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -162,13 +164,15 @@ BOOST_AUTO_TEST_CASE(labels_keep_clear_of_each_other_at_the_corner) {
 }
 
 // Of the range of a low figure, +-0.35 by halves would be 0 alone.
-BOOST_AUTO_TEST_CASE(a_low_figure_has_at_least_two_values_beside_it) {
+BOOST_AUTO_TEST_CASE(a_low_figure_has_at_least_three_values_beside_it) {
   Figure figure = one_of_everything();
   figure.height = 160;
   figure.y = {"W", -0.37, 0.31};
   const std::string text = svg(figure, Frame::in_page);
   BOOST_TEST(contains(text, ">-0.2</text>"));
   BOOST_TEST(contains(text, ">0.2</text>"));
+  figure.y = {"acceleration, g", 0, 0.65};  // by halves only 0 and 0.5
+  BOOST_TEST(contains(svg(figure, Frame::in_page), ">0.4</text>"));
 }
 
 BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
@@ -182,6 +186,36 @@ BOOST_AUTO_TEST_CASE(names_areas_where_there_is_room) {
   BOOST_TEST(text.find(">roomy</text>") < plot_ends);
   BOOST_TEST(text.find(">roomy</text>") == text.rfind(">roomy</text>"));  // not in the legend
   BOOST_TEST(text.find(">too narrow</text>") > plot_ends);
+}
+
+// The line in the middle of the area, at pixel 185, has "word" beside it: 29 pixels wide, 14 high.
+BOOST_AUTO_TEST_CASE(names_keep_clear_of_lines_if_they_can) {
+  Figure figure = one_of_everything();
+  figure.map = {};
+  figure.bands = {};
+  figure.marks = {};
+  figure.notes = {};
+  figure.areas = {{"word", {{4, -5}, {6, -5}, {6, 5}, {4, 5}}, Ink::sky}};
+  figure.curves = {{"line", {{{5, -5}, {5, 5}}}, Ink::blue, Dash::dashed}};
+  const std::string text = svg(figure, Frame::in_page);
+  const std::string before = "<g class=\"pin\" transform=\"translate(";
+  const std::size_t note = text.find(">word</text>");
+  const std::size_t pin = text.rfind(before, note);
+  BOOST_TEST_REQUIRE(note != std::string::npos);
+  BOOST_TEST_REQUIRE(pin != std::string::npos);
+  const double centre = std::stod(text.substr(pin + before.size()));
+  BOOST_TEST(std::abs(centre - 185) > 14.0 / 2, "at " << centre);
+}
+
+// Turned, a digit of 10 by 14 pixels would fit a row of 12.
+BOOST_AUTO_TEST_CASE(a_number_in_a_map_is_read_level) {
+  Figure figure = one_of_everything();
+  figure.map = {1,         22, std::vector<std::uint8_t>(22, 0), {"#000000", "#ffffff"}, {"a", "b"},
+                {"", "3"}, {}};
+  figure.map.cells[4] = 1;
+  BOOST_TEST(!contains(svg(figure, Frame::in_page), ">3</text>"));
+  figure.map.cells[5] = 1;
+  BOOST_TEST(contains(svg(figure, Frame::in_page), ">3</text>"));
 }
 
 BOOST_AUTO_TEST_CASE(points_to_marks_beyond_the_axes) {
