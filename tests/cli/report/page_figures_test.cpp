@@ -86,6 +86,7 @@ BOOST_AUTO_TEST_CASE(the_mend_of_a_task_in_metres_is_in_the_unit_of_the_figure) 
   const std::string words = "max_displacement must be at least 126.1 mm";
   BOOST_TEST(figure(page, "region").title == "No damper: " + words);
   BOOST_TEST(contains(page.verdict, words), page.verdict);
+  BOOST_TEST(contains(page.verdict, "a peak within 110 mm needs f >= f2"), page.verdict);
   BOOST_TEST(contains(page.report, "at least 126.0442843 mm"), page.report);
 }
 
@@ -203,6 +204,17 @@ BOOST_AUTO_TEST_CASE(neighbouring_strips_differ) {
   check();
 }
 
+/// Every f from 0 on keeps the peak: no strip of f is too weak, not even one too narrow to see.
+BOOST_AUTO_TEST_CASE(a_pulse_that_no_f_is_too_weak_for_has_no_such_side) {
+  design::RegionRequest request;
+  request.problem = {.p = 1, .beta = 0.05};
+  request.pulse = HalfSine{0.5, 20};
+  const HtmlPage drawn = page(RegionReport{request, design::answer(request)});
+  const Figure& region = figure(drawn, "region");
+  BOOST_TEST(has(region.areas, "admissible"));
+  BOOST_TEST(!has(region.areas, "too weak: exceeds 0.05"));
+}
+
 BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
   const auto caption = [](const design::Problem& problem) {
     const design::RegionRequest request{.problem = problem};
@@ -211,8 +223,7 @@ BOOST_AUTO_TEST_CASE(the_strips_say_what_lies_between_and_below_them) {
   BOOST_TEST(
       caption({.v0 = 1, .p = 1, .beta = 0.95, .arrivals = 4}) ==
       "A damper in a strip stops at x = 0 at that arrival, the first in the uppermost strip; "
-      "between the strips it leaves the mass off centre, below them it lets it pass more "
-      "often.");
+      "between the strips the mass rests off centre, below them it passes x = 0 more often.");
   BOOST_TEST(contains(caption({.v0 = 1.1, .p = 1, .beta = 2, .v0_low = 0.9}),
                       "for every hit and spring in the ranges; outside"));
   const design::RegionRequest only{.problem = {.v0 = 1.1, .p = 1, .beta = 0.95, .v0_low = 0.9}};

@@ -69,8 +69,13 @@ void add_delta1(Figure& figure, const ProblemAt& at, double last, double unit) {
       exact.strokes[0].push_back({f, *bound * unit});
     }
   }
-  figure.curves.push_back(std::move(published));
-  figure.curves.push_back(std::move(exact));
+  for (FigureCurve* const curve : {&published, &exact}) {
+    if (std::ranges::any_of(curve->strokes[0], [&](const FigurePoint& point) {
+          return figure.y.least <= point.y && point.y <= figure.y.most;
+        })) {
+      figure.curves.push_back(std::move(*curve));
+    }
+  }
 }
 
 /// From 0, but closer if the interesting part would be small.
@@ -155,10 +160,9 @@ std::string strips_caption(const Problem& problem) {
         order);
   }
   return format("A damper in a strip {} at that arrival{}; {}.", end, order,
-                problem.residual
-                    ? "outside the strips it rests too far off centre, or later"
-                    : "between the strips it leaves the mass off centre, below them it "
-                      "lets it pass more often");
+                problem.residual ? "outside the strips it rests too far off centre, or later"
+                                 : "between the strips the mass rests off centre, below them it "
+                                   "passes x = 0 more often");
 }
 
 /// "±34.2 %", or "-10 to +20 %" where the sides differ.
