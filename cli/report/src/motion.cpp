@@ -17,9 +17,10 @@ namespace {
 std::string_view last_words(const Simulation& answer) {
   const Outcome outcome = answer.response.outcome;
   if (outcome == Outcome::stopped_in_dead_zone || outcome == Outcome::stopped_in_notch) {
-    return "rests";
+    return "none: it rests";
   }
-  return answer.forced && answer.forced->final_velocity == 0 ? "is held" : "goes on";
+  return answer.forced && answer.forced->final_velocity == 0 ? "none: it is held"
+                                                             : "none: it goes on";
 }
 
 /// The first dozen.

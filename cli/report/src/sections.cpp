@@ -177,7 +177,10 @@ Section& add_region(Document& document, const design::Region& region, const Phys
   Section& section = document.detail("Bounds");
   section.row("amplitude",
               format("f >= f2 = {:.6g}{}", region.f2, region.f2 <= 0 ? "  (does not bind)" : ""));
-  section.row("return", format("f <= f3 = {:.6g}", region.f3));
+  section.row(
+      "return",
+      format("f <= f3 = {:.6g}{}", region.f3,
+             region.feasible && *region.f_upper > region.f3 ? "  (the residual allows more)" : ""));
   if (region.f4) {
     section.row("acceleration", format("f <= f4 = {:.6g}{}", *region.f4,
                                        *region.f4 < 0 ? "  (no f is small enough)" : ""));
@@ -240,7 +243,7 @@ std::string outcome_phrase(Outcome outcome) {
     case Outcome::never_stops:
       return "never stops: there is no friction";
     case Outcome::caught_at_start:
-      return "never starts: v0^2 < 2 delta, the notch holds it";
+      return "never starts: the hit is too weak to leave the notch (v0^2 < 2 delta)";
     case Outcome::running:
       return "is still moving at the end of the run";
   }
@@ -255,6 +258,12 @@ std::string outcome_phrase(const ForcedResponse& response) {
 
 namespace {
 
+/// "0.104242 = 0.4556 m/s".
+std::string velocity_text(const Physical& physical, double velocity) {
+  return digits(velocity) +
+         (physical ? " = " + FigureUnits(physical).velocity_words(velocity) : "");
+}
+
 std::string acceleration_text(const Physical& physical, double acceleration) {
   return physical ? format("{:.6g} g = {:.5g} m/s2", acceleration,
                            acceleration * physical->scales.gravity_m_per_s2)
@@ -267,10 +276,8 @@ void add_metrics(Section& section, const Response& response, const Physical& phy
     section.row("stop position", length_text(physical, *response.stop_position));
   }
   if (response.arrival_speed) {
-    const std::string metric =
-        physical ? " = " + FigureUnits(physical).velocity_words(*response.arrival_speed) : "";
     section.row("arrival speed",
-                format("{:.6g}{}, the last at x = 0", *response.arrival_speed, metric));
+                velocity_text(physical, *response.arrival_speed) + ", the last at x = 0");
   }
   if (response.half_cycles) {
     section.row("counts", format("{}, {}, {}", plural(response.half_cycles, "half-cycle"),
@@ -309,13 +316,14 @@ void add_response(Section& section, const ForcedResponse& response, const Physic
   add_metrics(section, response, physical);
   add_margin(section, response, "the closest decision was this far from the other outcome");
   if (response.sticks > 0) {
-    section.row("sticks", format("{}, {} in all", plural(response.sticks, "stick"),
+    section.row("sticks", format("{}, tau = {} in all", plural(response.sticks, "stick"),
                                  time_text(physical, response.stick_time)));
   }
   if (response.end_time && response.outcome == Outcome::running) {
     section.row("at the end",
-                format("tau = {}, x = {}, v = {:.6g}", time_text(physical, *response.end_time),
-                       length_text(physical, *response.final_position), *response.final_velocity));
+                format("tau = {}, x = {}, v = {}", time_text(physical, *response.end_time),
+                       length_text(physical, *response.final_position),
+                       velocity_text(physical, *response.final_velocity)));
   }
   if (response.left_notch_from_rest) {
     section.row("note",

@@ -89,6 +89,7 @@ BOOST_AUTO_TEST_CASE(the_mend_of_a_task_in_metres_is_in_the_unit_of_the_figure) 
   const std::string words = "max_displacement must be at least 126.1 mm";
   BOOST_TEST(figure(page, "region").title == "No damper: " + words);
   BOOST_TEST(contains(page.verdict, words), page.verdict);
+  BOOST_TEST(contains(page.verdict, "a peak within 110 mm needs f >= f2"), page.verdict);
   BOOST_TEST(contains(page.report, "at least 126.0442843 mm"), page.report);
 }
 
@@ -243,6 +244,17 @@ BOOST_AUTO_TEST_CASE(neighbouring_strips_differ) {
   request.f = 0.005;  // a damper of the third strip
   request.delta = 0.2;
   check();
+}
+
+/// Every f from 0 on keeps the peak: no strip of f is too weak, not even one too narrow to see.
+BOOST_AUTO_TEST_CASE(a_pulse_that_no_f_is_too_weak_for_has_no_such_side) {
+  design::RegionRequest request;
+  request.problem = {.p = 1, .beta = 0.05};
+  request.pulse = HalfSine{0.5, 20};
+  const HtmlPage drawn = page(RegionReport{request, design::answer(request)});
+  const Figure& region = figure(drawn, "region");
+  BOOST_TEST(has(region.areas, "admissible"));
+  BOOST_TEST(!has(region.areas, "too weak: exceeds 0.05"));
 }
 
 BOOST_AUTO_TEST_CASE(the_caption_says_what_a_clear_area_and_a_strip_mean) {

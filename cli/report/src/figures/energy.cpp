@@ -58,7 +58,8 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   for (std::vector<FigurePoint>* const level : {&left, &with_constant, &all}) {
     thin_out(*level);
   }
-  const double end = left.back().x * 1.08;
+  constexpr double seen_at_rest = 1.08;
+  const double end = left.back().x * (motion.rest ? seen_at_rest : 1);
   for (std::vector<FigurePoint>* const level : {&left, &with_constant, &all}) {
     if (motion.rest) {
       level->push_back({end, level->back().y});  // what the last instant took is seen then

@@ -75,7 +75,8 @@ void add_pulse_areas(Figure& figure, const DrawnPulseRegion& drawn, const LeastD
     figure.areas.push_back({"notch too weak",
                             beside_the_curve(least_delta, interval, cap, 0, units.length),
                             Ink::grey, AreaLook::hatched});
-    if (interval.low > from) {
+    constexpr double seen = 1e-3;  // of the axis
+    if (interval.low - from > seen * right) {
       figure.areas.push_back({from == 0
                                   ? "too weak: exceeds " + units.length_words(drawn.problem.beta)
                                   : "does not meet the limits",

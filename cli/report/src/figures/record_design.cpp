@@ -129,7 +129,7 @@ void add_shades(figures::FigureMap& drawn, const ShownValues& shown,
   }
   if (least <= most) {
     drawn.key.push_back(
-        {format("{}: from {}", name(task.objective), words(least)), shades.front()});
+        {format("{}: from {}", quantity(task.objective), words(least)), shades.front()});
     drawn.key.push_back({format("to {}", words(most)), shades.back()});
   }
   drawn.labels.resize(shades.size());  // what is good has its shades
@@ -155,7 +155,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   const ShownValues shown = shown_values(map, task);
   Figure drawn;
   drawn.id = "map";
-  drawn.title = result.finding ? format("The {} over f and Δ", name(task.objective))
+  drawn.title = result.finding ? format("The {} over f and Δ", quantity(task.objective))
                                : shortfall_title(result, units);
   drawn.x = {"constant friction f", task.f->low, task.f->high};
   drawn.y = {units.delta_label, task.delta->low * units.length, task.delta->high * units.length};
@@ -168,7 +168,7 @@ Figure map_figure(const design::RecordDesign& result, const design::SuitePoint& 
   drawn.notes.push_back({what, place});
   drawn.description =
       format("The plane of f and Δ: the {} of the records combined, and where a limit is violated.",
-             name(task.objective));
+             quantity(task.objective));
   drawn.caption =
       shown.least <= shown.most
           ? "Blue meets every limit, the darker the better; what is hatched violates one."

@@ -38,8 +38,13 @@ void add_delta1(Figure& figure, const Problem& problem, double last, double unit
       exact.strokes[0].push_back({f, *bound * unit});
     }
   }
-  figure.curves.push_back(std::move(published));
-  figure.curves.push_back(std::move(exact));
+  for (FigureCurve* const curve : {&published, &exact}) {
+    if (std::ranges::any_of(curve->strokes[0], [&](const FigurePoint& point) {
+          return figure.y.least <= point.y && point.y <= figure.y.most;
+        })) {
+      figure.curves.push_back(std::move(*curve));
+    }
+  }
 }
 
 /// From 0, but closer if the interesting part would be small.
