@@ -109,7 +109,7 @@ class Sides {
       widest = 0;
     };
     for (const RegionColumn& column : columns) {
-      const std::optional<design::DeltaRange> span = span_of(column);
+      const std::optional<design::Interval> span = span_of(column);
       if (!span) {
         finish();
         continue;
@@ -128,7 +128,7 @@ class Sides {
     if (!(from < to)) {
       return;
     }
-    using design::DeltaRange;
+    using design::Interval;
     std::vector<double> grid(edge_steps + 1);
     for (int i = 0; i <= edge_steps; ++i) {
       grid[static_cast<std::size_t>(i)] = from + (to - from) * i / edge_steps;
@@ -137,18 +137,18 @@ class Sides {
     const double start = drawn_.region.delta2.value();
     const double top = std::min(start, drawn_.limits.delta_max.value_or(HUGE_VAL));
     spans("notch too weak", over_f, [&](const RegionColumn& at) {
-      return std::optional(DeltaRange{0, std::min(at.stop, top)});
+      return std::optional(Interval{0, std::min(at.stop, top)});
     });
     spans(
         "above the largest Δ", over_f,
         [&](const RegionColumn& at) {
-          return std::optional(DeltaRange{std::max(at.stop, top), start});
+          return std::optional(Interval{std::max(at.stop, top), start});
         },
         Ink::amber);
     spans(
         "gap: no notch is strong enough", over_f,
         [&](const RegionColumn& at) {
-          return std::optional(DeltaRange{top, std::min(at.stop, start)});
+          return std::optional(Interval{top, std::min(at.stop, start)});
         },
         Ink::orange, AreaLook::filled);
     const bool ranges = drawn_.problem.v0_low || drawn_.problem.p_high;

@@ -103,8 +103,7 @@ class Strips {
     double high;
   };
 
-  [[nodiscard]] std::optional<design::DeltaRange> range_at(const DrawnStrip& strip,
-                                                           double f) const {
+  [[nodiscard]] std::optional<design::Interval> range_at(const DrawnStrip& strip, double f) const {
     auto range = design::delta_range(drawn_.problem, strip.first, f);
     if (range && strip.with_later) {
       range->low = design::least_stopping_delta(drawn_.problem, f);
