@@ -22,10 +22,10 @@ enum class FirstLegEnd {
 
 template <class Real>
 struct FirstLeg {
-  FirstLegEnd end;
-  int side;              ///< sign of x on this leg
-  Real distance;         ///< p |x0|
-  Real speed;            ///< |v0|
+  FirstLegEnd end{FirstLegEnd::no_motion};
+  int side{1};           ///< sign of x on this leg
+  Real distance{0};      ///< p |x0|
+  Real speed{0};         ///< |v0|
   Real radius{0};        ///< of the leg's arc
   Real farthest{0};      ///< largest p |x| on the leg; for `peak` the peak
   Real energy{0};        ///< for `arrival`: v^2 at x = 0; for `peak`: v^2 at x = 0 on the same arc

@@ -142,7 +142,7 @@ Choice choose_under_pulse(const PulseRequest& request, std::span<const Part> par
       without_finding(request, region,
                       most_tolerant ? std::optional(most_tolerant->island) : std::nullopt),
       best_first(std::move(rated), [&](const RatedPart& now) {
-        return cost_under_pulse(region, options.objective, now);
+        return cost_under_pulse(region, request.search.objective, now);
       })};
   const RatedPart& best = choice.parts.front();
   if (best.admissible) {
