@@ -65,7 +65,7 @@ Visit visit(const cli_test::Sandbox& sandbox, const std::string& file,
                                     "--disable-dev-shm-usage",
                                     "--enable-logging=stderr",
                                     "--user-data-dir=" + sandbox.path("profile").string()};
-  std::vector<std::string> words = cli_test::joined(command, options);
+  std::vector<std::string> words = command + options;
   words.push_back("file://" + sandbox.path(file).string());
   Visit result;
   result.exit_code =

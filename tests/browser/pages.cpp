@@ -17,7 +17,6 @@ namespace stillpoint::browser_test {
 namespace {
 
 using cli_test::Arguments;
-using cli_test::joined;
 using nlohmann::json;
 
 struct Wanted {
@@ -124,8 +123,8 @@ json look_at_all(Scheme scheme) {
 
 Pages::Pages() {
   for (const Wanted& page : wanted()) {
-    const auto run =
-        sandbox.run(joined(page.arguments, {"--json", "--html", std::string(page.name) + ".html"}));
+    const auto run = sandbox.run(page.arguments +
+                                 Arguments{"--json", "--html", std::string(page.name) + ".html"});
     BOOST_TEST_REQUIRE(run.exit_code == page.exit_code, run.err);
     reports[page.name] = run.json();
   }

@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
-BOOST_AUTO_TEST_SUITE(accuracy_command_test)
+BOOST_FIXTURE_TEST_SUITE(accuracy_command_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace data = boost::unit_test::data;
 
 const Arguments s1("accuracy --v0 1 --p 1 --f 0.02 --delta 0.02");
 const Arguments s4(
@@ -37,8 +25,6 @@ json method(const json& report, const std::string& name, const std::string& sett
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(accuracy_command, Sandbox)
-
 // data/reference, made without the kernel.
 BOOST_AUTO_TEST_CASE(reference_matches_the_tables) {
   const json free = reported(s1);
@@ -56,8 +42,7 @@ BOOST_AUTO_TEST_CASE(reference_matches_the_tables) {
 
 // H = 0.4^2/9.80665/p^2 with p = 2 pi/2.8 s * 0.4 m/s / g.
 BOOST_AUTO_TEST_CASE(physical_input_has_its_answer_in_metres_too) {
-  const Arguments scene{"accuracy", "--velocity", "0.4",       "--period", "2.8s",
-                        "--f",      "0.02",       "--delta-m", "6mm"};
+  const Arguments scene("accuracy --velocity 0.4 --period 2.8s --f 0.02 --delta-m 6mm");
   const json report = reported(scene);
   const json& physical = report["physical"];
   const double length_m = 0.4 * 2.8 / (2 * std::acos(-1.0));
@@ -112,7 +97,7 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
   const Arguments shaken("accuracy --p 1 --f 0.05 --delta 0.001");
   for (const Arguments& excitation : {Arguments("--excitation half-sine --k 0.5 --lambda 4"),
                                       Arguments("--record w.txt --record-step 0.5")}) {
-    const json report = reported(joined(shaken, excitation));
+    const json report = reported(shaken + excitation);
     BOOST_TEST(method(report, "stillpoint")["counts_right"] == true);
     BOOST_TEST(method(report, "dopri5", "tolerance 1e-12")["counts_right"] == true);
     BOOST_TEST(method(report, "dopri5", "tolerance 1e-12")["end_error"].get<double>() < 1e-9);
@@ -121,12 +106,11 @@ BOOST_AUTO_TEST_CASE(pulse_and_record_are_compared_too) {
 
 BOOST_AUTO_TEST_CASE(real_notches_are_compared_too) {
   const Arguments motion("accuracy --v0 1 --p 1 --f 0.05 --delta 0.05");
-  const json wide = reported(joined(motion, "--notch-width 0.1 --friction-zones 0.3:0.1"));
+  const json wide = reported(motion + "--notch-width 0.1 --friction-zones 0.3:0.1");
   BOOST_TEST(wide["input"]["notch_width"] == 0.1);
   BOOST_TEST(wide["input"]["friction_zones"][0]["f"] == 0.1);
   BOOST_TEST(wide["reference"]["outcome"] == "stopped_in_notch");
-  const json held =
-      reported(joined(motion, "--hold 0.2 --excitation half-sine --k 0.5 --lambda 1"));
+  const json held = reported(motion + "--hold 0.2 --excitation half-sine --k 0.5 --lambda 1");
   BOOST_TEST(held["input"]["hold"] == 0.2);
   for (const json& report : {wide, held}) {
     for (const char* const name : {"stillpoint", "dopri5", "RK4"}) {
@@ -141,8 +125,8 @@ BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
   const Arguments stops(
       "--v0 1 --p 1 --f 0.8 --delta 0 --excitation rectangle --k 0.5 --lambda 0.1");
   for (const Arguments& scene : {held, stops}) {
-    const json report = reported(joined("accuracy", scene));
-    const json simulated = reported(joined("simulate", scene))["response"];
+    const json report = reported("accuracy" + scene);
+    const json simulated = reported("simulate" + scene)["response"];
     BOOST_TEST(report["reference"]["outcome"] == "stopped_in_dead_zone");
     BOOST_TEST(simulated["outcome"] == "stopped_in_dead_zone");
     BOOST_TEST(near(report["reference"]["end_time"], simulated["stop_time"], 1e-15));
@@ -153,9 +137,8 @@ BOOST_AUTO_TEST_CASE(rest_under_a_load_is_final_for_it_as_for_simulate) {
 BOOST_AUTO_TEST_CASE(a_run_of_minutes_is_refused) {
   const json report = reported("accuracy --v0 1 --p 1 --f 1e-4 --delta 1e-4");
   const json fine = method(report, "RK4", "step 0.001");
-  BOOST_TEST(fine["wall_time_s"].is_null());
-  BOOST_TEST(fine["counts_right"].is_null());
-  BOOST_TEST(fine["not_run"] == "too_long");
+  check_values(fine,
+               {{"wall_time_s", nullptr}, {"counts_right", nullptr}, {"not_run", "too_long"}});
   BOOST_TEST(method(report, "stillpoint")["not_run"].is_null());
 }
 
@@ -181,17 +164,14 @@ BOOST_AUTO_TEST_CASE(dopri5_is_as_good_on_a_small_motion) {
   BOOST_TEST(loose["peak_error"].get<double>() < 1e-6);
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
 namespace {
 
 const std::vector<Wrong> wrong_scenes{
     {"accuracy --v0 1 --p 1 --f 0 --delta 0", {"never stops"}},
     {"accuracy --v0 1 --p 1 --f 1e-9 --delta 1e-9", {"half-cycles"}},
-    {joined(Arguments(s4.begin(), s4.end() - 1), "1e9"),
-     {"t-end = 1000000000", "too long for 50 digits"}},
+    {Arguments(s4.begin(), s4.end() - 1) + "1e9", {"t-end = 1000000000", "too long for 50 digits"}},
     {"accuracy --v0 1 --p 1 --delta 0", {"f is missing"}},
-    {joined(s1, "--trajectory t.csv"), {"--trajectory", "not an option of"}},
+    {s1 + "--trajectory t.csv", {"--trajectory", "not an option of"}},
 };
 
 }  // namespace

@@ -1,30 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "report_fields.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <map>
-#include <numbers>
 #include <regex>
-#include <set>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(design_command_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 
 Arguments design(double beta, const Arguments& more = {}) {
-  return joined({"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)}, more);
-}
-
-double number(const json& report, const char* part, const char* field) {
-  return report.at(part).at(field).get<double>();
+  return Arguments{"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)} + more;
 }
 
 const json& constraint(const json& report, const std::string& name) {
@@ -83,8 +69,7 @@ BOOST_AUTO_TEST_CASE(has_every_field_of_the_contract) {
 BOOST_AUTO_TEST_CASE(the_table_of_constraints_is_in_the_units_of_the_task) {
   const Arguments later("--arrivals 2 --f-max 0.01 --verbose");
   const Arguments built("design --velocity 0.4 --period 2.8 --max-displacement 0.2");
-  check_contains(run(joined(built, later)).out,
-                 {"v0, m/s           0.4    <     0.4898", "delta, mm "});
+  check_contains(run(built + later).out, {"v0, m/s           0.4    <     0.4898", "delta, mm "});
 }
 
 /// The best is the limit f -> 0, which nobody builds: the text says so, the JSON has the point.
@@ -97,8 +82,7 @@ BOOST_AUTO_TEST_CASE(next_to_no_friction_is_said_in_words) {
                   "damper            f as small as you can make it, delta = 0.375",
                   "delta may be off by +-33.33 % with next to no f", "with any f up to 0.00621"});
   BOOST_TEST(shown.find("e-09") == std::string::npos, shown);
-  BOOST_TEST(
-      contains(run(joined(design(1.1, task), "--verbose")).out, "E_s/E_h > 1000 (EN 15129)"));
+  BOOST_TEST(contains(run(design(1.1, task) + "--verbose").out, "E_s/E_h > 1000 (EN 15129)"));
   // Delta must be V0^2/2 where there is no friction: Delta1 = Delta2.
   check_contains(
       run(design(1.1, "--objective time")).out,
@@ -155,36 +139,38 @@ BOOST_AUTO_TEST_CASE(echoes_the_input) {
 BOOST_AUTO_TEST_CASE(given_limits_have_rows) {
   const Arguments limits("--f-max 0.3 --delta-max 0.45");
   const json report = reported(design(0.9, limits));
-  const json again = reported(
-      joined({"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f",
-              in_full(report["design"]["f"]), "--delta", in_full(report["design"]["delta"])},
-             limits));
+  const json again = reported(Arguments{"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f",
+                                        in_full(report["design"]["f"]), "--delta",
+                                        in_full(report["design"]["delta"])} +
+                              limits);
   BOOST_TEST(report["constraints"].size() == 7U);
   BOOST_TEST(report["constraints"] == again["constraints"]);
 }
 
 BOOST_AUTO_TEST_CASE(motion_matches_the_closed_forms) {
   const json report = reported(design(0.9));
-  const double f = number(report, "design", "f");
+  const double f = report["design"]["f"];
   const double radius = std::hypot(1, f);
   // x'' = -f - x outwards, f - x inwards, with p = v0 = 1.
-  BOOST_TEST(near(number(report, "response", "peak_amplitude"), radius - f, 1e-14));
-  BOOST_TEST(near(number(report, "response", "peak_acceleration"), radius, 1e-14));
   const double outwards = std::acos(f / radius);
   const double inwards = std::numbers::pi - std::acos(f / (radius - 2 * f));
-  BOOST_TEST(near(number(report, "response", "stop_time"), outwards + inwards, 1e-14));
-  BOOST_TEST(near(number(report, "response", "arrival_speed"),
-                  std::sqrt((radius - f) * (radius - 3 * f)), 1e-13));
-  BOOST_TEST(report["response"]["half_cycles"] == 1);
-  BOOST_TEST(report["response"]["turning_points"] == 1);
-  BOOST_TEST(report["response"]["zero_passages"] == 0);
-  BOOST_TEST(report["response"]["stop_position"] == 0);
-  BOOST_TEST(report["response"]["stops_at_zero"] == true);
-  BOOST_TEST(report["response"]["outcome"] == "stopped_at_zero");
-  BOOST_TEST(near(number(report, "design", "delta1_published"),
-                  (radius - 2 * f) * (radius - 2 * f) / 2, 1e-13));
-  BOOST_TEST(
-      near(number(report, "design", "delta1_exact"), (radius - f) * (radius - 3 * f) / 2, 1e-13));
+  check_near(report["response"],
+             {{"peak_amplitude", radius - f},
+              {"peak_acceleration", radius},
+              {"stop_time", outwards + inwards}},
+             1e-14);
+  const double square = (radius - f) * (radius - 3 * f);
+  check_near(report["response"], {{"arrival_speed", std::sqrt(square)}}, 1e-13);
+  check_values(report["response"], {{"half_cycles", 1},
+                                    {"turning_points", 1},
+                                    {"zero_passages", 0},
+                                    {"stop_position", 0},
+                                    {"stops_at_zero", true},
+                                    {"outcome", "stopped_at_zero"}});
+  check_near(
+      report["design"],
+      {{"delta1_published", (radius - 2 * f) * (radius - 2 * f) / 2}, {"delta1_exact", square / 2}},
+      1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(constraints_are_value_limit_and_slack) {
@@ -211,10 +197,10 @@ BOOST_AUTO_TEST_CASE(cross_check_passes_within_its_tolerance) {
   for (const json& method : report["cross_check"]["methods"]) {
     BOOST_TEST(method["relative_error"].get<double>() <= method["tolerance"].get<double>());
     BOOST_TEST(method["tolerance"].get<double>() <= 1e-8);
-    BOOST_TEST(near(method["peak_amplitude"].get<double>(),
-                    number(report, "response", "peak_amplitude"), 1e-8));
-    BOOST_TEST(
-        near(method["stop_time"].get<double>(), number(report, "response", "stop_time"), 1e-8));
+    check_near(method,
+               {{"peak_amplitude", report["response"]["peak_amplitude"]},
+                {"stop_time", report["response"]["stop_time"]}},
+               1e-8);
     BOOST_TEST(method["half_cycles"] == 1);
   }
 }
@@ -222,13 +208,13 @@ BOOST_AUTO_TEST_CASE(cross_check_passes_within_its_tolerance) {
 BOOST_AUTO_TEST_CASE(numbers_keep_every_digit) {
   // Inputs that six, and even fifteen, digits would change.
   const Arguments motion("--v0 1.0000000000000002 --p 0.30000000000000004");
-  const json report = reported(joined("design --beta 3.3333333333333335", motion));
-  BOOST_TEST(number(report, "input", "v0") == 1.0000000000000002);
-  BOOST_TEST(number(report, "input", "p") == 0.30000000000000004);
-  BOOST_TEST(number(report, "input", "beta") == 3.3333333333333335);
-  const Arguments damper{"--f", in_full(number(report, "design", "f")), "--delta",
-                         in_full(number(report, "design", "delta"))};
-  const json simulated = reported(joined(joined("simulate", motion), damper));
+  const json report = reported("design --beta 3.3333333333333335" + motion);
+  check_values(
+      report["input"],
+      {{"v0", 1.0000000000000002}, {"p", 0.30000000000000004}, {"beta", 3.3333333333333335}});
+  const Arguments damper{"--f", in_full(report["design"]["f"]), "--delta",
+                         in_full(report["design"]["delta"])};
+  const json simulated = reported("simulate" + motion + damper);
   BOOST_TEST(simulated["response"] == report["response"]);
 }
 
@@ -279,11 +265,11 @@ BOOST_AUTO_TEST_CASE(optimum_is_shown_beside_that_along_f) {
   for (const std::string objective : {"robust", "amplitude", "time", "acceleration"}) {
     for (const Arguments& more : {Arguments{}, Arguments("--arrivals 3 --f-max 0.02"),
                                   Arguments("--residual 0.05 --arrivals 2")}) {
-      const Arguments asked = joined(joined(plain, {"--objective", objective}), more);
-      const json search = run(joined(asked, "--json")).json()["search"];
+      const Arguments asked = plain + Arguments{"--objective", objective} + more;
+      const json search = run(asked + "--json").json()["search"];
       const double along_f = search["optimum_along_f"].get<double>();
       BOOST_TEST(std::abs(search["optimum"].get<double>() - along_f) <= same * along_f);
-      BOOST_TEST(contains(run(joined(asked, "--verbose")).out, "along f alone"));
+      BOOST_TEST(contains(run(asked + "--verbose").out, "along f alone"));
     }
   }
 }

@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <string>
-#include <vector>
+#include "cli_test.hpp"
 
 BOOST_AUTO_TEST_SUITE(doubtful_values_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace data = boost::unit_test::data;
 
 Arguments design(const Arguments& more) {
-  return joined("region --velocity", more);
+  return "region --velocity" + more;
 }
 
 Arguments simulate(const Arguments& more) {
-  return joined("simulate --f 0.02", more);
+  return "simulate --f 0.02" + more;
 }
 
 // Nothing to say: no warning. V0/omega of 0.4 m/s and 2.8 s is 0.178 m.
@@ -91,7 +82,7 @@ BOOST_DATA_TEST_CASE_F(Sandbox, doubtful, data::make(doubts), doubt) {
   for (const std::string& line : doubts_of_it) {
     BOOST_TEST(line.starts_with("stillpoint: warning: "));
   }
-  const ProgramRun quiet = run(joined(doubt.arguments, "--quiet"));
+  const ProgramRun quiet = run(doubt.arguments + "--quiet");
   BOOST_TEST(quiet.err.empty(), quiet.err);
   BOOST_TEST(quiet.out == answer.out);
 }

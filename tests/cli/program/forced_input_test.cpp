@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "forced_arguments.hpp"
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
 
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <ostream>
-#include <string>
-#include <vector>
-
-BOOST_AUTO_TEST_SUITE(forced_input_test)
+BOOST_FIXTURE_TEST_SUITE(forced_input_test, stillpoint::cli_test::Sandbox)
 
 // The ways to say what shakes the base: flags, a scene, records, metres and seconds.
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 using std::numbers::pi;
-namespace data = boost::unit_test::data;
 
 /// The numbers and texts of two responses agree but for rounding.
 void check_same_motion(const json& response, const json& expected, double tolerance = 1e-11) {
@@ -92,8 +77,6 @@ BOOST_DATA_TEST_CASE_F(Sandbox, scene_is_as_good_as_flags, data::make(kinds), ki
   BOOST_TEST(by_flags["input"]["v0"] == 0);
 }
 
-BOOST_FIXTURE_TEST_SUITE(forced_input, Sandbox)
-
 BOOST_AUTO_TEST_CASE(flag_overrides_the_scene) {
   write("scene.json", R"({"p": 1, "f": 0.1, "delta": 0.01, "t_end": 20,
                           "excitation": {"type": "harmonic", "k": 9, "lambda": 2}})");
@@ -116,8 +99,8 @@ BOOST_AUTO_TEST_CASE(flag_replaces_the_wave_of_a_scene_with_a_record_and_back) {
                            "excitation": {"type": "record", "record": "w.txt", "record_step": 1}})");
   const Arguments record("--record w.txt --record-step 1");
   const Arguments wave("--excitation half-sine --k 9 --lambda 2");
-  BOOST_TEST(reported(joined("simulate wave.json", record)) == reported("simulate record.json"));
-  BOOST_TEST(reported(joined("simulate record.json", wave)) == reported("simulate wave.json"));
+  BOOST_TEST(reported("simulate wave.json" + record) == reported("simulate record.json"));
+  BOOST_TEST(reported("simulate record.json" + wave) == reported("simulate wave.json"));
 }
 
 BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
@@ -125,9 +108,7 @@ BOOST_AUTO_TEST_CASE(record_options_are_echoed) {
   const json given =
       reported(at_rest("--record w.txt --record-step 1 --record-units m/s2 --record-scale 2"));
   const json& excitation = given["input"]["excitation"];
-  BOOST_TEST(excitation["record_units"] == "m/s2");
-  BOOST_TEST(excitation["record_step"] == 1);
-  BOOST_TEST(excitation["record_scale"] == 2);
+  check_values(excitation, {{"record_units", "m/s2"}, {"record_step", 1}, {"record_scale", 2}});
   BOOST_TEST(reported(harmonic)["input"]["excitation"]["record_units"].is_null());
 }
 
@@ -154,7 +135,7 @@ BOOST_AUTO_TEST_CASE(rectangle_is_a_record_of_two_equal_values) {
 
 BOOST_AUTO_TEST_CASE(half_a_turn_of_the_phase_mirrors_the_motion) {
   const json here = reported(harmonic)["response"];
-  json there = reported(joined(harmonic, {"--phase", in_full(pi)}))["response"];
+  json there = reported(harmonic + Arguments{"--phase", in_full(pi)})["response"];
   there["final_position"] = -there["final_position"].get<double>();
   there["final_velocity"] = -there["final_velocity"].get<double>();
   check_same_motion(there, here);
@@ -164,9 +145,9 @@ BOOST_AUTO_TEST_CASE(harmonic_with_a_duration_may_have_an_end_but_needs_none) {
   const Arguments ending = pulse("harmonic", "--duration 9");
   const json whole = reported(ending)["response"];
   check_response_fields(whole);
-  const json later = reported(joined(ending, "--t-end 500"))["response"];
+  const json later = reported(ending + "--t-end 500")["response"];
   check_same_motion(later, whole);
-  const json earlier = reported(joined(ending, "--t-end 3"))["response"];
+  const json earlier = reported(ending + "--t-end 3")["response"];
   BOOST_TEST(earlier["outcome"] == "running");
   BOOST_TEST(earlier["end_time"] == 3);
   // Up to there nothing says that it ends.
@@ -176,7 +157,7 @@ BOOST_AUTO_TEST_CASE(harmonic_with_a_duration_may_have_an_end_but_needs_none) {
 BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
   const auto answer = [&](double file_scale, const Arguments& more) {
     write("s5.txt", column_file(record_s5(file_scale)));
-    return reported(joined(s5, joined("--record-step 0.02", more)))["response"];
+    return reported(s5 + "--record-step 0.02" + more)["response"];
   };
   const json expected = answer(1, {});
   constexpr double tolerance = 1e-9;  // the file is rounded differently
@@ -190,7 +171,7 @@ BOOST_AUTO_TEST_CASE(units_and_scale_of_a_record_are_converted) {
 
 BOOST_AUTO_TEST_CASE(record_with_times_equals_one_with_a_step) {
   write("s5.txt", column_file(record_s5()));
-  const json by_step = reported(joined(s5, "--record-step 0.02"))["response"];
+  const json by_step = reported(s5 + "--record-step 0.02")["response"];
   std::vector<Row> rows = record_s5();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].insert(rows[i].begin(), static_cast<double>(i) * 0.02);
@@ -203,7 +184,7 @@ BOOST_AUTO_TEST_CASE(record_is_in_seconds_with_physical_input) {
   // From rest H = g / omega^2 makes p = 1; tau = omega t with omega = pi.
   write("s5.txt", column_file(record_s5()));
   const json dimensionless =
-      reported(joined(s5, {"--record-step", in_full(0.02 * pi)}))["response"];
+      reported(s5 + Arguments{"--record-step", in_full(0.02 * pi)})["response"];
   const json report =
       reported("simulate --period 2 --f 0.05 --delta-m 0 --record s5.txt --record-step 0.02");
   BOOST_TEST(near(report["input"]["p"], 1, 1e-15));
@@ -235,11 +216,11 @@ BOOST_AUTO_TEST_CASE(waves_are_reported_in_si_with_physical_input) {
   const Arguments scene(
       "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 --k 0.1 --lambda 0.7 --t-end 30 "
       "--excitation");
-  const json endless = reported(joined(scene, "harmonic"));
+  const json endless = reported(scene + "harmonic");
   const double rad_per_s = 0.7 / endless["input"]["p"].get<double>() * 2 * pi / 3;
   BOOST_TEST(near(endless["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
   BOOST_TEST(endless["physical"]["excitation_duration_s"].is_null());
-  const json pulse = reported(joined(scene, "full-sine"));
+  const json pulse = reported(scene + "full-sine");
   BOOST_TEST(near(pulse["physical"]["excitation_rad_per_s"], rad_per_s, 1e-14));
   BOOST_TEST(near(pulse["physical"]["excitation_duration_s"], 2 * pi / rad_per_s, 1e-14));
 }
@@ -256,7 +237,7 @@ BOOST_AUTO_TEST_CASE(synthetic_records_run) {
     BOOST_TEST(report["response"]["zero_passages"].get<int>() > 1);
     BOOST_TEST(report["physical"]["peak_m"].get<double>() > 0.05);
     BOOST_TEST(report["physical"]["peak_m"].get<double>() < 1);
-    const ProgramRun text = succeed(joined(shaken, "--verbose"));
+    const ProgramRun text = succeed(shaken + "--verbose");
     BOOST_TEST(contains(text.out, "SYNTHETIC"), text.out);
   }
 }
@@ -265,21 +246,15 @@ BOOST_AUTO_TEST_CASE(synthetic_records_run) {
 BOOST_AUTO_TEST_CASE(a_run_that_ends_at_rest_does_not_say_that_it_moves) {
   const Arguments shaken{"simulate", "--period", "2.8", "--record",
                          std::string(STILLPOINT_DATA_DIR) + "/records/strong_motion.AT2"};
-  const Arguments built =
-      joined(shaken, "--f 0.024 --delta-m 6mm --notch-width-m 20mm --end-time 12");
-  const json response = json::parse(run(joined(built, "--json")).out)["response"];
-  BOOST_TEST(response["outcome"] == "running");
-  BOOST_TEST(response["final_velocity"] == 0);
-  BOOST_TEST(response["stop_position"].is_null());
-  const std::string notch = run(joined(built, "--verbose")).out;
-  BOOST_TEST(contains(notch, "\n  Locked in the notch, at x = 0.37644 mm, from 10.16 s of 12 s;"),
-             notch);
-  BOOST_TEST(contains(notch, "is at rest at the end of the run\n"), notch);
-  BOOST_TEST(contains(notch, "is held\n"), notch);
-  const std::string friction = run(joined(shaken, "--f 0.05 --delta-m 0 --end-time 15")).out;
+  const Arguments built = shaken + "--f 0.024 --delta-m 6mm --notch-width-m 20mm --end-time 12";
+  const json response = json::parse(run(built + "--json").out)["response"];
+  check_values(response,
+               {{"outcome", "running"}, {"final_velocity", 0}, {"stop_position", nullptr}});
+  const std::string notch = run(built + "--verbose").out;
+  check_contains(notch, {"\n  Locked in the notch, at x = 0.37644 mm, from 10.16 s of 12 s;",
+                         "is at rest at the end of the run\n", "is held\n"});
+  const std::string friction = run(shaken + "--f 0.05 --delta-m 0 --end-time 15").out;
   BOOST_TEST(contains(friction, "\n  It is at rest at the end of the run.\n"), friction);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "generated_docs.hpp"
+#include "cli_test.hpp"
 #include "options/command_line.hpp"
 #include "options/options.hpp"
-#include "run_program.hpp"
-#include "testing/printing.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <set>
-#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(generated_docs_test)
 
@@ -41,7 +32,7 @@ std::string printed_by(const std::string& command) {
   return text;
 }
 
-std::string text_of(const std::filesystem::path& path) {
+std::string text_of(const fs::path& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -125,8 +116,7 @@ BOOST_AUTO_TEST_CASE(name_every_option) {
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_CASE(the_tables_of_the_theory_match_the_library) {
-  const std::string page =
-      text_of(std::filesystem::path(STILLPOINT_DATA_DIR).parent_path() / "docs/theory.md");
+  const std::string page = text_of(fs::path(STILLPOINT_DATA_DIR).parent_path() / "docs/theory.md");
   const std::string tables = cli::tolerance_tables();
   const std::size_t gap = tables.find("\n\n");
   BOOST_TEST_REQUIRE(gap != std::string::npos);

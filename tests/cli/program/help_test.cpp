@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "options/options.hpp"
-#include "run_program.hpp"
 
 #include <stillpoint/report/version.hpp>
 
-#include <boost/test/unit_test.hpp>
-
 #include <nlopt.h>
 
-#include <array>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-BOOST_AUTO_TEST_SUITE(help_test)
+BOOST_FIXTURE_TEST_SUITE(help_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
@@ -44,8 +36,6 @@ std::vector<std::string> words_of(const std::string& text) {
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(help, Sandbox)
-
 BOOST_AUTO_TEST_CASE(of_the_program_lists_its_commands_with_examples) {
   for (const char* flag : {"--help", "-h"}) {
     const ProgramRun answer = succeed({flag});
@@ -69,9 +59,7 @@ BOOST_AUTO_TEST_CASE(of_a_command_lists_only_its_options) {
         BOOST_TEST(contains(answer.out, std::string(option.help)), option.name);
       }
     }
-    BOOST_TEST(contains(answer.out, "--help"));
-    BOOST_TEST(contains(answer.out, "--version"));
-    BOOST_TEST(contains(answer.out, "Exit codes: 0"));
+    check_contains(answer.out, {"--help", "--version", "Exit codes: 0"});
   }
 }
 
@@ -157,7 +145,7 @@ BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_or_80_columns) {
         full = full || line.size() + 12 > width;
       }
       BOOST_TEST(full, "no line of " << columns << " columns is filled");
-      BOOST_TEST(words_of(text) == whole, boost::test_tools::per_element());
+      BOOST_TEST(words_of(text) == whole, tt::per_element());
     }
   }
 }
@@ -172,8 +160,7 @@ BOOST_AUTO_TEST_CASE(is_also_printed_by_the_help_command) {
 }
 
 BOOST_AUTO_TEST_CASE(is_short_without_a_command) {
-  const ProgramRun answer = run({});
-  BOOST_TEST(answer.exit_code == 2);
+  const ProgramRun answer = ending(2, {});
   BOOST_TEST(answer.out.empty(), answer.out);
   BOOST_TEST(answer.err_lines().size() <= 20U);
   for (const Command command : commands) {
@@ -226,7 +213,5 @@ BOOST_AUTO_TEST_CASE(version_says_with_what_it_was_built_and_runs) {
            << ")\n";
   BOOST_TEST(run("--version").out == expected.str());
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

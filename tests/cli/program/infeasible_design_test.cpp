@@ -1,33 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "report_fields.hpp"
-#include "run_program.hpp"
-
-#include <boost/test/unit_test.hpp>
+#include "cli_test.hpp"
 
 #include <regex>
-#include <string>
-#include <vector>
 
-BOOST_AUTO_TEST_SUITE(infeasible_design_test)
+BOOST_FIXTURE_TEST_SUITE(infeasible_design_test, stillpoint::cli_test::Sandbox)
 
 // What design says if no damper is admissible.
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 
 Arguments design(double beta, const Arguments& more = {}) {
-  return joined({"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)}, more);
+  return Arguments{"design", "--v0", "1", "--p", "1", "--beta", in_full(beta)} + more;
 }
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(infeasible, Sandbox)
-
 BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
-  const ProgramRun run_of_json = run(design(0.6, "--json"));
-  BOOST_TEST(run_of_json.exit_code == 3);
+  const ProgramRun run_of_json = ending(3, design(0.6, "--json"));
   BOOST_TEST(run_of_json.err.empty(), run_of_json.err);
   const json report = run_of_json.json();
   BOOST_TEST(report["region"]["feasible"] == false);
@@ -39,8 +30,7 @@ BOOST_AUTO_TEST_CASE(says_why_and_what_would_help) {
                         "cross_check:null", "physical:null"});
   BOOST_TEST(report["constraints"].empty());
 
-  const ProgramRun text = run(design(0.6));
-  BOOST_TEST(text.exit_code == 3);
+  const ProgramRun text = ending(3, design(0.6));
   BOOST_TEST(text.err.empty(), text.err);
   check_contains(text.out, {"No admissible design", "amplitude and return conflict", "0.8485281374",
                             "1.178511302", "0.7071067812"});
@@ -53,12 +43,12 @@ BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_beside_a_single_mend) {
       "No damper has a tolerance of 40 %; the largest is 22.22 %, at f = 0.289277, "
       "delta = ";
   const std::regex breaks("\\s+|\u00a0");
-  const Arguments same = joined("region", Arguments(too_much.begin() + 1, too_much.end()));
+  const Arguments same = "region" + Arguments(too_much.begin() + 1, too_much.end());
   for (const Arguments& command : {too_much, same}) {
-    const ProgramRun text = run(joined(command, "--html page.html"));
+    const ProgramRun text = run(command + "--html page.html");
     BOOST_TEST(contains(std::regex_replace(text.out, breaks, " "), what), text.out);
     BOOST_TEST(contains(std::regex_replace(read("page.html"), breaks, " "), what));
-    const json region = run(joined(command, "--json")).json()["region"];
+    const json region = run(command + "--json").json()["region"];
     BOOST_TEST(near(region["most_tolerant"]["tolerance"], 0.22219797, 1e-7));
     BOOST_TEST(near(region["most_tolerant"]["f"], 0.28927670, 1e-7));
     BOOST_TEST(region["mends"].size() == 1U);
@@ -86,11 +76,10 @@ BOOST_AUTO_TEST_CASE(shows_more_digits_of_tolerances_that_agree_to_four) {
 /// A tolerance that no damper has gets an explanation: the theory's largest is 36.3 %.
 BOOST_AUTO_TEST_CASE(says_the_largest_tolerance_and_two_inputs_if_one_is_not_enough) {
   const Arguments impossible = design(0.6, "--tolerance 0.5");
-  const ProgramRun text = run(impossible);
-  BOOST_TEST(text.exit_code == 3);
+  const ProgramRun text = ending(3, impossible);
   check_contains(text.out, {"no damper has", "0.3633628", "Both of these changes",
                             "  tolerance         at most ", "at least "});
-  const json joint = run(joined(impossible, "--json")).json()["region"]["joint_mend"];
+  const json joint = run(impossible + "--json").json()["region"]["joint_mend"];
   BOOST_TEST(near(joint["largest_tolerance"], 0.36336, 1e-4));
   BOOST_TEST_REQUIRE(joint["mends"].size() == 2U);
   json problem{{"v0", 1}, {"p", 1}, {"beta", 0.6}, {"tolerance", 0.5}};
@@ -111,8 +100,7 @@ BOOST_AUTO_TEST_CASE(names_the_limit_that_is_in_the_way) {
                                                              {{"--delta-max", "0.01"}, "delta_max"},
                                                              {{"--tolerance", "0.4"}, "tolerance"}};
   for (const auto& [limit, name] : cases) {
-    const ProgramRun answer = run(design(0.9, joined("--json", limit)));
-    BOOST_TEST(answer.exit_code == 3);
+    const ProgramRun answer = ending(3, design(0.9, "--json" + limit));
     const json region = answer.json()["region"];
     BOOST_TEST(contains(region["reason"].get<std::string>(), name));
     bool mended = false;
@@ -132,7 +120,5 @@ BOOST_AUTO_TEST_CASE(wrong_input_comes_before_an_empty_region) {
   BOOST_TEST(run(design(0.6, "--objective best")).exit_code == 2);
   BOOST_TEST(run(design(0.6, "--algorithm LD_BEST")).exit_code == 2);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

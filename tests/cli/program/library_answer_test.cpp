@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What the program reports is what the library answers, to the last byte. The tests of core and
 // design state why those numbers are right.
-#include "report_fields.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 
 #include <stillpoint/answers/hit.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <boost/test/unit_test.hpp>
-
 #include <chrono>
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(library_answer_test)
 
@@ -79,10 +72,10 @@ const std::vector<Forced> forced{
 /// The report and the trajectory.
 void check_motion(const Sandbox& sandbox, const Arguments& asked, SimulationRequest request,
                   bool traced) {
-  Arguments command = joined(asked, "--json");
+  Arguments command = asked + "--json";
   if (traced) {
     request.samples = 50;
-    command = joined(command, "--trajectory motion.csv --samples 50");
+    command = command + "--trajectory motion.csv --samples 50";
   }
   const Simulation answer = simulate(request);
   const Surroundings impatient{.patience = std::chrono::seconds(5)};
@@ -118,7 +111,7 @@ Given given(const design::Problem& problem, const design::Limits& limits) {
 }
 
 Arguments with_criterion(Arguments arguments, design::Criterion criterion) {
-  return joined(std::move(arguments), {"--criterion", std::string(name(criterion))});
+  return std::move(arguments) + Arguments{"--criterion", std::string(name(criterion))};
 }
 
 }  // namespace
@@ -139,8 +132,7 @@ BOOST_FIXTURE_TEST_CASE(forced_motions, Sandbox) {
     request.start = motion.start;
     request.excitation = excitation;
     request.t_end = 200;
-    check_motion(*this, joined(joined(simulated(motion), "--t-end 200 --excitation"), options),
-                 request, true);
+    check_motion(*this, simulated(motion) + "--t-end 200 --excitation" + options, request, true);
   }
 }
 
@@ -183,7 +175,7 @@ BOOST_FIXTURE_TEST_CASE(regions_and_points, Sandbox) {
         point.emplace_back("--delta", *request.delta);
       }
       BOOST_TEST(
-          succeed(joined(with_criterion(options({"region"}, point), criterion), "--json")).out ==
+          succeed(with_criterion(options({"region"}, point), criterion) + "--json").out ==
           report::json_text(report::json(report::RegionReport{request, design::answer(request)})));
     }
   }
@@ -205,13 +197,13 @@ BOOST_FIXTURE_TEST_CASE(designs, Sandbox) {
       request.problem.criterion = criterion;
       Arguments asked =
           with_criterion(options({"design"}, given(request.problem, request.limits)), criterion);
-      asked = joined(asked, {"--objective", std::string(name(request.search.objective))});
+      asked = asked + Arguments{"--objective", std::string(name(request.search.objective))};
       if (request.search.algorithm) {
-        asked = joined(asked, {"--algorithm", *request.search.algorithm});
+        asked = asked + Arguments{"--algorithm", *request.search.algorithm};
       }
       const auto expected = report::json(answers::answer(answers::DesignTask{request}));
       BOOST_TEST(without_wall_times(reported(asked)) ==
-                 without_wall_times(nlohmann::json::parse(expected.dump())));
+                 without_wall_times(json::parse(expected.dump())));
     }
   }
 }

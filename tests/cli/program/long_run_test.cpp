@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "forced_arguments.hpp"
-#include "refusal.hpp"
-#include "run_program.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <string>
-
-BOOST_AUTO_TEST_SUITE(long_run_test)
+BOOST_FIXTURE_TEST_SUITE(long_run_test, stillpoint::cli_test::Sandbox)
 
 using namespace stillpoint::cli_test;
-
-BOOST_FIXTURE_TEST_SUITE(long_run, Sandbox)
 
 namespace {
 
 /// Some minutes.
 Arguments endless(const Arguments& more = {}, const std::string& t_end = "1e9") {
-  return joined({"simulate", "--v0", "0.5", "--p", "1", "--f", "0.05", "--delta", "0.01",
-                 "--excitation", "harmonic", "--k", "0.2", "--lambda", "1", "--t-end", t_end},
-                more);
+  return Arguments{"simulate", "--v0",     "0.5",  "--p",          "1",        "--f",
+                   "0.05",     "--delta",  "0.01", "--excitation", "harmonic", "--k",
+                   "0.2",      "--lambda", "1",    "--t-end",      t_end} +
+         more;
 }
 
 }  // namespace
@@ -30,8 +23,7 @@ BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
   const Surroundings interrupted{.interrupt = true};
   for (const Arguments& more :
        {Arguments{}, Arguments("--json --output old.json"), Arguments("--trajectory motion.csv")}) {
-    const ProgramRun stopped = run(endless(more), interrupted);
-    BOOST_TEST(stopped.exit_code == 130);
+    const ProgramRun stopped = ending(130, endless(more), interrupted);
     BOOST_TEST(stopped.out.empty(), stopped.out);
     BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
     BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted "), stopped.err);
@@ -48,8 +40,7 @@ BOOST_AUTO_TEST_CASE(is_refused_at_once_if_its_trajectory_would_be_too_long) {
 BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_clears_it_at_the_end,
                      *boost::unit_test::precondition(if_terminals)) {
   const Surroundings interrupted{.error_is_terminal = true, .interrupt = true};
-  const ProgramRun stopped = run(endless(), interrupted);
-  BOOST_TEST(stopped.exit_code == 130);
+  const ProgramRun stopped = ending(130, endless(), interrupted);
   BOOST_TEST(stopped.err.starts_with("\rtau "), stopped.err);
   BOOST_TEST(contains(stopped.err, " of 1e+09, "), stopped.err);
   // The line is cleared before the message takes its place.
@@ -71,11 +62,11 @@ BOOST_AUTO_TEST_CASE(says_how_long_it_will_take_without_a_terminal) {
 // At most V0/(2 f) half-cycles: 1e11 of them. A run that the limit refuses is not announced.
 BOOST_AUTO_TEST_CASE(of_free_motion_warns_beforehand_that_it_takes_minutes) {
   const Arguments free("simulate --v0 1 --p 1 --f 5e-12 --delta 1e-15 --half-cycle-limit");
-  const ProgramRun stopped = run(joined(free, "1e12"), {.interrupt_once_heard = true});
+  const ProgramRun stopped = run(free + "1e12", {.interrupt_once_heard = true});
   const auto lines = stopped.err_lines();
   BOOST_TEST_REQUIRE(lines.size() == 1U, stopped.err);
   BOOST_TEST(lines[0] == "stillpoint: up to 1e+11 half-cycles: this may take about 25 minutes");
-  const ProgramRun refused = run(joined(free, "1e10"));
+  const ProgramRun refused = run(free + "1e10");
   check_refusal(refused, {"1e+11 half-cycles; at most 1e+10"});
   BOOST_TEST(refused.err_lines().size() == 1U, refused.err);
 }
@@ -84,7 +75,5 @@ BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_te
   const ProgramRun brief = succeed(harmonic, {.error_is_terminal = true});
   BOOST_TEST(brief.err.empty(), brief.err);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

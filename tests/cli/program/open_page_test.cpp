@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
-
-#include <boost/test/unit_test.hpp>
+#include "cli_test.hpp"
 
 #include <chrono>
-#include <filesystem>
-#include <string>
 #include <thread>
 
 BOOST_AUTO_TEST_SUITE(open_page_test)
@@ -14,7 +9,6 @@ BOOST_AUTO_TEST_SUITE(open_page_test)
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace fs = std::filesystem;
 
 const Arguments region("region --v0 1 --p 1 --beta 0.9 --open");
 
@@ -46,7 +40,7 @@ std::string seen(const Sandbox& sandbox) {
 BOOST_FIXTURE_TEST_CASE(shows_the_page_that_is_written, Sandbox) {
   write_browser(*this);
   const std::string program = path("browser.sh").string();
-  const ProgramRun answer = succeed(joined(region, "--html page.html"), with_browser(program));
+  const ProgramRun answer = succeed(region + "--html page.html", with_browser(program));
   BOOST_TEST(answer.err.empty(), answer.err);
   BOOST_TEST(seen(*this) == path("page.html").string() + "\n");
 }
@@ -88,9 +82,8 @@ BOOST_FIXTURE_TEST_CASE(explores_with_the_installed_page, InstalledProgram) {
 }
 
 BOOST_FIXTURE_TEST_CASE(links_a_design_to_that_page, InstalledProgram) {
-  const Arguments design{"design",   "--velocity", "0.3m/s:0.4m/s",
-                         "--period", "2.8s",       "--max-displacement",
-                         "150mm",    "--html",     "page.html"};
+  const Arguments design(
+      "design --velocity 0.3m/s:0.4m/s --period 2.8s --max-displacement 150mm --html page.html");
   succeed(design, surroundings);
   BOOST_TEST(read("page.html").find("stillpoint.html#") == std::string::npos);
   write("usr/share/stillpoint/stillpoint.html", "<html></html>");
@@ -105,7 +98,7 @@ BOOST_FIXTURE_TEST_CASE(links_only_what_the_page_can_show, InstalledProgram) {
   write("usr/share/stillpoint/stillpoint.html", "<html></html>");
   write("parts.csv", "name,f,delta\nA,0.3,0.4\n");
   const auto page_of = [&](const std::string& options) {
-    succeed(joined("design --html page.html", options.c_str()), surroundings);
+    succeed(Arguments("design --html page.html") + options.c_str(), surroundings);
     return read("page.html");
   };
   const std::string task = "--v0 1 --p 1 --beta 0.8";
@@ -126,7 +119,7 @@ BOOST_FIXTURE_TEST_CASE(is_refused_without_a_browser, Sandbox) {
   Surroundings nothing = with_browser("no-such-browser");
   nothing.environment.emplace_back("PATH", path("").string());
   const auto before = contents();
-  check_refusal(run(joined(region, "--html page.html"), nothing),
+  check_refusal(run(region + "--html page.html", nothing),
                 {"open", "no browser was found", "BROWSER", "--html"});
   BOOST_TEST(contents() == before);
   Surroundings no_room = with_browser("/bin/sh");
@@ -136,8 +129,7 @@ BOOST_FIXTURE_TEST_CASE(is_refused_without_a_browser, Sandbox) {
 
 BOOST_FIXTURE_TEST_CASE(does_not_happen_after_wrong_input, Sandbox) {
   write_browser(*this);
-  check_refusal(run(joined(region, "--f -1"), with_browser(path("browser.sh").string())),
-                {"f = -1"});
+  check_refusal(run(region + "--f -1", with_browser(path("browser.sh").string())), {"f = -1"});
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
   BOOST_TEST(!fs::exists(path("seen.txt")));
 }

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
-#include "testing/printing.hpp"
-
-#include <boost/test/unit_test.hpp>
+#include "cli_test.hpp"
 
 #include <sys/stat.h>
-
-#include <filesystem>
 
 BOOST_AUTO_TEST_SUITE(output_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace fs = std::filesystem;
 
 Arguments design(const Arguments& more = {}) {
-  return joined("design --v0 1 --p 1 --beta 0.9", more);
+  return "design --v0 1 --p 1 --beta 0.9" + more;
 }
 
 bool is_report(const std::string& text) {
@@ -138,8 +129,7 @@ BOOST_AUTO_TEST_CASE(that_is_standard_output_is_appended_to) {
   succeed(design("--output /dev/stdout"), into_file(path("log")));
   const std::string log = read("log");
   BOOST_TEST(log.starts_with("a line from before\n"));
-  BOOST_TEST(contains(log, "design-report/1"));
-  BOOST_TEST(contains(log, "Damper design\n"));
+  check_contains(log, {"design-report/1", "Damper design\n"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -163,26 +153,18 @@ BOOST_AUTO_TEST_CASE(only_on_a_terminal) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(never_with_no_color) {
-  for (const Arguments& arguments : reports) {
-    Surroundings surroundings = on_terminal();
-    surroundings.environment = {{"NO_COLOR", "1"}};
-    const std::string text = run(arguments, surroundings).out;
+BOOST_AUTO_TEST_CASE(as_the_environment_says) {
+  const auto coloured = [&](const Arguments& arguments, const char* name, const char* value) {
+    const std::string text =
+        run(arguments, {.environment = {{name, value}}, .output = StandardOutput::terminal}).out;
     BOOST_TEST(!text.empty());
-    BOOST_TEST(!has_escapes(text));
+    return has_escapes(text);
+  };
+  for (const Arguments& arguments : reports) {
+    BOOST_TEST(!coloured(arguments, "NO_COLOR", "1"));
   }
-}
-
-BOOST_AUTO_TEST_CASE(not_refused_by_an_empty_no_color) {
-  Surroundings surroundings = on_terminal();
-  surroundings.environment = {{"NO_COLOR", ""}};
-  BOOST_TEST(has_escapes(run(design(), surroundings).out));
-}
-
-BOOST_AUTO_TEST_CASE(not_on_a_terminal_that_has_none) {
-  Surroundings surroundings = on_terminal();
-  surroundings.environment = {{"TERM", "dumb"}};
-  BOOST_TEST(!has_escapes(run(design(), surroundings).out));
+  BOOST_TEST(coloured(design(), "NO_COLOR", ""));
+  BOOST_TEST(!coloured(design(), "TERM", "dumb"));
 }
 
 BOOST_AUTO_TEST_CASE(not_in_json) {

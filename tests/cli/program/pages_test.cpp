@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What README.md and docs/ say is true: each command in them runs, each output that they show is
 // printed, each link leads somewhere.
-#include "run_program.hpp"
+#include "cli_test.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(pages_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace fs = std::filesystem;
 
 const fs::path root = fs::path(STILLPOINT_DATA_DIR).parent_path();
 

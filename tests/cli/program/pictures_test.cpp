@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
-#include "testing/printing.hpp"
+#include "cli_test.hpp"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <boost/test/unit_test.hpp>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
-#include <string>
 
-BOOST_AUTO_TEST_SUITE(pictures_test)
+BOOST_FIXTURE_TEST_SUITE(pictures_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
@@ -62,10 +53,8 @@ Range attribute(const std::string& svg, const std::string& name) {
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(pictures, Sandbox)
-
 BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
-  succeed(joined(plain, "--html page.html --svg figures"));
+  succeed(plain + "--html page.html --svg figures");
   const std::string page = checked(read("page.html"));
   for (const char* figure : {"region", "hits", "motion", "phase", "energy"}) {
     BOOST_TEST(contains(page, "aria-labelledby=\"" + std::string(figure) + "-title"));
@@ -74,19 +63,16 @@ BOOST_AUTO_TEST_CASE(of_a_design_are_all_there) {
     BOOST_TEST(!tree.get<std::string>("svg.title").empty());
     BOOST_TEST(!tree.get<std::string>("svg.desc").empty());
   }
-  for (const char* part : {"Constraints", "Cross-check: agrees", "scene.json", "Δ₁ published",
-                           "Δ₁ exact", "too strong: does not return", "tolerance ±"}) {
-    BOOST_TEST(contains(page, part), part);
-  }
+  check_contains(page, {"Constraints", "Cross-check: agrees", "scene.json", "Δ₁ published",
+                        "Δ₁ exact", "too strong: does not return", "tolerance ±"});
 }
 
 /// Those that the README shows.
 BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
-  const std::filesystem::path scene =
-      std::filesystem::path(STILLPOINT_DATA_DIR) / "scenes/isolator.json";
+  const fs::path scene = fs::path(STILLPOINT_DATA_DIR) / "scenes/isolator.json";
   succeed({"design", scene.string(), "--svg", "figures"});
   for (const char* name : {"region.svg", "hits.svg", "motion.svg", "phase.svg", "energy.svg"}) {
-    std::ifstream file(std::filesystem::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
+    std::ifstream file(fs::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
     std::stringstream committed;
     committed << file.rdbuf();
     BOOST_TEST(committed.str() == read("figures/" + std::string(name)),
@@ -95,7 +81,7 @@ BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
 }
 
 BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
-  const ProgramRun answer = run(joined(plain, "--json --html page.html"));
+  const ProgramRun answer = run(plain + "--json --html page.html");
   const auto design = answer.json()["design"];
   const std::string page = read("page.html");
   const std::string region = page.substr(page.find("<svg"), page.find("motion-title"));
@@ -120,11 +106,9 @@ BOOST_AUTO_TEST_CASE(have_the_design_point_where_its_values_say) {
 }
 
 BOOST_AUTO_TEST_CASE(of_an_infeasible_design_show_why) {
-  const ProgramRun answer = run("design --v0 1 --p 1 --beta 0.6 --html page.html");
-  BOOST_TEST(answer.exit_code == 3);
+  const ProgramRun answer = ending(3, "design --v0 1 --p 1 --beta 0.6 --html page.html");
   const std::string page = checked(read("page.html"));
-  BOOST_TEST(contains(page, "No admissible design"));
-  BOOST_TEST(contains(page, "gap: no f returns within 0.6"));
+  check_contains(page, {"No admissible design", "gap: no f returns within 0.6"});
   BOOST_TEST(!contains(page, "motion-title"));
 }
 
@@ -155,15 +139,15 @@ BOOST_AUTO_TEST_CASE(of_any_motion_are_finite) {
                                "harmonic", "--k", "0.2", "--lambda", "0.35", "--t-end", "3000"},
                               {"--f", "0.1", "--delta", "0.01", "--excitation", "rectangle", "--k",
                                "0.5", "--lambda", "2"}}) {
-    succeed(joined(simulate, motion));
+    succeed(simulate + motion);
     const std::string page = checked(read("page.html"));
     BOOST_TEST(page.size() < 1'000'000U);
   }
 }
 
 BOOST_AUTO_TEST_CASE(give_the_same_page_from_their_input) {
-  const Arguments titled = joined(plain, {"--title", "</pre><script>x</script> & \"y\""});
-  succeed(joined(titled, "--html one.html"));
+  const Arguments titled = plain + Arguments{"--title", "</pre><script>x</script> & \"y\""};
+  succeed(titled + "--html one.html");
   const std::string page = read("one.html");
   parsed(page);
   BOOST_TEST(!contains(page, "<script>x"));
@@ -192,7 +176,7 @@ BOOST_AUTO_TEST_CASE(of_a_pulse_show_what_the_pulse_itself_does) {
   BOOST_TEST_REQUIRE(std::regex_search(
       figure, found, std::regex("data-name=\"turn\" data-at=\"(\\S+) ([^\"]+)\"")));
   const double peak = response["peak_amplitude"];
-  BOOST_TEST(std::abs(std::stod(found[2])) == peak, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(std::abs(std::stod(found[2])) == peak, tt::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
@@ -201,10 +185,8 @@ BOOST_AUTO_TEST_CASE(of_a_large_sweep_stay_small) {
       "page.html --svg figures");
   const std::string page = checked(read("page.html"));
   BOOST_TEST(page.size() < 1'000'000U);
-  for (const char* part : {"Δ₁ exact", "returns up to f₃", "starts up to Δ₂", "centred after 1",
-                           "off centre after 2", "never starts", "4000000"}) {
-    BOOST_TEST(contains(page, part), part);
-  }
+  check_contains(page, {"Δ₁ exact", "returns up to f₃", "starts up to Δ₂", "centred after 1",
+                        "off centre after 2", "never starts", "4000000"});
   BOOST_TEST(read("figures/map.svg").size() < 1'000'000U);
 }
 
@@ -228,7 +210,7 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_has_no_such_plane_are_refused_before_it_run
            {{"--f", "0:0.3:5", "--delta", "0:1:5", "--x0", "0,1"}, "x0 = 0,1: must be one number"},
            {{"--beta", "0.75:0.95:5"}, "design problems"},
            {{"--list", "list.csv"}, "a list"}}) {
-    check_refusal(run(joined(sweep, more)), {word});
+    check_refusal(run(sweep + more), {word});
     BOOST_TEST(contents().size() == 1U);
   }
 }
@@ -237,7 +219,7 @@ BOOST_AUTO_TEST_CASE(of_a_sweep_that_cannot_be_written_are_refused_before_it_run
   const Arguments sweep("sweep --v0 1 --p 1 --f 0.1:0.3:5 --delta 0:0.5:5 --output rows.csv");
   for (const auto& [option, place] : std::vector<std::pair<std::string, std::string>>{
            {"--html", "none/page.html"}, {"--svg", "/proc/none"}, {"--svg", ""}}) {
-    check_refusal(run(joined(sweep, {option, place})), {});
+    check_refusal(run(sweep + Arguments{option, place}), {});
     BOOST_TEST(contents().empty());
   }
 }
@@ -248,7 +230,7 @@ BOOST_AUTO_TEST_CASE(of_an_excitation_end_with_the_run) {
   for (const auto& [excitation, last] : std::vector<std::pair<Arguments, double>>{
            {{"--excitation", "rectangle", "--k", "0.5", "--lambda", "0.1", "--t-end", "5"}, 0.5},
            {{"--record", "record.txt", "--t-end", "2.5"}, 0}}) {
-    succeed(joined("simulate --p 1 --f 0.02 --delta 0 --svg figures", excitation));
+    succeed("simulate --p 1 --f 0.02 --delta 0 --svg figures" + excitation);
     const std::string text = read("figures/excitation.svg");
     const Range y = attribute(text, "data-y");
     std::smatch curve;
@@ -272,17 +254,14 @@ BOOST_AUTO_TEST_CASE(of_a_long_record_stay_small) {
 }
 
 BOOST_AUTO_TEST_CASE(create_their_directory) {
-  succeed(joined(plain, "--svg new/figures"));
-  BOOST_TEST(std::filesystem::exists(path("new/figures/region.svg")));
+  succeed(plain + "--svg new/figures");
+  BOOST_TEST(fs::exists(path("new/figures/region.svg")));
 }
 
 BOOST_AUTO_TEST_CASE(are_refused_if_their_directory_cannot_be_created) {
   write("none", "a file");
-  const ProgramRun answer = run(joined(plain, "--svg none --html page.html"));
-  BOOST_TEST(answer.exit_code == 2);
+  const ProgramRun answer = ending(2, plain + "--svg none --html page.html");
   BOOST_TEST(contents().size() == 1U);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
 #include <regex>
-#include <string>
-#include <vector>
 
-BOOST_AUTO_TEST_SUITE(pulse_command_test)
+BOOST_FIXTURE_TEST_SUITE(pulse_command_test, stillpoint::cli_test::Sandbox)
 
 // design --pulse and region --pulse, from the flags to the report.
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace data = boost::unit_test::data;
 
 const Arguments asked("design --pulse half-sine --k 0.5 --lambda 20 --p 1 --beta 0.05");
 
@@ -37,14 +26,10 @@ Arguments without(Arguments arguments, const std::string& option) {
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(pulse_command, Sandbox)
-
 BOOST_AUTO_TEST_CASE(report_says_how_the_design_stands_under_its_pulse) {
   const json report = reported(asked);
   BOOST_TEST(report["schema"] == "stillpoint/design-report/1");
-  BOOST_TEST(report["input"]["pulse"] == "half-sine");
-  BOOST_TEST(report["input"]["k"] == 0.5);
-  BOOST_TEST(report["input"]["lambda"] == 20);
+  check_values(report["input"], {{"pulse", "half-sine"}, {"k", 0.5}, {"lambda", 20}});
   BOOST_TEST(report["region"]["by"] == "forced_motion");
   BOOST_TEST(report["region"]["delta2"].is_null());
   const json& pulse = report["pulse"];
@@ -124,11 +109,11 @@ BOOST_AUTO_TEST_CASE(ranges_of_a_pulse_are_in_the_report) {
 BOOST_AUTO_TEST_CASE(a_length_of_a_pulse_may_be_given_as_any_range) {
   const Arguments physical(
       "design --pulse half-sine --k 0.45g:0.55g --period 1.9:2.1 --max-displacement 600mm");
-  const json by_duration = reported(joined(physical, "--pulse-duration 0.5s:0.625s"));
-  const json by_hertz = reported(joined(physical, "--excitation-frequency 0.8:1"));
-  const json by_lambda =
-      reported(joined(physical, {"--lambda", in_full(by_hertz["input"]["lambda_range"][0]) + ":" +
-                                                 in_full(by_hertz["input"]["lambda_range"][1])}));
+  const json by_duration = reported(physical + "--pulse-duration 0.5s:0.625s");
+  const json by_hertz = reported(physical + "--excitation-frequency 0.8:1");
+  const json by_lambda = reported(
+      physical + Arguments{"--lambda", in_full(by_hertz["input"]["lambda_range"][0]) + ":" +
+                                           in_full(by_hertz["input"]["lambda_range"][1])});
   const json& f = by_hertz["design"]["f"];
   BOOST_TEST(near(by_duration["design"]["f"], f.get<double>(), 1e-9));
   BOOST_TEST(near(by_lambda["design"]["f"], f.get<double>(), 1e-9));
@@ -144,42 +129,41 @@ BOOST_AUTO_TEST_CASE(region_matches_the_design) {
   const Arguments near_fault{STILLPOINT_DATA_DIR "/scenes/near_fault_pulse.json"};
   for (const Arguments& task :
        {Arguments(region.begin() + 1, region.end()), near_fault,
-        joined(near_fault, "--acceleration-max 0.06"),
-        joined(near_fault, "--k 0.07:0.09 --tolerance-f 0.9:1.1"),
-        joined(Arguments(region.begin() + 1, region.end()), "--tolerance 0.5")}) {
-    const ProgramRun bounds = run(joined(joined("region --json", task), "--catalogue parts.csv"));
-    const ProgramRun design = run(joined("design --json", task));
+        near_fault + "--acceleration-max 0.06", near_fault + "--k 0.07:0.09 --tolerance-f 0.9:1.1",
+        Arguments(region.begin() + 1, region.end()) + "--tolerance 0.5"}) {
+    const ProgramRun bounds = run("region --json" + task + "--catalogue parts.csv");
+    const ProgramRun design = run("design --json" + task);
     BOOST_TEST(bounds.exit_code == design.exit_code);
     BOOST_TEST(bounds.json()["region"] == design.json()["region"]);
     for (const char* field : {"pulse", "k", "k_range", "lambda", "lambda_range", "p", "beta"}) {
       BOOST_TEST(bounds.json()["input"][field] == design.json()["input"][field], field);
     }
-    const ProgramRun chosen = run(joined(joined("design --json", task), "--catalogue parts.csv"));
+    const ProgramRun chosen = run("design --json" + task + "--catalogue parts.csv");
     BOOST_TEST(bounds.json()["catalogue"] == chosen.json()["catalogue"]);
   }
 }
 
 BOOST_AUTO_TEST_CASE(region_judges_a_point_under_the_pulse) {
-  const json inside = reported(joined(region, "--f 0.175 --delta 0.49"));
+  const json inside = reported(region + "--f 0.175 --delta 0.49");
   BOOST_TEST(inside["admissible"] == true);
   BOOST_TEST(near(inside["tolerance"], 3.0 / 7, 1e-9));
   BOOST_TEST(near(inside["delta1_exact"], 0.65 * 0.3 / 2, 1e-12));
   BOOST_TEST(inside["input"]["v0"].is_null());
   check_fields(inside, {"works_for:null", "hits:null", "arrival:null", "practice:object"});
   BOOST_TEST(inside["strips"].empty());
-  const json beyond = reported(joined(region, "--f 0.3 --delta 0.49"));
+  const json beyond = reported(region + "--f 0.3 --delta 0.49");
   BOOST_TEST(beyond["admissible"] == false);
   check_fields(beyond, {"tolerance:null", "delta1_published:null", "delta1_exact:null"});
 
-  const Arguments weak = joined(region, "--f 0.05 --delta 0.49");
+  const Arguments weak = region + "--f 0.05 --delta 0.49";
   check_contains(run(weak).out, {"it violates amplitude", "Feasible f: 0.1 to 0.25", "violated"});
-  const Arguments lacking = joined(region, "--f 0.12 --delta 0.49 --tolerance 0.2");
+  const Arguments lacking = region + "--f 0.12 --delta 0.49 --tolerance 0.2";
   check_contains(run(lacking).out,
                  {"not admissible: it lacks the tolerance asked for", "+-16.67 %"});
 }
 
 BOOST_AUTO_TEST_CASE(region_of_a_pulse_is_drawn) {
-  succeed(joined(region, "--f 0.175 --delta 0.49 --html page.html --json"));
+  succeed(region + "--f 0.175 --delta 0.49 --html page.html --json");
   check_contains(read("page.html"), {"id=\"region-title\"", "least Δ that stops it",
                                      "point, admissible", "too weak: exceeds", "too strong"});
 }
@@ -201,7 +185,7 @@ BOOST_AUTO_TEST_CASE(plain_design_has_no_pulse) {
 }
 
 BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
-  const ProgramRun run = succeed(joined(asked, "--verbose"));
+  const ProgramRun run = succeed(asked + "--verbose");
   check_contains(run.out,
                  {"half-sine, k = 0.5, lambda = 20", "Under the pulse itself",
                   "the forced motion itself", "forced_pulse", "more than", "tolerance by NLopt"});
@@ -212,7 +196,7 @@ BOOST_AUTO_TEST_CASE(page_for_people_says_it_in_words) {
 
 BOOST_AUTO_TEST_CASE(says_that_it_hardly_re_centres_and_the_unit_of_a_limit) {
   const Arguments soft("design --pulse full-sine --k 0.08 --lambda 0.8 --p 1 --beta 0.077");
-  check_contains(run(joined(soft, "--delta-max 0.005 --acceleration-max 0.12 --verbose")).out,
+  check_contains(run(soft + "--delta-max 0.005 --acceleration-max 0.12 --verbose").out,
                  {" (EN 15129 asks for 0.25)\n", " (EN 1998-2)\n", "acceleration, g  "});
 }
 
@@ -228,9 +212,8 @@ BOOST_AUTO_TEST_CASE(says_what_makes_the_reduction_poor) {
 
 BOOST_AUTO_TEST_CASE(without_a_design_the_mends_are_in_terms_of_the_pulse) {
   Arguments tight = without(asked, "--beta");
-  tight = joined(tight, "--beta 0.02");
-  const ProgramRun run = this->run(joined(tight, "--json"));
-  BOOST_TEST(run.exit_code == 3);
+  tight = tight + "--beta 0.02";
+  const ProgramRun run = this->ending(3, tight + "--json");
   const json report = run.json();
   BOOST_TEST(report["design"].is_null());
   BOOST_TEST(report["pulse"].is_null());
@@ -244,11 +227,10 @@ BOOST_AUTO_TEST_CASE(without_a_design_the_mends_are_in_terms_of_the_pulse) {
 /// For a pulse given in seconds the suggested change is in seconds, as it can be given.
 BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
   const auto lasting = [](const std::string& duration) {
-    return joined({"design", "--pulse-duration", duration},
-                  "--pulse half-sine --k 0.5g --period 2.8s --max-displacement 20mm");
+    return Arguments{"design", "--pulse-duration", duration} +
+           "--pulse half-sine --k 0.5g --period 2.8s --max-displacement 20mm";
   };
-  const ProgramRun text = run(lasting("70ms"));
-  BOOST_TEST(text.exit_code == 3);
+  const ProgramRun text = ending(3, lasting("70ms"));
   const std::regex figure("pulse_duration +at most ([.0-9]+) s ");
   std::smatch found;
   BOOST_TEST_REQUIRE(std::regex_search(text.out, found, figure), text.out);
@@ -288,46 +270,44 @@ BOOST_AUTO_TEST_CASE(scene_with_an_excitation_still_serves_design) {
   BOOST_TEST(run.json()["pulse"].is_null());
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
 namespace {
 
 const std::vector<Wrong> wrong_pulses{
-    {joined(without(asked, "--pulse"), "--pulse harmonic"),
+    {without(asked, "--pulse") + "--pulse harmonic",
      {"pulse = harmonic", "half-sine, full-sine or rectangle"}},
-    {joined(asked, "--arrivals 2"), {"arrivals = 2", "with a pulse"}},
+    {asked + "--arrivals 2", {"arrivals = 2", "with a pulse"}},
     {without(asked, "--k"), {"k is missing", "--k"}},
     {without(asked, "--lambda"), {"lambda is missing", "--lambda"}},
-    {joined(without(asked, "--k"), "--k 0"), {"k = 0"}},
-    {joined(without(asked, "--k"), "--k -1"), {"k = -1"}},
-    {joined(without(asked, "--k"), "--k 2:1"), {"k = 2:1", "LOW <= HIGH"}},
-    {joined(without(asked, "--k"), "--k 0:1"), {"k = 0", "more than 0"}},
-    {joined(without(asked, "--k"), "--k nan:1"), {"k = ", "finite number"}},
-    {joined(without(asked, "--k"), "--k -1:1"), {"k = -1:1"}},
-    {joined(without(asked, "--k"), "--k 1:2:3"), {"k = 1:2:3", "LOW:HIGH"}},
-    {joined(without(asked, "--lambda"), "--lambda 2:1"), {"lambda = 2:1", "LOW <= HIGH"}},
-    {joined(without(asked, "--lambda"), "--lambda 0:1"), {"lambda = 0"}},
-    {joined(without(asked, "--lambda"), "--lambda 1:1e13"),
+    {without(asked, "--k") + "--k 0", {"k = 0"}},
+    {without(asked, "--k") + "--k -1", {"k = -1"}},
+    {without(asked, "--k") + "--k 2:1", {"k = 2:1", "LOW <= HIGH"}},
+    {without(asked, "--k") + "--k 0:1", {"k = 0", "more than 0"}},
+    {without(asked, "--k") + "--k nan:1", {"k = ", "finite number"}},
+    {without(asked, "--k") + "--k -1:1", {"k = -1:1"}},
+    {without(asked, "--k") + "--k 1:2:3", {"k = 1:2:3", "LOW:HIGH"}},
+    {without(asked, "--lambda") + "--lambda 2:1", {"lambda = 2:1", "LOW <= HIGH"}},
+    {without(asked, "--lambda") + "--lambda 0:1", {"lambda = 0"}},
+    {without(asked, "--lambda") + "--lambda 1:1e13",
      {"lambda = 1", "a shorter pulse cannot be followed"}},
-    {joined(without(asked, "--lambda"), "--lambda 0.0099"),
+    {without(asked, "--lambda") + "--lambda 0.0099",
      {"lambda = 0.0099", "from 0.01 p to", "a longer pulse cannot be followed"}},
-    {joined(without(asked, "--lambda"), "--lambda 1e13"),
+    {without(asked, "--lambda") + "--lambda 1e13",
      {"lambda = 1", "to 1e+12 p", "a shorter pulse cannot be followed"}},
     {without(asked, "--p"), {"p is missing"}},
     {without(asked, "--beta"), {"beta is missing"}},
-    {joined(asked, "--v0 1"), {"v0 and pulse cannot be combined"}},
+    {asked + "--v0 1", {"v0 and pulse cannot be combined"}},
     {"design --pulse half-sine --k 0.5 --lambda 20 --period 2 --max-displacement 0.05 --velocity 1",
      {"pulse and velocity cannot be combined"}},
     {"design --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
     {"design --v0 1 --p 1 --beta 0.9 --lambda 1", {"lambda needs a pulse", "--pulse"}},
-    {joined(region, "--arrivals 2"), {"arrivals = 2", "with a pulse"}},
-    {joined(region, "--residual 0.1"), {"residual and pulse cannot be combined"}},
-    {joined(region, "--v0 1"), {"v0 and pulse cannot be combined"}},
-    {joined(region, "--delta 1"), {"f is missing", "give f as well"}},
-    {joined(region, "--f nan"), {"f = ", "finite number"}},
-    {joined(region, "--objective time"), {"--objective", "not an option of region"}},
+    {region + "--arrivals 2", {"arrivals = 2", "with a pulse"}},
+    {region + "--residual 0.1", {"residual and pulse cannot be combined"}},
+    {region + "--v0 1", {"v0 and pulse cannot be combined"}},
+    {region + "--delta 1", {"f is missing", "give f as well"}},
+    {region + "--f nan", {"f = ", "finite number"}},
+    {region + "--objective time", {"--objective", "not an option of region"}},
     {without(region, "--k"), {"k is missing", "--k"}},
-    {joined(without(region, "--lambda"), "--lambda 0.0099"), {"lambda = 0.0099", "longer pulse"}},
+    {without(region, "--lambda") + "--lambda 0.0099", {"lambda = 0.0099", "longer pulse"}},
     {"region --v0 1 --p 1 --beta 0.9 --k 1", {"k needs a pulse", "--pulse"}},
 };
 

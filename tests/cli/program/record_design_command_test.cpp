@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <string>
+#include "cli_test.hpp"
 
 BOOST_AUTO_TEST_SUITE(record_design_command_test)
 
@@ -16,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(record_design_command_test)
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace data = boost::unit_test::data;
 
 /// Of a figure worked out by hand, after its way through metres.
 constexpr double hand_tolerance = 1e-12;
@@ -36,7 +26,7 @@ std::string long_record() {
 }
 
 json failed_report(const Sandbox& sandbox, const Arguments& arguments, int exit_code) {
-  const ProgramRun answer = sandbox.run(joined(arguments, "--json"));
+  const ProgramRun answer = sandbox.run(arguments + "--json");
   BOOST_TEST(answer.exit_code == exit_code, answer.err);
   return answer.json();
 }
@@ -78,7 +68,7 @@ const std::vector<Wrong> wrong_inputs{
 
 BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded) {
   write("list.csv", "file,scale\na.txt,-3\n# a comment\n");
-  const json report = reported(joined(held, "--records-list list.csv"));
+  const json report = reported(held + "--records-list list.csv");
   BOOST_TEST(report["schema"] == "stillpoint/record-design-report/1");
   BOOST_TEST(report["design"]["f"] == 2);
   BOOST_TEST(report["design"]["delta_m"] == 0);
@@ -92,13 +82,14 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_does_not_move_transmits_the_load, Recorded
   BOOST_TEST(near(report["records"][0]["peak_absolute_acceleration"], 0.4, hand_tolerance));
   BOOST_TEST(report["cross_check"]["passed"] == true);
   BOOST_TEST(report["reason"] == nullptr);
-  const json mean = reported(joined(held, "--records-list list.csv --combine mean"));
+  const json mean = reported(held + "--records-list list.csv --combine mean");
   BOOST_TEST(near(mean["worst"]["peak_absolute_acceleration"], 0.8, hand_tolerance));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
-  const ProgramRun answer = run({"design", "--record", "a.txt", "--period", "2.8s", "--search-f",
-                                 "0.02:0.02", "--search-delta-m", "1mm:1mm", "--hold", "100"});
+  const ProgramRun answer =
+      run("design --record a.txt --period 2.8s --search-f 0.02:0.02 --search-delta-m 1mm:1mm "
+          "--hold 100");
   BOOST_TEST(
       contains(
           answer.out,
@@ -152,7 +143,7 @@ BOOST_FIXTURE_TEST_CASE(the_period_is_a_third_variable, Recorded) {
 
 BOOST_FIXTURE_TEST_CASE(without_a_damper_it_says_which_limit_is_in_the_way, Recorded) {
   const json report =
-      failed_report(*this, joined(held, "--max-displacement 10mm --acceleration-max 0.1"), 3);
+      failed_report(*this, held + "--max-displacement 10mm --acceleration-max 0.1", 3);
   BOOST_TEST(report["design"] == nullptr);
   BOOST_TEST(report["reason"].is_string());
   BOOST_TEST_REQUIRE(report["limits"].size() == 2U);
@@ -161,20 +152,20 @@ BOOST_FIXTURE_TEST_CASE(without_a_damper_it_says_which_limit_is_in_the_way, Reco
   BOOST_TEST(report["limits"][1]["limit"] == "acceleration_max");
   BOOST_TEST(near(report["limits"][1]["nearest"], 0.4, hand_tolerance));
   const std::string relaxed = in_full(report["limits"][1]["relaxed"]);
-  succeed(joined(held, {"--max-displacement", "10mm", "--acceleration-max", relaxed}));
-  const std::string text = run(joined(held, "--max-displacement 10mm --acceleration-max 0.1")).out;
+  succeed(held + Arguments{"--max-displacement", "10mm", "--acceleration-max", relaxed});
+  const std::string text = run(held + "--max-displacement 10mm --acceleration-max 0.1").out;
   BOOST_TEST(contains(text, "No damper was found that meets the limits. The nearest has an"), text);
 }
 
 /// Friction above the load holds it, so that the structure feels the peak of 0.4 g.
 BOOST_FIXTURE_TEST_CASE(without_a_damper_the_map_names_the_limit_to_relax, Recorded) {
-  const ProgramRun none =
-      run("design --record a.txt --period 2.8 --search-f 1:2 --search-delta-m 0:1mm --scan-points "
-          "100 --acceleration-max 0.1 --html p.html");
-  BOOST_TEST(none.exit_code == 3, none.err);
+  const ProgramRun none = ending(
+      3,
+      "design --record a.txt --period 2.8 --search-f 1:2 --search-delta-m 0:1mm --scan-points "
+      "100 --acceleration-max 0.1 --html p.html");
   const std::string page = read("p.html");
-  BOOST_TEST(contains(page, ">No damper: allow an acceleration of 0.4"));
-  BOOST_TEST(contains(page, "Each colour names the first limit that is violated there."));
+  check_contains(page, {">No damper: allow an acceleration of 0.4",
+                        "Each colour names the first limit that is violated there."});
 }
 
 BOOST_FIXTURE_TEST_CASE(a_damper_without_friction_is_reported_never_to_rest, Recorded) {
@@ -209,16 +200,13 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_each_record, Recorded) {
   BOOST_TEST(contains(answer.out, "a.txt"));
   BOOST_TEST(contains(answer.out, " meet the limits; the worst"), answer.out);
   const std::string page = read("p.html");
-  for (const char* const part : {"id=\"map-title\"", "id=\"record-1-title\"", "chosen", "a.txt"}) {
-    BOOST_TEST(contains(page, part), part);
-  }
+  check_contains(page, {"id=\"map-title\"", "id=\"record-1-title\"", "chosen", "a.txt"});
 }
 
 BOOST_FIXTURE_TEST_CASE(an_interrupt_ends_with_the_best_so_far, Sandbox) {
   write("long.txt", long_record());
   const Surroundings interrupted{.interrupt = true};
-  const ProgramRun stopped = run(joined(long_search, "--json --output r.json"), interrupted);
-  BOOST_TEST(stopped.exit_code == 130, stopped.err);
+  const ProgramRun stopped = ending(130, long_search + "--json --output r.json", interrupted);
   BOOST_TEST(stopped.err.empty(), stopped.err);
   BOOST_TEST(stopped.json()["search"]["interrupted"] == true);
   BOOST_TEST(stopped.json()["search"]["scan"]["points"] < 10'000);
@@ -229,11 +217,9 @@ BOOST_FIXTURE_TEST_CASE(an_interrupt_ends_with_the_best_so_far, Sandbox) {
 BOOST_FIXTURE_TEST_CASE(a_terminal_shows_the_best_so_far, Sandbox,
                         *boost::unit_test::precondition(if_terminals)) {
   write("long.txt", long_record());
-  const ProgramRun stopped = run(long_search, {.error_is_terminal = true, .interrupt = true});
-  BOOST_TEST(stopped.exit_code == 130);
-  BOOST_TEST(contains(stopped.err, " of about "), stopped.err);
-  BOOST_TEST(contains(stopped.err, " dampers, best "), stopped.err);
-  BOOST_TEST(contains(stopped.err, ", stroke "), stopped.err);
+  const ProgramRun stopped =
+      ending(130, long_search, {.error_is_terminal = true, .interrupt = true});
+  check_contains(stopped.err, {" of about ", " dampers, best ", ", stroke "});
 }
 
 BOOST_DATA_TEST_CASE_F(Recorded, wrong_input_is_refused, data::make(wrong_inputs), wrong) {

@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Designs under records in parts, and the parts joined again.
+#include "cli_test.hpp"
 #include "parts.hpp"
-#include "report_fields.hpp"
 
 #include <fmt/format.h>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <filesystem>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(record_part_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace fs = std::filesystem;
 
 /// One variable, so that the searches take a moment. With little friction nothing settles.
-const Arguments task{
-    "design", "--record",         "a.txt", "--record",      "b.txt", "--period",
-    "2.8s",   "--hold",           "0.05g", "--search-f",    "0:0.2", "--residual-m",
-    "20mm",   "--search-delta-m", "0:0",   "--scan-points", "61"};
+const Arguments task(
+    "design --record a.txt --record b.txt --period 2.8s --hold 0.05g --search-f 0:0.2 --residual-m "
+    "20mm --search-delta-m 0:0 --scan-points 61");
 
 /// The report less the times of the wall clock, as its text: the numbers to the last bit.
 std::string timeless(const std::string& text) {
@@ -44,7 +36,7 @@ struct RecordParts : Parts {
 
   void check_merged_design(const Arguments& design, int exit_code,
                            const std::vector<int>& counts) const {
-    const ProgramRun whole = run(joined(design, {"--output", "whole"}));
+    const ProgramRun whole = run(design + "--output whole");
     BOOST_TEST_REQUIRE(whole.exit_code == exit_code, whole.err);
     for (const int n : counts) {
       BOOST_TEST_CONTEXT(n << " parts") {
@@ -64,11 +56,11 @@ BOOST_AUTO_TEST_CASE(merge_to_the_design_of_one_run) {
 
 /// What the limits would have to be is searched for from the same scan.
 BOOST_AUTO_TEST_CASE(merge_to_no_design) {
-  check_merged_design(joined(task, {"--max-displacement", "1mm"}), 3, {3});
+  check_merged_design(task + "--max-displacement 1mm", 3, {3});
 }
 
 BOOST_AUTO_TEST_CASE(say_what_they_are) {
-  const ProgramRun printed = run(joined(task, {"--part", "2/4"}));
+  const ProgramRun printed = run(task + "--part 2/4");
   const json found = printed.json();
   BOOST_TEST(found.at("schema") == "stillpoint/record-scan/1");
   BOOST_TEST(found.at("dampers") == 61);
@@ -95,8 +87,7 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
   BOOST_TEST(part(task, 1, 2, {"--resume"}).out == "1-of-2.json: 31 of 61 dampers\n");
   BOOST_TEST((fs::last_write_time(path("1-of-2.json")) == written));
   const auto before = contents();
-  check_refusal(run(joined(task, {"--part", "2/2", "--output", "1-of-2.json"})),
-                {"1-of-2.json", "1/2", "{part}"});
+  check_refusal(run(task + "--part 2/2 --output 1-of-2.json"), {"1-of-2.json", "1/2", "{part}"});
   BOOST_TEST(contents() == before);
   write("1-of-2.json", read("1-of-2.json").substr(0, 100));
   BOOST_TEST(part(task, 1, 2, {"--resume"}).exit_code == 0);
@@ -106,9 +97,9 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 BOOST_AUTO_TEST_CASE(that_are_missing_repeated_or_truncated_are_refused) {
   const Arguments names = split(task, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
-  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "and so is"});
+  check_refused(names + Arguments{names[1]}, {names[1], "is part 2/3", "and so is"});
   check_refused({}, {"PART"});
-  check_refused(joined(names, {"none"}), {"none", "No such file"});
+  check_refused(names + "none", {"none", "No such file"});
   const std::string whole = read(names[1]);
   const std::size_t step = whole.size() / 23;
   for (std::size_t size = 0; size < whole.size() - 1; size += step) {
@@ -126,17 +117,17 @@ BOOST_AUTO_TEST_CASE(that_are_missing_repeated_or_truncated_are_refused) {
 BOOST_AUTO_TEST_CASE(of_other_tasks_are_refused) {
   const Arguments names = split(task, 2);
   const auto check_foreign = [&](const Arguments& more, Texts says) {
-    static_cast<void>(run(joined(task, joined({"--part", "2/2", "--output", "foreign"}, more))));
+    static_cast<void>(run(task + "--part 2/2 --output foreign" + more));
     says.insert(says.end(), {"foreign", names[1]});
     check_refused({names[1], "foreign"}, says);
     fs::remove(path("foreign"));
   };
   check_foreign({"--max-displacement", "1"}, {"belongs to a different design", "max-displacement"});
   check_foreign({"--objective", "residual"}, {"belongs to a different design", "objective"});
-  static_cast<void>(run(joined(task, {"--part", "3/3", "--output", "foreign"})));
+  static_cast<void>(run(task + "--part 3/3 --output foreign"));
   check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
-  static_cast<void>(run({"sweep", "--v0", "1", "--p", "1", "--f", "0.1,0.2", "--delta", "0",
-                         "--reduce", "--part", "2/2", "--output", "foreign"}));
+  static_cast<void>(
+      run("sweep --v0 1 --p 1 --f 0.1,0.2 --delta 0 --reduce --part 2/2 --output foreign"));
   check_refused({names[1], "foreign"}, {"foreign", "not a complete part of a design"});
   check_refusal(run({"sweep", "merge", "merged", names[0], names[1]}),
                 {names[0], "not a complete part"});
@@ -164,15 +155,15 @@ namespace {
 
 const Wrong wrong_record_parts[] = {
     {"design --v0 1 --p 1 --beta 0.9 --part 1/2", {"part needs a design under records"}},
-    {joined(task, {"--part", "3/2"}), {"part", "3/2", "1 <= I <= N"}},
-    {joined(task, {"--part", "1/2", "--html", "a.html"}), {"part", "page"}},
-    {joined(task, {"--resume"}), {"resume", "--part"}},
+    {task + "--part 3/2", {"part", "3/2", "1 <= I <= N"}},
+    {task + "--part 1/2 --html a.html", {"part", "page"}},
+    {task + "--resume", {"resume", "--part"}},
     {"design --record a.txt --period 2 --scan-points 0", {"scan-points", "0", "from 1"}}};
 
 }  // namespace
 
-BOOST_DATA_TEST_CASE_F(RecordParts, wrong_parts_are_refused,
-                       boost::unit_test::data::make(wrong_record_parts), wrong) {
+BOOST_DATA_TEST_CASE_F(RecordParts, wrong_parts_are_refused, data::make(wrong_record_parts),
+                       wrong) {
   check_refused({}, {"PART"});
   stillpoint::cli_test::check_refused(*this, wrong);
 }

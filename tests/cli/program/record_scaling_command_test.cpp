@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <filesystem>
-#include <numbers>
-#include <vector>
+#include "cli_test.hpp"
 
 BOOST_AUTO_TEST_SUITE(record_scaling_command_test)
 
@@ -20,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(record_scaling_command_test)
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace data = boost::unit_test::data;
 
 /// Of a figure worked out by hand, after its way through seconds.
 constexpr double hand_tolerance = 1e-12;
@@ -39,21 +26,21 @@ const Arguments held("design --period 2.8s --search-f 100:100 --search-delta-m 0
 }  // namespace
 
 BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_peak, Recorded) {
-  const Arguments record = joined(moved, "--record a.txt");
-  const json twice = reported(joined(record, "--record-scale -2"));
-  const json peak = reported(joined(record, "--record-peak 0.8g"));
+  const Arguments record = moved + "--record a.txt";
+  const json twice = reported(record + "--record-scale -2");
+  const json peak = reported(record + "--record-peak 0.8g");
   const json excitation = peak["input"]["excitation"];
-  BOOST_TEST(excitation["record_scale"] == nullptr);
-  BOOST_TEST(excitation["record_peak"] == 0.8);
-  BOOST_TEST(excitation["record_units"] == nullptr);
-  BOOST_TEST(excitation["record_units_read"] == "g");
-  BOOST_TEST(excitation["record_factor"] == 2);
-  BOOST_TEST(excitation["pga"] == 0.8);
+  check_values(excitation, {{"record_scale", nullptr},
+                            {"record_peak", 0.8},
+                            {"record_units", nullptr},
+                            {"record_units_read", "g"},
+                            {"record_factor", 2},
+                            {"pga", 0.8}});
   BOOST_TEST(twice["input"]["excitation"]["record_factor"] == -2);
   BOOST_TEST(twice["input"]["excitation"]["pga"] == 0.8);
   // The other way round, the motion is the same.
   BOOST_TEST(peak["response"]["peak_amplitude"] == twice["response"]["peak_amplitude"]);
-  const ProgramRun text = run(joined(record, "--record-peak 0.8g --verbose"));
+  const ProgramRun text = run(record + "--record-peak 0.8g --verbose");
   BOOST_TEST(contains(text.out, "values in g, times 2; the peak is then 0.8 g"), text.out);
 }
 
@@ -62,13 +49,13 @@ BOOST_FIXTURE_TEST_CASE(motion_under_a_record_of_that_spectrum, Sandbox) {
   const auto factor = [&](const Arguments& arguments) {
     return reported(arguments)["input"]["excitation"]["record_factor"].get<double>();
   };
-  const Arguments record = joined(moved, "--record a.txt --record-spectrum 1g");
+  const Arguments record = moved + "--record a.txt --record-spectrum 1g";
   BOOST_TEST(near(factor(record), 1 / (0.25 * overshoot), hand_tolerance));
-  BOOST_TEST(near(factor(joined(record, "--record-spectrum-period 7s")), 1 / (0.25 * overshoot),
-                  hand_tolerance));
+  BOOST_TEST(
+      near(factor(record + "--record-spectrum-period 7s"), 1 / (0.25 * overshoot), hand_tolerance));
   // In tau: half a period of 3 pi is over after 4.7, that of p = 1/2 after 6.3, beyond the load.
   const Arguments plain("simulate --f 0.05 --delta 0 --record a.txt --record-spectrum 0.5 --p 0.5");
-  BOOST_TEST(near(factor(joined(plain, "--record-spectrum-period 9.4")), 0.5 / (0.25 * overshoot),
+  BOOST_TEST(near(factor(plain + "--record-spectrum-period 9.4"), 0.5 / (0.25 * overshoot),
                   hand_tolerance));
   BOOST_TEST(factor(plain) > 1.0001 * 0.5 / (0.25 * overshoot));
 }
@@ -80,7 +67,7 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Recorded) {
   write("spectra.csv", "file,spectrum\nb.txt,1\n");
   const auto check = [&](const Arguments& arguments, const std::vector<double>& scales,
                          const std::vector<double>& peaks) {
-    const json list = reported(joined(held, arguments))["records"];
+    const json list = reported(held + arguments)["records"];
     BOOST_TEST_REQUIRE(list.size() == scales.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       BOOST_TEST(near(list[i]["scale"], scales[i], hand_tolerance), list[i].dump());
@@ -99,14 +86,14 @@ BOOST_FIXTURE_TEST_CASE(a_suite_has_a_factor_for_each_record, Recorded) {
 }
 
 BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
-  std::filesystem::create_directory(path("suite"));
+  fs::create_directory(path("suite"));
   write("suite/b.txt", small_record);
   write("suite/a.csv", long_load);
   write("suite/readme.md", "no record\n");
   write("list.csv", "file,scale\nsuite,2\n");
   for (const Arguments& given : std::vector<Arguments>{{"--record", "suite", "--record-scale", "2"},
                                                        {"--records-list", "list.csv"}}) {
-    const json list = reported(joined(held, given))["records"];
+    const json list = reported(held + given)["records"];
     BOOST_TEST_REQUIRE(list.size() == 2U);
     BOOST_TEST(list[0]["file"] == "suite/a.csv");
     BOOST_TEST(list[1]["file"] == "suite/b.txt");
@@ -115,22 +102,22 @@ BOOST_FIXTURE_TEST_CASE(a_folder_is_its_records_by_name, Sandbox) {
 }
 
 BOOST_FIXTURE_TEST_CASE(a_folder_leaves_out_notes_and_says_so, Sandbox) {
-  std::filesystem::create_directory(path("suite"));
+  fs::create_directory(path("suite"));
   write("suite/a.csv", long_load);
   write("suite/notes.txt", "where the record is from\nand who took it\n");
   write("list.csv", "file,scale\nsuite,2\n");
   for (const Arguments& given :
        std::vector<Arguments>{{"--record", "suite"}, {"--records-list", "list.csv"}}) {
-    const ProgramRun done = succeed(joined(held, given));
+    const ProgramRun done = succeed(held + given);
     BOOST_TEST(contains(done.err, "warning: record suite/notes.txt: is left out"), done.err);
-    BOOST_TEST(run(joined(joined(held, given), "--quiet")).err == "");
+    BOOST_TEST(run(held + given + "--quiet").err == "");
   }
 }
 
 namespace {
 
 Arguments with(const Arguments& more) {
-  return joined(joined(moved, "--record a.txt"), more);
+  return moved + "--record a.txt" + more;
 }
 
 const std::vector<Wrong> wrong{
@@ -142,9 +129,8 @@ const std::vector<Wrong> wrong{
     {"simulate --v0 0 --p 1 --f 0 --delta 0 --excitation half-sine --k 1 --lambda 1 --record-peak "
      "1",
      {"record-peak and excitation half-sine cannot be combined"}},
-    {joined(moved, "--record zeros.txt --record-peak 1"), {"record zeros.txt: is 0 throughout"}},
-    {joined(moved, "--record zeros.txt --record-spectrum 1"),
-     {"record zeros.txt: moves no oscillator"}},
+    {moved + "--record zeros.txt --record-peak 1", {"record zeros.txt: is 0 throughout"}},
+    {moved + "--record zeros.txt --record-spectrum 1", {"record zeros.txt: moves no oscillator"}},
     {with("--record-spectrum 1 --record-spectrum-period 0.9s"),
      {"record-spectrum-period = 0.9", "at least 1 s", "a.txt"}},
     {"simulate --p 1 --f 0 --delta 0 --record a.txt --record-spectrum 1 --record-spectrum-period "
@@ -158,13 +144,13 @@ const std::vector<Wrong> wrong{
      {"records-list peaks.csv: its targets and record-spectrum cannot be combined"}},
     {"design --period 2 --records-list none.csv", {"records-list none.csv, line 2: peak = 0"}},
     {"design --period 2 --record empty", {"record empty: this folder has no record", ".AT2"}},
-    {joined(moved, "--record empty"), {"Is a directory"}},
+    {moved + "--record empty", {"Is a directory"}},
 };
 
 }  // namespace
 
 BOOST_DATA_TEST_CASE_F(Sandbox, wrong_scaling_is_refused, data::make(wrong), given) {
-  std::filesystem::create_directory(path("empty"));
+  fs::create_directory(path("empty"));
   write("a.txt", small_record);
   write("zeros.txt", "0 0\n1 0\n");
   write("peaks.csv", "file,peak\na.txt,1\n");

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "report_fields.hpp"
-#include "run_program.hpp"
-#include "testing/printing.hpp"
+#include "cli_test.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-BOOST_AUTO_TEST_SUITE(region_command_test)
+BOOST_FIXTURE_TEST_SUITE(region_command_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 
 Arguments region(const Arguments& more = {}) {
-  return joined("region --v0 1 --p 1 --beta 0.8", more);
+  return "region --v0 1 --p 1 --beta 0.8" + more;
 }
 
 std::set<std::string> violated(const json& report) {
@@ -38,8 +23,6 @@ std::set<std::string> violated(const json& report) {
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(region_command, Sandbox)
-
 BOOST_AUTO_TEST_CASE(gives_the_bounds) {
   const json report = reported(region());
   BOOST_TEST(report["schema"] == "stillpoint/region-report/1");
@@ -52,9 +35,7 @@ BOOST_AUTO_TEST_CASE(gives_the_bounds) {
                 "f_lower:number", "f_upper:number", "delta2:number", "beta_min:number"});
   const json& bounds = report["region"];
   BOOST_TEST(bounds["feasible"] == true);
-  BOOST_TEST(near(bounds["f1"], 0.8, 1e-15));
-  BOOST_TEST(near(bounds["f2"], 0.225, 1e-15));
-  BOOST_TEST(near(bounds["f3"], std::numbers::sqrt2 / 4, 1e-15));
+  check_near(bounds, {{"f1", 0.8}, {"f2", 0.225}, {"f3", std::numbers::sqrt2 / 4}}, 1e-15);
   BOOST_TEST(bounds["delta2"] == 0.5);
   BOOST_TEST(near(bounds["beta_min"], std::numbers::sqrt2 / 2, 1e-15));
   BOOST_TEST(report["constraints"].empty());
@@ -111,7 +92,7 @@ BOOST_AUTO_TEST_CASE(limits_bound_the_variable_that_they_name) {
       {"dead_zone", "f"}, {"start", "delta"}, {"amplitude", "f"},    {"return", "f"},
       {"stop", "delta"},  {"f_max", "f"},     {"delta_max", "delta"}};
   BOOST_TEST(variable == expected);
-  std::istringstream text(run(joined(arguments, "--verbose")).out);
+  std::istringstream text(run(arguments + "--verbose").out);
   std::string line;
   std::size_t found = 0;
   while (std::getline(text, line)) {
@@ -159,40 +140,41 @@ BOOST_AUTO_TEST_CASE(huge_friction_is_refused_or_reported_in_finite_numbers) {
 
 BOOST_AUTO_TEST_CASE(empty_region_is_exit_code_3) {
   const Arguments empty("region --v0 1 --p 1 --beta 0.6");
-  const ProgramRun answer = run(joined(empty, "--json"));
-  BOOST_TEST(answer.exit_code == 3);
+  const ProgramRun answer = ending(3, empty + "--json");
   BOOST_TEST(answer.err.empty(), answer.err);
   const json report = answer.json();
   BOOST_TEST(report["region"]["feasible"] == false);
   check_fields(report["region"], {"reason:text", "f_lower:null", "f_upper:null", "mends:array"});
   BOOST_TEST(report["region"]["mends"].size() == 3U);
-  const ProgramRun text = run(empty);
-  BOOST_TEST(text.exit_code == 3);
+  const ProgramRun text = ending(3, empty);
   BOOST_TEST(contains(text.out, "amplitude and return conflict"));
 }
 
 BOOST_AUTO_TEST_CASE(works_in_metres_and_seconds) {
   const Arguments isolator("region --velocity 0.4 --period 3 --max-displacement 0.16 --mass 2e5");
-  const json report = reported(joined(isolator, "--f 0.0225 --delta-m 0.006"));
+  const json report = reported(isolator + "--f 0.0225 --delta-m 0.006");
   BOOST_TEST(report["admissible"] == true);
   const json& quantities = report["physical"];
-  BOOST_TEST(near(quantities["delta2_m"], 0.16 / (2 * 9.80665), 1e-14));
+  check_near(quantities,
+             {{"delta2_m", 0.16 / (2 * 9.80665)},
+              {"friction_force_n", 2e5 * 9.80665 * 0.0225},
+              {"energy_per_passage_j", 2e5 * 9.80665 * 0.006}},
+             1e-14);
   BOOST_TEST(near(quantities["delta_m"], 0.006, 1e-15));
-  BOOST_TEST(near(quantities["friction_force_n"], 2e5 * 9.80665 * 0.0225, 1e-14));
-  BOOST_TEST(near(quantities["energy_per_passage_j"], 2e5 * 9.80665 * 0.006, 1e-14));
   const double length = quantities["length_unit_m"];
-  BOOST_TEST(
-      near(quantities["delta1_exact_m"], report["delta1_exact"].get<double>() * length, 1e-15));
-  BOOST_TEST(near(quantities["delta1_published_m"],
-                  report["delta1_published"].get<double>() * length, 1e-15));
+  check_near(quantities,
+             {{"delta1_exact_m", report["delta1_exact"].get<double>() * length},
+              {"delta1_published_m", report["delta1_published"].get<double>() * length}},
+             1e-15);
   // The dimensionless figures again.
+  const json& input = report["input"];
   const Arguments again{"region",
                         "--v0",
-                        in_full(report["input"]["v0"]),
+                        in_full(input["v0"]),
                         "--p",
-                        in_full(report["input"]["p"]),
+                        in_full(input["p"]),
                         "--beta",
-                        in_full(report["input"]["beta"])};
+                        in_full(input["beta"])};
   BOOST_TEST(reported(again)["region"] == report["region"]);
 }
 
@@ -202,12 +184,11 @@ BOOST_AUTO_TEST_CASE(mends_name_the_stiffness_if_it_was_given) {
     return Arguments{"region", "--velocity", "0.4", "--stiffness", stiffness, "--max-displacement",
                      "0.1",    "--mass",     "1e5"};
   };
-  const ProgramRun text = run(isolator("6e5"));
-  BOOST_TEST(text.exit_code == 3);
+  const ProgramRun text = ending(3, isolator("6e5"));
   BOOST_TEST(contains(text.out, "  stiffness         at least "), text.out);
   BOOST_TEST(!contains(text.out, "  period            at"), text.out);
   // beta p / V0 = X omega / v = 1/sqrt 2, (10), so that k = m v^2 / (2 X^2).
-  const json quantities = run(joined(isolator("6e5"), "--json")).json()["physical"];
+  const json quantities = run(isolator("6e5") + "--json").json()["physical"];
   const double mended = quantities["stiffness_mend_n_per_m"];
   constexpr double digits = 1e-13;  // to the safe side
   BOOST_TEST(near(mended, 1e5 * 0.16 / 0.02, digits));
@@ -215,7 +196,7 @@ BOOST_AUTO_TEST_CASE(mends_name_the_stiffness_if_it_was_given) {
   BOOST_TEST(run(isolator(in_full(mended * (1 - 1e-12)))).exit_code == 3);
 
   const Arguments by_period("region --velocity 0.4 --period 2.5651 --max-displacement 0.1");
-  const json without_mass = run(joined(by_period, "--json")).json()["physical"];
+  const json without_mass = run(by_period + "--json").json()["physical"];
   check_fields(without_mass, {"period_mend_s:number", "stiffness_mend_n_per_m:null"});
   BOOST_TEST(contains(run(by_period).out, "  period            at most "));
 }
@@ -230,10 +211,10 @@ BOOST_AUTO_TEST_CASE(text_shows_bounds_and_judgement) {
 BOOST_AUTO_TEST_CASE(a_friction_alone_has_no_notch) {
   const Arguments isolator(
       "region --velocity 0.4 --period 2.8 --mass 1200t --max-displacement 0.15");
-  const std::string alone = run(joined(isolator, "--f 0.024")).out;
+  const std::string alone = run(isolator + "--f 0.024").out;
   BOOST_TEST(contains(alone, "friction force    282.43 kN"), alone);
   BOOST_TEST(!contains(alone, "capacity"), alone);
-  BOOST_TEST(contains(run(joined(isolator, "--f 0.024 --delta-m 6mm")).out, "70.608 kJ"));
+  BOOST_TEST(contains(run(isolator + "--f 0.024 --delta-m 6mm").out, "70.608 kJ"));
 }
 
 BOOST_AUTO_TEST_CASE(delta1_is_shown_only_where_the_first_arrival_decides) {
@@ -245,17 +226,15 @@ BOOST_AUTO_TEST_CASE(delta1_is_shown_only_where_the_first_arrival_decides) {
   const Arguments second("--f 0.071 --delta 0.235");
   const Arguments later("--beta 0.95 --arrivals 3");
   const Arguments task("--v0 1 --p 1");
-  const Arguments judged = joined("region", joined(task, later));
-  BOOST_TEST(run(joined(judged, "--f 0.071 --delta 0.235 --json")).json()["admissible"] == true);
-  BOOST_TEST(!shown(joined(judged, second)));
-  BOOST_TEST(shown(joined(judged, first)));
+  const Arguments judged = "region" + task + later;
+  BOOST_TEST(run(judged + "--f 0.071 --delta 0.235 --json").json()["admissible"] == true);
+  BOOST_TEST(!shown(judged + second));
+  BOOST_TEST(shown(judged + first));
   BOOST_TEST(shown(region(first)));
-  BOOST_TEST(shown(joined(judged, "--f 0.071")));
-  const Arguments designed = joined("design --f-max 0.15 --verbose", task);
-  BOOST_TEST(!shown(joined(designed, later)));
-  BOOST_TEST(shown(joined(designed, "--beta 0.95")));
+  BOOST_TEST(shown(judged + "--f 0.071"));
+  const Arguments designed = "design --f-max 0.15 --verbose" + task;
+  BOOST_TEST(!shown(designed + later));
+  BOOST_TEST(shown(designed + "--beta 0.95"));
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-
-BOOST_AUTO_TEST_SUITE(scene_test)
+BOOST_FIXTURE_TEST_SUITE(scene_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 
 Surroundings with_input(const std::string& text) {
   return {.input = text};
@@ -23,8 +14,6 @@ Surroundings with_input(const std::string& text) {
 const std::string plain = R"({"v0": 1, "p": 1, "beta": 0.9, "tolerance": 0.1})";
 
 }  // namespace
-
-BOOST_FIXTURE_TEST_SUITE(scene, Sandbox)
 
 BOOST_AUTO_TEST_CASE(from_a_file_or_standard_input_equals_flags) {
   write("scene.json", plain);
@@ -52,11 +41,11 @@ BOOST_AUTO_TEST_CASE(gives_way_to_flags) {
   const json report = run("design scene.json --objective amplitude --f-max 0.25 --criterion "
                           "published --v0 1.01 --json")
                           .json();
-  BOOST_TEST(report["input"]["objective"] == "amplitude");
-  BOOST_TEST(report["input"]["f_max"] == 0.25);
-  BOOST_TEST(report["input"]["criterion"] == "published");
-  BOOST_TEST(report["input"]["v0"] == 1.01);
-  BOOST_TEST(report["input"]["p"] == 1);
+  check_values(report["input"], {{"objective", "amplitude"},
+                                 {"f_max", 0.25},
+                                 {"criterion", "published"},
+                                 {"v0", 1.01},
+                                 {"p", 1}});
 }
 
 // At most one of these can be given, so the flag wins, whatever the file has.
@@ -67,33 +56,31 @@ BOOST_AUTO_TEST_CASE(gives_way_to_flags_that_exclude_its_keys) {
       "delta_max_m": 0.02})");
   const Arguments pulse("--pulse half-sine --k 0.5 --lambda 20");
   const auto design = [this](const Arguments& arguments) {
-    return without_wall_times(reported(joined("design", arguments)));
+    return without_wall_times(reported("design" + arguments));
   };
-  BOOST_TEST(design(joined("plain.json --beta 0.05", pulse)) == design("pulse.json"));
+  BOOST_TEST(design("plain.json --beta 0.05" + pulse) == design("pulse.json"));
   BOOST_TEST(design("pulse.json --v0 1 --beta 0.9") == design("plain.json"));
   BOOST_TEST(
       design("metres.json --stiffness 5e5 --delta-max 0.1") ==
       design("--velocity 0.4 --stiffness 5e5 --mass 1e5 --max-displacement 0.15 --delta-max 0.1"));
-  BOOST_TEST(
-      design(joined("metres.json", pulse)) ==
-      design(joined("--period 2.8 --max-displacement 0.15 --mass 1e5 --delta-max-m 0.02", pulse)));
+  BOOST_TEST(design("metres.json" + pulse) ==
+             design("--period 2.8 --max-displacement 0.15 --mass 1e5 --delta-max-m 0.02" + pulse));
 }
 
 // Under the pulse of a scene a motion is what design checks its damper with.
 BOOST_AUTO_TEST_CASE(with_a_pulse_excites_the_motion_of_simulate) {
   write("scene.json", R"({"pulse": "rectangle", "k": 0.5, "lambda": 20, "p": 1})");
   const Arguments damper("--f 0.01 --delta 0.0008");
-  const Arguments simulate = joined("simulate --p 1", damper);
+  const Arguments simulate = "simulate --p 1" + damper;
   const auto from_scene = [&](const Arguments& more) {
-    return reported(joined(joined("simulate scene.json", damper), more));
+    return reported("simulate scene.json" + damper + more);
   };
-  BOOST_TEST(from_scene({}) ==
-             reported(joined(simulate, "--excitation rectangle --k 0.5 --lambda 20")));
+  BOOST_TEST(from_scene({}) == reported(simulate + "--excitation rectangle --k 0.5 --lambda 20"));
   BOOST_TEST(from_scene("--excitation half-sine --k 0.4") ==
-             reported(joined(simulate, "--excitation half-sine --k 0.4 --lambda 20")));
-  BOOST_TEST(from_scene("--v0 0.05") == reported(joined(simulate, "--v0 0.05")));
+             reported(simulate + "--excitation half-sine --k 0.4 --lambda 20"));
+  BOOST_TEST(from_scene("--v0 0.05") == reported(simulate + "--v0 0.05"));
   write("r.txt", "0 0\n1 0.5\n2 0\n");
-  BOOST_TEST(from_scene("--record r.txt") == reported(joined(simulate, "--record r.txt")));
+  BOOST_TEST(from_scene("--record r.txt") == reported(simulate + "--record r.txt"));
 }
 
 // A velocity takes its place.
@@ -158,9 +145,9 @@ BOOST_AUTO_TEST_CASE(serves_several_commands_and_names_unused_keys) {
 }
 
 BOOST_AUTO_TEST_CASE(shipped_with_the_project_all_work) {
-  std::filesystem::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));
+  fs::create_directory_symlink(STILLPOINT_DATA_DIR, path("data"));
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
+  for (const auto& entry : fs::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
     if (entry.path().extension() != ".json") {
       continue;
     }
@@ -210,7 +197,5 @@ BOOST_AUTO_TEST_CASE(shipped_with_the_project_all_work) {
   }
   BOOST_TEST(scenes >= 6);
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "generated_docs.hpp"
 #include "json_schema.hpp"
 #include "options/options.hpp"
-#include "run_program.hpp"
-#include "testing/printing.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(schema_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 namespace cli = stillpoint::cli;
-namespace fs = std::filesystem;
 
 const fs::path data_dir = STILLPOINT_DATA_DIR;
 const Arguments plain_design("design --v0 1 --p 1 --beta 0.9 --json");
@@ -160,7 +149,7 @@ BOOST_AUTO_TEST_CASE(allow_the_reports_that_the_docs_show) {
         }
         return places;
       };
-      BOOST_TEST(fields(shown) == fields(printed), boost::test_tools::per_element());
+      BOOST_TEST(fields(shown) == fields(printed), tt::per_element());
       if (name != "design") {  // which has NLopt's last digits and times of the clock
         BOOST_TEST(shown == printed);
       }

@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
-#include "sweep_table.hpp"
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <string>
+#include "cli_test.hpp"
 
 BOOST_AUTO_TEST_SUITE(spectrum_command_test)
 
@@ -20,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(spectrum_command_test)
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace data = boost::unit_test::data;
 
 /// Metres and seconds on the way there and back.
 constexpr double units_tolerance = 1e-12;
@@ -54,11 +40,11 @@ const std::vector<Wrong> wrong_inputs{
     {but("--f", "-0.1"), {"f = -0.1"}},
     {but("--delta-m", "-1mm"), {"delta-m = -0.001"}},
     {but("--hold", "-1"), {"hold = -1"}},
-    {joined(asked, "--notch-width-m 1mm"), {"cannot be combined"}},
-    {joined(asked, "--combine median"), {"combine = median", "max or mean"}},
-    {joined(asked, "--p 1"), {"--p: is not an option of spectrum"}},
-    {joined(asked, "--json --table -"), {"json and the table", "--table FILE"}},
-    {joined(asked, "--threads -1"), {"threads = -1"}},
+    {asked + "--notch-width-m 1mm", {"cannot be combined"}},
+    {asked + "--combine median", {"combine = median", "max or mean"}},
+    {asked + "--p 1", {"--p: is not an option of spectrum"}},
+    {asked + "--json --table -", {"json and the table", "--table FILE"}},
+    {asked + "--threads -1", {"threads = -1"}},
 };
 
 }  // namespace
@@ -73,7 +59,7 @@ BOOST_FIXTURE_TEST_CASE(each_point_matches_simulate, Recorded) {
     const std::string period = in_full(point["period_s"]);
     const auto check = [&](const json& figures, const Arguments& damper) {
       const json response = reported(
-          joined({"simulate", "--record", "a.txt", "--period", period, "--f", "0.02"}, damper));
+          Arguments{"simulate", "--record", "a.txt", "--period", period, "--f", "0.02"} + damper);
       const json& physical = response["physical"];
       BOOST_TEST(near(figures["peak_m"], physical["peak_m"], units_tolerance));
       BOOST_TEST(near(figures["peak_absolute_acceleration"],
@@ -97,11 +83,11 @@ BOOST_FIXTURE_TEST_CASE(each_point_matches_simulate, Recorded) {
 
 BOOST_FIXTURE_TEST_CASE(the_table_has_the_numbers_of_the_report, Recorded) {
   write("list.csv", "file,scale\na.txt,-3\n");
-  const Arguments two = joined(asked, "--records-list list.csv");
-  const json report = reported(joined(two, "--table t.csv --output report.json"));
+  const Arguments two = asked + "--records-list list.csv";
+  const json report = reported(two + "--table t.csv --output report.json");
   BOOST_TEST(json::parse(read("report.json")) == report);
-  succeed(joined(two, "--table t.npy"));
-  BOOST_TEST(run(joined(two, "--table -")).out == read("t.csv"));
+  succeed(two + "--table t.npy");
+  BOOST_TEST(run(two + "--table -").out == read("t.csv"));
   const SweepTable csv = read_csv(read("t.csv"));
   const NpyFile npy = read_npy(read("t.npy"));
   BOOST_TEST_REQUIRE(csv.rows.size() == 10U);
@@ -139,7 +125,7 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
       answer.err ==
       "stillpoint: locked: at 5 of 5 periods the notch holds the mass to the end of the record, "
       "and transmits up to 0.4 g\n");
-  BOOST_TEST(run(joined(locked, "--quiet")).err.empty());
+  BOOST_TEST(run(locked + "--quiet").err.empty());
   const ProgramRun friction = run(but("--delta-m", "0"));
   BOOST_TEST(friction.err.empty());
   BOOST_TEST(contains(friction.out, "\n  Friction alone transmits at most "), friction.out);
@@ -148,14 +134,14 @@ BOOST_FIXTURE_TEST_CASE(a_damper_that_locks_is_reported, Recorded) {
 BOOST_FIXTURE_TEST_CASE(missing_values_are_left_out, Recorded) {
   const Arguments endless("spectrum --record a.txt --period 2s --f 0 --delta-m 0");
   BOOST_TEST(reported(endless)["combined"][0]["residual_m"] == nullptr);
-  const ProgramRun table = run(joined(endless, "--table -"));
+  const ProgramRun table = run(endless + "--table -");
   BOOST_TEST(read_csv(table.out).at(0, "residual_m").empty());
-  succeed(joined(endless, "--table t.npy --quiet"));
+  succeed(endless + "--table t.npy --quiet");
   BOOST_TEST(std::isnan(read_npy(read("t.npy")).number(0, "residual_m")));
 }
 
 BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
-  const ProgramRun answer = succeed(joined(asked, "--html p.html --svg figures"));
+  const ProgramRun answer = succeed(asked + "--html p.html --svg figures");
   BOOST_TEST(contains(answer.out, "Under the record, the notch lowers the residual"), answer.out);
   BOOST_TEST(contains(answer.out, "\n  1.5 "), answer.out);
   const std::string page = read("p.html");
@@ -165,7 +151,7 @@ BOOST_FIXTURE_TEST_CASE(text_and_page_show_it, Recorded) {
   }
   for (const char* const part : {"spectrum-acceleration", "spectrum-peak", "spectrum-residual"}) {
     BOOST_TEST(contains(page, std::string("id=\"") + part + "-title\""), part);
-    BOOST_TEST(std::filesystem::exists(path(std::string("figures/") + part + ".svg")), part);
+    BOOST_TEST(fs::exists(path(std::string("figures/") + part + ".svg")), part);
   }
 }
 
@@ -188,11 +174,11 @@ BOOST_FIXTURE_TEST_CASE(an_interrupt_writes_nothing, Sandbox) {
   }
   write("long.txt", record);
   const Surroundings interrupted{.interrupt = true};
-  const ProgramRun stopped =
-      run("spectrum --record long.txt --record-step 0.01 --period 0.5:4:10000 --f 0.01 --delta-m "
-          "1mm --hold 0.1 --table t.csv",
-          interrupted);
-  BOOST_TEST(stopped.exit_code == 130);
+  const ProgramRun stopped = ending(
+      130,
+      "spectrum --record long.txt --record-step 0.01 --period 0.5:4:10000 --f 0.01 --delta-m "
+      "1mm --hold 0.1 --table t.csv",
+      interrupted);
   BOOST_TEST(stopped.err == "stillpoint: interrupted: nothing is written\n");
   BOOST_TEST(contents().size() == 1U);
 }

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "report_fields.hpp"
-#include "run_program.hpp"
-#include "sweep_table.hpp"
-#include "testing/printing.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <filesystem>
-#include <limits>
+#include "cli_test.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_file_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace fs = std::filesystem;
 
 Arguments sweep(const Arguments& more = {}) {
-  return joined("sweep --v0 1 --p 1", more);
+  return "sweep --v0 1 --p 1" + more;
 }
 
 const Arguments grid("--f 0,0.02,0.3 --delta 0,0.03,0.7 --times");
@@ -50,7 +39,7 @@ BOOST_AUTO_TEST_CASE(has_the_values_of_the_csv) {
       "--f 0.1,0.4 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 30");
   for (const Arguments& entries : {grid, forced}) {
     const SweepTable table = read_csv(run(sweep(entries)).out);
-    succeed(sweep(joined(entries, "--output rows.npy")));
+    succeed(sweep(entries + "--output rows.npy"));
     const NpyFile npy = read_npy(read("rows.npy"));
     BOOST_TEST_REQUIRE(npy.fields.size() == table.columns.size());
     BOOST_TEST_REQUIRE(npy.count == static_cast<std::int64_t>(table.rows.size()));
@@ -95,8 +84,8 @@ BOOST_AUTO_TEST_CASE(of_a_list_gets_its_length_at_the_end) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_grid_may_go_through_a_pipe) {
-  const ProgramRun piped = run(sweep(joined(grid, "--format npy")));
-  succeed(sweep(joined(grid, "--output rows.npy")));
+  const ProgramRun piped = run(sweep(grid + "--format npy"));
+  succeed(sweep(grid + "--output rows.npy"));
   BOOST_TEST(piped.out == read("rows.npy"));
 }
 
@@ -106,7 +95,7 @@ BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
 
 BOOST_AUTO_TEST_CASE(is_what_standard_output_would_be) {
   write("rows.csv", "old");
-  const ProgramRun answer = succeed(sweep(joined(grid, "--output rows.csv")));
+  const ProgramRun answer = succeed(sweep(grid + "--output rows.csv"));
   BOOST_TEST(answer.err.empty(), answer.err);
   BOOST_TEST(answer.out.starts_with("Sweep\n"), answer.out);
   BOOST_TEST(read("rows.csv") == run(sweep(grid)).out);
@@ -116,19 +105,19 @@ BOOST_AUTO_TEST_CASE(is_what_standard_output_would_be) {
 BOOST_AUTO_TEST_CASE(keeps_a_link) {
   fs::create_directory(path("elsewhere"));
   fs::create_symlink("elsewhere/rows.csv", path("link.csv"));
-  succeed(sweep(joined(grid, "--output link.csv")));
+  succeed(sweep(grid + "--output link.csv"));
   BOOST_TEST(fs::is_symlink(path("link.csv")));
   BOOST_TEST(read("elsewhere/rows.csv").starts_with("f,delta,"));
 }
 
 BOOST_AUTO_TEST_CASE(may_be_standard_output_or_a_device) {
-  BOOST_TEST(run(sweep(joined(grid, "--output /dev/stdout"))).out == run(sweep(grid)).out);
-  succeed(sweep(joined(grid, "--output /dev/null")));
+  BOOST_TEST(run(sweep(grid + "--output /dev/stdout")).out == run(sweep(grid)).out);
+  succeed(sweep(grid + "--output /dev/null"));
   BOOST_TEST(contents().empty());
 }
 
 BOOST_AUTO_TEST_CASE(has_a_report) {
-  const ProgramRun answer = succeed(sweep(joined(grid, "--output rows.npy --json")));
+  const ProgramRun answer = succeed(sweep(grid + "--output rows.npy --json"));
   const json report = answer.json();
   check_fields(report, {"schema:text", "program:object", "kind:text", "output:object", "rows:count",
                         "outcomes:object", "feasible:null", "resumed_at:count", "threads:count",
@@ -141,10 +130,10 @@ BOOST_AUTO_TEST_CASE(has_a_report) {
   // delta 0.7 > v0^2/2 catches all three; f = delta = 0 never stops; f alone ends in the dead zone,
   // and so does f = 0.3 with delta = 0.03: from the peak -0.3 + sqrt(1.09) = 0.744 it arrives with
   // v^2/2 = 0.053, passes with 0.023 and turns at 0.070 < f. The other two end in the notch.
-  BOOST_TEST(report["outcomes"]["caught_at_start"] == 3);
-  BOOST_TEST(report["outcomes"]["never_stops"] == 1);
-  BOOST_TEST(report["outcomes"]["stopped_in_dead_zone"] == 3);
-  BOOST_TEST(report["outcomes"]["stopped_at_zero"] == 2);
+  check_values(report["outcomes"], {{"caught_at_start", 3},
+                                    {"never_stops", 1},
+                                    {"stopped_in_dead_zone", 3},
+                                    {"stopped_at_zero", 2}});
   const json designs = run(sweep("--beta 0.5,0.9 --output rows.csv --json")).json();
   BOOST_TEST(designs["feasible"] == 1);
   BOOST_TEST(designs["outcomes"].is_null());

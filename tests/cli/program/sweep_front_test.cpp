@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Sweeps over the dampers along the front of each design problem.
-#include "refusal.hpp"
-#include "run_program.hpp"
-#include "sweep_table.hpp"
+#include "cli_test.hpp"
 #include "wrong_arguments.hpp"
 
 #include <fmt/format.h>
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(sweep_front_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace data = boost::unit_test::data;
-using nlohmann::json;
 
 constexpr std::size_t dampers = 4;
 const Arguments front("--trade-off 4 --times");
@@ -40,7 +31,7 @@ BOOST_FIXTURE_TEST_CASE(has_the_dampers_that_design_reports, Sandbox) {
                               "--v0 0.9:1.1 --p 1 --criterion exact",
                               "--v0 1 --p 1 --residual 0.05 --arrivals 2 --f-max 0.2",
                               "--v0 1 --p 1 --tolerance-f 0.9:1.2 --tolerance-delta 0.05"}) {
-    const ProgramRun swept = succeed(joined(joined("sweep --beta 0.6,0.9,1.2", task), front));
+    const ProgramRun swept = succeed("sweep --beta 0.6,0.9,1.2" + task + front);
     const SweepTable table = read_csv(swept.out);
     BOOST_TEST_REQUIRE(table.rows.size() == 3 * dampers);
     int fronts = 0;
@@ -48,11 +39,10 @@ BOOST_FIXTURE_TEST_CASE(has_the_dampers_that_design_reports, Sandbox) {
       BOOST_TEST(table.number(row, "trade_off") == static_cast<double>(row % dampers + 1));
     }
     for (std::size_t first = 0; first < table.rows.size(); first += dampers) {
-      const json report = run(joined(joined({"design", "--json", "--trade-off", "4", "--beta",
-                                             table.at(first, "beta")},
-                                            task),
-                                     {}))
-                              .json();
+      const json report =
+          run(Arguments{"design", "--json", "--trade-off", "4", "--beta", table.at(first, "beta")} +
+              task + Arguments{})
+              .json();
       const json& reported = report.at("trade_off");
       if (reported.empty()) {
         BOOST_TEST(table.at(first, "feasible") == "false");
@@ -80,7 +70,7 @@ struct Listed : Sandbox {
   Listed() { write("list.csv", betas); }
 
   [[nodiscard]] std::string rows_of(const Arguments& more) const {
-    succeed(joined(joined(task, "--output whole.csv"), more));
+    succeed(task + "--output whole.csv" + more);
     return read("whole.csv");
   }
 };
@@ -99,9 +89,9 @@ BOOST_FIXTURE_TEST_CASE(is_split_anywhere_and_merged_into_the_same_bytes, Listed
       Arguments merge("sweep merge merged.csv");
       for (int i = 1; i <= std::stoi(n); ++i) {
         const std::string part = std::to_string(i);
-        succeed(joined(joined(task, entries),
-                       {"--part", fmt::format("{}/{}", i, n), "--output", part + ".csv"}));
-        merge = joined(merge, {part + ".csv"});
+        succeed(task + entries +
+                Arguments{"--part", fmt::format("{}/{}", i, n), "--output", part + ".csv"});
+        merge = merge + Arguments{part + ".csv"};
       }
       succeed(merge);
       BOOST_TEST(read("merged.csv") == whole);
@@ -111,22 +101,21 @@ BOOST_FIXTURE_TEST_CASE(is_split_anywhere_and_merged_into_the_same_bytes, Listed
 
 BOOST_FIXTURE_TEST_CASE(of_a_list_is_resumed_where_a_line_was_wrong, Listed) {
   const std::string whole = rows_of("--list list.csv");
-  const Arguments again = joined(task, "--list broken.csv --output rows.csv");
+  const Arguments again = task + "--list broken.csv --output rows.csv";
   write("broken.csv", "beta\n0.8\n0.5\n-1\n");
-  const ProgramRun broken = run(again);
-  BOOST_TEST(broken.exit_code == 2);
+  const ProgramRun broken = ending(2, again);
   check_contains(broken.err, {"broken.csv, line 4", "beta = -1", "--resume"});
   write("broken.csv", betas);
-  const ProgramRun answer = succeed(joined(again, "--resume --json"));
+  const ProgramRun answer = succeed(again + "--resume --json");
   BOOST_TEST(answer.json()["resumed_at"] == 2 * dampers);
   BOOST_TEST(read("rows.csv") == whole);
 }
 
 BOOST_FIXTURE_TEST_CASE(is_reduced_and_written_as_npy, Listed) {
-  const json report = run(joined(task, "--list list.csv --reduce --json")).json();
+  const json report = run(task + "--list list.csv --reduce --json").json();
   BOOST_TEST(report.at("entries") == 5 * dampers);
   BOOST_TEST(report.at("feasible") == 4 * dampers);
-  succeed(joined(task, "--list list.csv --output rows.npy"));
+  succeed(task + "--list list.csv --output rows.npy");
   const SweepTable text = read_csv(rows_of("--list list.csv"));
   const NpyFile npy = read_npy(read("rows.npy"));
   BOOST_TEST_REQUIRE(npy.count == static_cast<std::int64_t>(text.rows.size()));

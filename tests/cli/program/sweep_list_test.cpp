@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "run_program.hpp"
-#include "sweep_table.hpp"
+#include "cli_test.hpp"
 
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <ostream>
-
-BOOST_AUTO_TEST_SUITE(sweep_list_test)
+BOOST_FIXTURE_TEST_SUITE(sweep_list_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace data = boost::unit_test::data;
 
 Arguments sweep(const Arguments& more = {}) {
-  return joined("sweep --v0 1 --p 1 --list -", more);
+  return "sweep --v0 1 --p 1 --list -" + more;
 }
 
 Surroundings with_input(const std::string& text) {
@@ -67,8 +57,6 @@ BOOST_DATA_TEST_CASE_F(Sandbox, spelling, data::make(spellings), one) {
                read_csv(expected.out).at(1, "peak_amplitude"));
   }
 }
-
-BOOST_FIXTURE_TEST_SUITE(list, Sandbox)
 
 BOOST_AUTO_TEST_CASE(has_the_metrics_of_simulate_in_its_own_order) {
   const SweepTable table = read_csv(run(sweep("--times"), with_input(plain)).out);
@@ -125,7 +113,7 @@ BOOST_AUTO_TEST_CASE(of_many_entries_is_complete_and_in_order) {
 BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
   const std::string text = "f,delta,x0\n0.1,0.2,0\n1e-12,1e-30,0\n0.02,0.03,0.5\n";
   const Arguments plainly("sweep --v0 1 --p 1 --list - --times");
-  const Arguments forced = joined(plainly, "--excitation half-sine --k 1e-9 --lambda 3");
+  const Arguments forced = plainly + "--excitation half-sine --k 1e-9 --lambda 3";
   for (const Arguments& arguments : {plainly, forced}) {
     const ProgramRun answer = succeed(arguments, with_input(text));
     const SweepTable table = read_csv(answer.out);
@@ -141,7 +129,7 @@ BOOST_AUTO_TEST_CASE(entry_that_takes_too_long_has_a_row_of_its_own) {
     }
   }
   Surroundings list = with_input(text);
-  const auto report = run(joined(plainly, "--output rows.npy --json"), list).json();
+  const auto report = run(plainly + "--output rows.npy --json", list).json();
   BOOST_TEST(report["outcomes"]["too_many_half_cycles"] == 1);
   const NpyFile file = read_npy(read("rows.npy"));
   BOOST_TEST(file.byte(1, "outcome") == 5);
@@ -153,8 +141,6 @@ BOOST_AUTO_TEST_CASE(without_entries_gives_no_rows) {
   BOOST_TEST(run(sweep(), with_input("f,delta\n")).out ==
              "f,delta,peak_amplitude,half_cycles,outcome,stop_position\n");
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 // ---- wrong lists
 
@@ -216,8 +202,7 @@ const std::vector<WrongList> wrong_lists{
 
 BOOST_DATA_TEST_CASE_F(Sandbox, wrong_list, data::make(wrong_lists), wrong) {
   for (const Arguments& more : {Arguments{}, Arguments("--output rows.npy")}) {
-    const ProgramRun answer = run(sweep(more), with_input(wrong.text));
-    BOOST_TEST(answer.exit_code == 2);
+    const ProgramRun answer = ending(2, sweep(more), with_input(wrong.text));
     const bool to_file = !more.empty();
     const bool kept = wrong.rows > 0;
     BOOST_TEST(answer.err_lines().size() == 1U, answer.err);
@@ -226,7 +211,7 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_list, data::make(wrong_lists), wrong) {
     BOOST_TEST(std::ranges::count(answer.out, '\n') == (kept && !to_file ? wrong.rows + 1 : 0));
     BOOST_TEST(contents().size() == (kept && to_file ? 2U : 0U));
     if (kept && to_file) {
-      const auto left = nlohmann::json::parse(read("rows.npy.part.json"));
+      const auto left = json::parse(read("rows.npy.part.json"));
       BOOST_TEST(left["rows"] == wrong.rows);
     }
   }

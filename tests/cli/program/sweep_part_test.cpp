@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Sweeps in parts, and the parts joined again.
+#include "cli_test.hpp"
 #include "parts.hpp"
 
 #include <fmt/format.h>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
 
 #include <sys/resource.h>
 
 #include <csignal>
-#include <filesystem>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(sweep_part_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace fs = std::filesystem;
 
 const Arguments grid("sweep --v0 1 --p 1 --f 0.02:0.35:13 --delta 0:0.5:5");
 
@@ -68,9 +64,9 @@ BOOST_AUTO_TEST_CASE(may_outnumber_the_entries) {
 BOOST_AUTO_TEST_CASE(of_lists_designs_and_forced_motions_merge_too) {
   write("list.csv", "f,delta\n0.1,0.2\n\n0.3,0.1\n0.02,0.03\n0.05,0\n0.2,0.25\n");
   const Arguments v0_and_p("sweep --v0 1 --p 1");
-  check_merged(joined(v0_and_p, "--list list.csv"), 3, "csv");
-  check_merged(joined(v0_and_p, "--list list.csv"), 3, "npy");
-  check_merged(joined(v0_and_p, "--beta 0.6:0.9:7"), 2, "npy");
+  check_merged(v0_and_p + "--list list.csv", 3, "csv");
+  check_merged(v0_and_p + "--list list.csv", 3, "npy");
+  check_merged(v0_and_p + "--beta 0.6:0.9:7", 2, "npy");
   check_merged(
       "sweep --p 1 --f 0.05:0.2:5 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
       2, "csv");
@@ -79,7 +75,7 @@ BOOST_AUTO_TEST_CASE(of_lists_designs_and_forced_motions_merge_too) {
 BOOST_AUTO_TEST_CASE(may_go_to_standard_output) {
   write("whole", run(grid).out);
   for (const char* part : {"1/2", "2/2"}) {
-    write(std::string("part") + part[0], run(joined(grid, {"--part", part})).out);
+    write(std::string("part") + part[0], run(grid + Arguments{"--part", part}).out);
   }
   BOOST_TEST(merge("part1 part2").exit_code == 0);
   BOOST_TEST((read("merged") == read("whole")));
@@ -91,8 +87,7 @@ BOOST_AUTO_TEST_CASE(may_be_given_by_a_launcher) {
   for (const char* rank : {"0", "1", "2"}) {
     const Surroundings ranked{
         .environment = {{"OMPI_COMM_WORLD_RANK", rank}, {"OMPI_COMM_WORLD_SIZE", "3"}}};
-    const ProgramRun answer =
-        succeed(joined(grid, "--part auto --output {part}.csv --json"), ranked);
+    const ProgramRun answer = succeed(grid + "--part auto --output {part}.csv --json", ranked);
     names.push_back(answer.json().at("output").at("file"));
   }
   BOOST_TEST(names.front() == "1-of-3.csv");
@@ -105,7 +100,7 @@ BOOST_AUTO_TEST_CASE(report_their_number) {
   BOOST_TEST(report.at("part").at("number") == 2);
   BOOST_TEST(report.at("part").at("count") == 3);
   BOOST_TEST(report.at("rows") == 22);  // of 65 the first two parts have 22
-  BOOST_TEST(run(joined(grid, "--output whole.csv --json")).json().at("part").is_null());
+  BOOST_TEST(run(grid + "--output whole.csv --json").json().at("part").is_null());
 }
 
 BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
@@ -120,10 +115,10 @@ BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
 
 BOOST_AUTO_TEST_CASE(are_not_written_over_each_other) {
   for (const Arguments& more : {Arguments{}, Arguments("--resume")}) {
-    const Arguments one_file = joined(grid, "--output one.csv");
-    static_cast<void>(run(joined(one_file, "--part 1/2")));
+    const Arguments one_file = grid + "--output one.csv";
+    static_cast<void>(run(one_file + "--part 1/2"));
     const auto before = contents();
-    const ProgramRun answer = run(joined(one_file, joined("--part 2/2", more)));
+    const ProgramRun answer = run(one_file + "--part 2/2" + more);
     check_refusal(answer, {"one.csv", "1/2", "{part}"});
     BOOST_TEST(contents() == before);
   }
@@ -133,7 +128,7 @@ BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
   const Arguments forced(
       "sweep --p 1 --f 0.001:0.01:60 --delta 0:0.001:50 --excitation harmonic --k 0.1 --lambda 0.9 "
       "--t-end 700");
-  const Arguments second = joined(forced, "--part 2/3 --output 2-of-3.csv");
+  const Arguments second = forced + "--part 2/3 --output 2-of-3.csv";
   Surroundings killed;
   killed.signal = SIGKILL;
   killed.signal_when = [this] {
@@ -143,11 +138,11 @@ BOOST_AUTO_TEST_CASE(that_were_killed_are_resumed) {
   };
   BOOST_TEST_REQUIRE(run(second, killed).exit_code == -1);
   BOOST_TEST(!fs::exists(path("2-of-3.csv")));
-  succeed(joined(second, "--resume --json"));
+  succeed(second + "--resume --json");
   for (const int i : {1, 3}) {
     static_cast<void>(part(forced, i, 3));
   }
-  static_cast<void>(run(joined(forced, "--output whole.csv")));
+  static_cast<void>(run(forced + "--output whole.csv"));
   BOOST_TEST(merge("1-of-3.csv 2-of-3.csv 3-of-3.csv").exit_code == 0);
   BOOST_TEST((read("merged") == read("whole.csv")));
 }
@@ -156,11 +151,11 @@ BOOST_AUTO_TEST_CASE(that_are_missing_or_repeated_are_refused) {
   const Arguments names = split(grid, 3);  // the third comes first
   check_refused({names[0], names[2]}, {"2/3", "is missing"});
   check_refused({names[2]}, {"2/3", "is missing", "2"});
-  check_refused(joined(names, {names[1]}), {names[1], "is part 2/3", "and so is"});
+  check_refused(names + Arguments{names[1]}, {names[1], "is part 2/3", "and so is"});
   fs::copy_file(path(names[1]), path("copy.csv"));
-  check_refused(joined(names, "copy.csv"), {"copy.csv", "is part 2/3", "and so is " + names[1]});
+  check_refused(names + "copy.csv", {"copy.csv", "is part 2/3", "and so is " + names[1]});
   check_refused({}, {"PART"});
-  check_refused(joined(names, "none.csv"), {"none.csv", "No such file"});
+  check_refused(names + "none.csv", {"none.csv", "No such file"});
 }
 
 /// Wherever it is cut and whichever byte is changed.
@@ -208,7 +203,7 @@ BOOST_AUTO_TEST_CASE(whose_seal_has_non_integers_are_refused) {
 BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
   const Arguments names = split(grid, 2);
   const auto check_foreign = [&](const Arguments& sweep, Texts says) {
-    static_cast<void>(run(joined(sweep, "--part 2/2 --output foreign")));
+    static_cast<void>(run(sweep + "--part 2/2 --output foreign"));
     says.insert(says.end(), {"foreign", names[1]});
     check_refused({names[1], "foreign"}, says);
     fs::remove(path("foreign"));
@@ -216,11 +211,11 @@ BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
   Arguments other = grid;
   other[6] = "0.02:0.36:13";
   check_foreign(other, {"f was", "0.02:0.36:13"});
-  check_foreign(joined(grid, "--times"), {"columns"});
-  check_foreign(joined(grid, "--format npy"), {"format"});
-  static_cast<void>(run(joined(grid, "--part 3/3 --output foreign")));
+  check_foreign(grid + "--times", {"columns"});
+  check_foreign(grid + "--format npy", {"format"});
+  static_cast<void>(run(grid + "--part 3/3 --output foreign"));
   check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
-  static_cast<void>(run(joined(grid, "--output foreign")));  // not in parts
+  static_cast<void>(run(grid + "--output foreign"));  // not in parts
   check_refused({names[1], "foreign"}, {"foreign", "not a complete part"});
 }
 
@@ -264,7 +259,7 @@ BOOST_AUTO_TEST_CASE(whose_merge_is_interrupted_leave_the_old_file_unchanged) {
 }
 
 BOOST_AUTO_TEST_CASE(of_a_reduction_whose_merge_is_interrupted_leave_the_old_file_unchanged) {
-  const Arguments names = split(joined(grid, {"--reduce"}), 2, "json");
+  const Arguments names = split(grid + "--reduce", 2, "json");
   write("merged", "old");
   {
     const WriteLimit limit(100, SIG_IGN);
@@ -277,8 +272,7 @@ BOOST_AUTO_TEST_CASE(of_a_reduction_whose_merge_is_interrupted_leave_the_old_fil
 
 /// Wherever it happens to be: a merge that was done before the signal came counts for nothing.
 BOOST_AUTO_TEST_CASE(whose_merge_is_killed_are_merged_again) {
-  const Arguments large{"sweep", "--v0",          "1",       "--p",      "1",
-                        "--f",   "0.02:0.35:700", "--delta", "0:0.5:500"};
+  const Arguments large("sweep --v0 1 --p 1 --f 0.02:0.35:700 --delta 0:0.5:500");
   const Arguments names = split(large, 2);
   BOOST_TEST_REQUIRE(merge(names).exit_code == 0);
   const std::string whole = read("merged");
@@ -291,8 +285,7 @@ BOOST_AUTO_TEST_CASE(whose_merge_is_killed_are_merged_again) {
     do {
       fs::remove(path("merged"));
       ++tries;
-    } while (run(joined({"sweep", "merge", "merged"}, names), killed).exit_code == 0 &&
-             tries < most_tries);
+    } while (run("sweep merge merged" + names, killed).exit_code == 0 && tries < most_tries);
     BOOST_TEST_REQUIRE(tries < most_tries);
     // At the last instant the whole file may be in its place.
     BOOST_TEST((!fs::exists(path("merged")) || read("merged") == whole));
@@ -313,21 +306,20 @@ BOOST_AUTO_TEST_SUITE_END()
 namespace {
 
 const Wrong wrong_parts[] = {
-    {joined(grid, "--part 0/3"), {"part", "0/3", "1 <= I <= N"}},
-    {joined(grid, "--part 4/3"), {"part", "4/3", "1 <= I <= N"}},
-    {joined(grid, "--part 3"), {"part", "\"3\"", "I/N"}},
-    {joined(grid, "--part 1/2/3"), {"part", "1/2/3", "I/N"}},
-    {joined(grid, "--part 1/1000001"), {"part", "1/1000001", "1000000"}},
-    {joined(grid, "--part auto"), {"part = auto", "no launcher", "I/N"}},
-    {joined(grid, "--part auto/0"), {"part", "auto/N"}},
-    {joined(grid, "--part 1/2 --html a.html"), {"part", "page"}},
+    {grid + "--part 0/3", {"part", "0/3", "1 <= I <= N"}},
+    {grid + "--part 4/3", {"part", "4/3", "1 <= I <= N"}},
+    {grid + "--part 3", {"part", "\"3\"", "I/N"}},
+    {grid + "--part 1/2/3", {"part", "1/2/3", "I/N"}},
+    {grid + "--part 1/1000001", {"part", "1/1000001", "1000000"}},
+    {grid + "--part auto", {"part = auto", "no launcher", "I/N"}},
+    {grid + "--part auto/0", {"part", "auto/N"}},
+    {grid + "--part 1/2 --html a.html", {"part", "page"}},
     {"sweep --v0 1 --p 1 --part 1/2 --list -", {"part", "standard input"}, "f,delta\n0.1,0.2\n"},
-    {joined(grid, "merge a b"), {"merge", "no options"}}};
+    {grid + "merge a b", {"merge", "no options"}}};
 
 }  // namespace
 
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_parts_are_refused, boost::unit_test::data::make(wrong_parts),
-                       wrong) {
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_parts_are_refused, data::make(wrong_parts), wrong) {
   check_refused(*this, wrong);
 }
 

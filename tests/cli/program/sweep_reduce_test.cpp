@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Sweeps without rows say of the rows what the rows themselves would.
+#include "cli_test.hpp"
 #include "parts.hpp"
-#include "sweep_table.hpp"
-
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(sweep_reduce_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 
 /// Motions without friction that never stop, with little of it, and caught at the start.
 const Arguments motions("sweep --v0 1 --p 1 --f 0:0.35:15 --delta 0:0.6:13 --times");
@@ -142,7 +134,7 @@ struct Reduced : Parts {
   /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {
     const SweepTable table = read_csv(run(sweep).out);
-    const json found = reported(joined(sweep, more));
+    const json found = reported(sweep + more);
     BOOST_TEST(found.at("rows") == table.rows.size());
     if (found.at("outcomes").is_object()) {
       for (const auto& [outcome, count] : found.at("outcomes").items()) {
@@ -181,9 +173,9 @@ BOOST_AUTO_TEST_CASE(match_the_rows) {
 
 BOOST_AUTO_TEST_CASE(of_parts_merge_to_the_bytes_of_the_whole) {
   for (const int n : {1, 2, 7}) {
-    check_merged(joined(motions, asked), n);
+    check_merged(motions + asked, n);
   }
-  check_merged(joined(designs, "--reduce --best delta:5"), 100);  // 92 entries
+  check_merged(designs + "--reduce --best delta:5", 100);  // 92 entries
   write("list.csv", "f,delta\n0.1,0.2\n0.3,0.1\n0.02,0.03\n0,0\n");
   check_merged("sweep --v0 1 --p 1 --list list.csv --reduce", 3);
   check_merged(
@@ -193,10 +185,10 @@ BOOST_AUTO_TEST_CASE(of_parts_merge_to_the_bytes_of_the_whole) {
 }
 
 BOOST_AUTO_TEST_CASE(of_wrong_parts_are_refused) {
-  const Arguments sweep = joined(motions, "--reduce");
+  const Arguments sweep = motions + "--reduce";
   static_cast<void>(split(sweep, 2));
-  static_cast<void>(run(joined(sweep, "--best stop_time:2 --part 2/2 --output foreign.json")));
-  static_cast<void>(run(joined(sweep, "--output whole.json")));
+  static_cast<void>(run(sweep + "--best stop_time:2 --part 2/2 --output foreign.json"));
+  static_cast<void>(run(sweep + "--output whole.json"));
   const std::string second = read("2-of-2.json");
   write("torn.json", second.substr(0, second.size() / 2));
   std::string changed = second;
@@ -212,16 +204,16 @@ BOOST_AUTO_TEST_CASE(of_wrong_parts_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
-  const Arguments part = joined(motions, "--reduce --output r.json --part");
-  static_cast<void>(run(joined(part, "1/2")));
+  const Arguments part = motions + "--reduce --output r.json --part";
+  static_cast<void>(run(part + "1/2"));
   const std::string found = read("r.json");
-  succeed(joined(part, "1/2 --resume"));
+  succeed(part + "1/2 --resume");
   BOOST_TEST(read("r.json") == found);
-  check_refusal(run(joined(part, "2/2")), {"r.json", "1/2", "{part}"});
+  check_refusal(run(part + "2/2"), {"r.json", "1/2", "{part}"});
 }
 
 BOOST_AUTO_TEST_CASE(are_text_for_people) {
-  const std::string text = run(joined(motions, asked)).out;
+  const std::string text = run(motions + asked).out;
   check_contains(text, {"stop_time", "median", "Smallest stop_time", "entries"});
 }
 
@@ -230,30 +222,29 @@ BOOST_AUTO_TEST_SUITE_END()
 namespace {
 
 const Wrong wrong_reductions[] = {
-    {joined(motions, "--histogram stop_time:0:1:5"), {"histogram", "--reduce"}},
-    {joined(motions, "--best stop_time:5"), {"best", "--reduce"}},
-    {joined(motions, "--reduce --format npy"), {"format", "reduce"}},
-    {joined(motions, "--reduce --html a.html"), {"reduce", "page"}},
-    {joined(motions, "--reduce --resume"), {"resume", "reduce", "--part"}},
-    {joined(motions, "--reduce --best stop:5"), {"best", "stop:5", "stop_time"}},
-    {joined(motions, "--reduce --best outcome:5"), {"best", "outcome:5", "numbers"}},
-    {joined(motions, "--reduce --best stop_time:0"), {"best", "stop_time:0", "1 to"}},
-    {joined(motions, "--reduce --best stop_time"), {"best"}},
-    {joined(motions, "--reduce --best stop_time:5:first"), {"best", "smallest"}},
-    {joined(motions, "--reduce --histogram stop_time:1:1:5"), {"histogram", "increasing"}},
-    {joined(motions, "--reduce --histogram stop_time:1:0:5"), {"histogram", "increasing"}},
-    {joined(motions, "--reduce --histogram stop_time:5:1:5:log"), {"histogram", "increasing"}},
-    {joined(motions, "--reduce --histogram stop_time:0:1:0"), {"histogram", "1 to"}},
-    {joined(motions, "--reduce --histogram stop_time:0:1:1e9"), {"histogram", "1 to"}},
-    {joined(motions, "--reduce --histogram stop_time:0:1:2.5"), {"histogram", "BINS"}},
-    {joined(motions, "--reduce --histogram stop_time:0:1:5:exp"), {"histogram", "BINS"}},
-    {joined(motions, "--reduce --histogram stop_time:1"), {"histogram", "1 to"}},
-    {joined(motions, "--reduce --histogram stop_time:1,3,2"), {"histogram", "increasing"}}};
+    {motions + "--histogram stop_time:0:1:5", {"histogram", "--reduce"}},
+    {motions + "--best stop_time:5", {"best", "--reduce"}},
+    {motions + "--reduce --format npy", {"format", "reduce"}},
+    {motions + "--reduce --html a.html", {"reduce", "page"}},
+    {motions + "--reduce --resume", {"resume", "reduce", "--part"}},
+    {motions + "--reduce --best stop:5", {"best", "stop:5", "stop_time"}},
+    {motions + "--reduce --best outcome:5", {"best", "outcome:5", "numbers"}},
+    {motions + "--reduce --best stop_time:0", {"best", "stop_time:0", "1 to"}},
+    {motions + "--reduce --best stop_time", {"best"}},
+    {motions + "--reduce --best stop_time:5:first", {"best", "smallest"}},
+    {motions + "--reduce --histogram stop_time:1:1:5", {"histogram", "increasing"}},
+    {motions + "--reduce --histogram stop_time:1:0:5", {"histogram", "increasing"}},
+    {motions + "--reduce --histogram stop_time:5:1:5:log", {"histogram", "increasing"}},
+    {motions + "--reduce --histogram stop_time:0:1:0", {"histogram", "1 to"}},
+    {motions + "--reduce --histogram stop_time:0:1:1e9", {"histogram", "1 to"}},
+    {motions + "--reduce --histogram stop_time:0:1:2.5", {"histogram", "BINS"}},
+    {motions + "--reduce --histogram stop_time:0:1:5:exp", {"histogram", "BINS"}},
+    {motions + "--reduce --histogram stop_time:1", {"histogram", "1 to"}},
+    {motions + "--reduce --histogram stop_time:1,3,2", {"histogram", "increasing"}}};
 
 }  // namespace
 
-BOOST_DATA_TEST_CASE_F(Sandbox, wrong_reductions_are_refused,
-                       boost::unit_test::data::make(wrong_reductions), wrong) {
+BOOST_DATA_TEST_CASE_F(Sandbox, wrong_reductions_are_refused, data::make(wrong_reductions), wrong) {
   check_refused(*this, wrong);
 }
 

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
-#include "testing/printing.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <filesystem>
-#include <string>
+#include "cli_test.hpp"
 
 // A sweep over a list that stopped at a wrong entry, and continues with the corrected list.
 BOOST_AUTO_TEST_SUITE(sweep_resume_list_test)
@@ -14,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(sweep_resume_list_test)
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace fs = std::filesystem;
 
 std::string rows(int count, const std::string& last) {
   std::string text = "f,delta\n";
@@ -26,7 +17,7 @@ std::string rows(int count, const std::string& last) {
 }
 
 ProgramRun resume(const Sandbox& sandbox, const std::string& list, const Arguments& more = {}) {
-  return sandbox.run(joined("sweep --v0 1 --p 1 --list - --output rows.npy --resume", more),
+  return sandbox.run("sweep --v0 1 --p 1 --list - --output rows.npy --resume" + more,
                      {.input = list});
 }
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
-#include "sweep_table.hpp"
-#include "testing/printing.hpp"
-
-#include <boost/test/unit_test.hpp>
+#include "cli_test.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -12,7 +7,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
 #include <system_error>
 
 BOOST_AUTO_TEST_SUITE(sweep_resume_test)
@@ -20,14 +14,13 @@ BOOST_AUTO_TEST_SUITE(sweep_resume_test)
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
-namespace fs = std::filesystem;
 
 /// A sweep of some tenths of a second.
 Arguments sweep(const Arguments& more = {}, const std::string& f = "0.001:0.01:60") {
-  return joined({"sweep", "--p", "1", "--f", f, "--delta", "0:0.001:50", "--excitation", "harmonic",
-                 "--k", "0.1", "--lambda", "0.9", "--t-end", "700"},
-                more);
+  return Arguments{"sweep",      "--p",          "1",        "--f", f,     "--delta",
+                   "0:0.001:50", "--excitation", "harmonic", "--k", "0.1", "--lambda",
+                   "0.9",        "--t-end",      "700"} +
+         more;
 }
 
 std::uintmax_t size_of(const fs::path& path) {
@@ -58,7 +51,7 @@ struct Interrupted : Sandbox {
   }
 
   [[nodiscard]] ProgramRun resume(const Arguments& more = {}) const {
-    return run(sweep(joined("--output rows.csv --resume", more)));
+    return run(sweep("--output rows.csv --resume" + more));
   }
 
   [[nodiscard]] json checkpoint() const { return json::parse(read("rows.csv.part.json")); }
@@ -81,8 +74,7 @@ BOOST_AUTO_TEST_CASE(keeps_the_rows_and_says_how_to_continue) {
   BOOST_TEST(stopped.out.empty(), stopped.out);
   BOOST_TEST(stopped.err_lines().size() == 1U, stopped.err);
   BOOST_TEST(stopped.err.starts_with("stillpoint: interrupted: "), stopped.err);
-  BOOST_TEST(contains(stopped.err, "kept in rows.csv.part"), stopped.err);
-  BOOST_TEST(contains(stopped.err, "--resume"), stopped.err);
+  check_contains(stopped.err, {"kept in rows.csv.part", "--resume"});
   BOOST_TEST(contents().size() == 2U);
   const std::string part = read("rows.csv.part");
   BOOST_TEST(part.ends_with('\n'));
@@ -154,8 +146,7 @@ BOOST_AUTO_TEST_CASE(refuses_while_another_sweep_writes) {
   check_refused({}, {"rows.csv.part: another sweep is writing it"});
   check_refused("--times", {"rows.csv.part: another sweep is writing it"});
   const auto before = contents();
-  const ProgramRun anew = run(sweep("--output rows.csv"));
-  BOOST_TEST(anew.exit_code == 2);
+  const ProgramRun anew = ending(2, sweep("--output rows.csv"));
   BOOST_TEST(contains(anew.err, "rows.csv.part: another sweep is writing it"), anew.err);
   BOOST_TEST(!contains(anew.err, "remove"), anew.err);
   BOOST_TEST(contents() == before);
@@ -174,7 +165,7 @@ BOOST_AUTO_TEST_CASE(follows_no_link_from_its_own_files) {
 
   fs::create_symlink("victim", path("rows.csv.part"));
   for (const Arguments& more : {Arguments{}, Arguments("--resume")}) {
-    BOOST_TEST(run(sweep(joined("--output rows.csv", more))).exit_code == 2);
+    BOOST_TEST(run(sweep("--output rows.csv" + more)).exit_code == 2);
     BOOST_TEST(read("victim") == "not ours");
   }
 }

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "forced_arguments.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
-#include "sweep_table.hpp"
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <string_view>
-
-BOOST_AUTO_TEST_SUITE(trajectory_file_test)
+BOOST_FIXTURE_TEST_SUITE(trajectory_file_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-using nlohmann::json;
 
 struct Simulation {
   json report;
@@ -29,7 +19,7 @@ struct Simulation {
 };
 
 Simulation simulation(const Sandbox& sandbox, const Arguments& arguments) {
-  const ProgramRun run = sandbox.succeed(joined(arguments, "--json --trajectory motion.csv"));
+  const ProgramRun run = sandbox.succeed(arguments + "--json --trajectory motion.csv");
   check_only_finite(sandbox.read("motion.csv"));
   return {run.json(), read_csv(sandbox.read("motion.csv"))};
 }
@@ -38,14 +28,12 @@ const Arguments eleven("simulate --v0 1 --p 1 --f 0.02 --delta 0.02");
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(trajectory_file, Sandbox)
-
 BOOST_AUTO_TEST_CASE(ends_where_asked) {
-  const auto shorter = simulation(*this, joined(eleven, "--samples 10 --t-end 5"));
+  const auto shorter = simulation(*this, eleven + "--samples 10 --t-end 5");
   BOOST_TEST(shorter.end("tau") == 5);
   // The report is that of the whole motion.
   BOOST_TEST(shorter.report["response"]["half_cycles"] == 11);
-  const auto longer = simulation(*this, joined(eleven, "--samples 10 --t-end 50"));
+  const auto longer = simulation(*this, eleven + "--samples 10 --t-end 50");
   BOOST_TEST(longer.end("tau") == 50);
   BOOST_TEST(longer.end("x") == 0);
   BOOST_TEST(longer.end("v") == 0);
@@ -73,7 +61,7 @@ BOOST_AUTO_TEST_CASE(under_a_load_ends_with_the_motion) {
       "simulate --v0 1 --p 1 --f 0.8 --delta 0 --excitation rectangle --k 0.5 --lambda 0.1");
   constexpr double stop = 3.797288279831329;
   for (const Arguments& more : {Arguments{}, Arguments("--t-end 50")}) {
-    const Simulation motion = simulation(*this, joined(scene, more));
+    const Simulation motion = simulation(*this, scene + more);
     const json& stopped = motion.report["response"]["stop_time"];
     BOOST_TEST(near(stopped, stop, 1e-15));
     BOOST_TEST(motion.report["half_cycles"].back()["end_time"] == stopped);
@@ -90,7 +78,7 @@ BOOST_AUTO_TEST_CASE(under_a_load_ends_with_the_motion) {
 }
 
 BOOST_AUTO_TEST_CASE(is_written_beside_the_report) {
-  succeed(joined(eleven, "--trajectory motion.csv --output report.json"));
+  succeed(eleven + "--trajectory motion.csv --output report.json");
   BOOST_TEST(contents().size() == 2U);
   BOOST_TEST(json::parse(read("report.json"))["response"]["half_cycles"] == 11);
   // 1000 samples where none are asked for.
@@ -99,12 +87,9 @@ BOOST_AUTO_TEST_CASE(is_written_beside_the_report) {
 
 BOOST_AUTO_TEST_CASE(cannot_be_the_same_file_as_the_report) {
   for (const char* same : {"one", "./one"}) {
-    const ProgramRun both = run(joined(eleven, {"--trajectory", "one", "--output", same}));
-    BOOST_TEST(both.exit_code == 2);
+    const ProgramRun both = ending(2, eleven + Arguments{"--trajectory", "one", "--output", same});
     BOOST_TEST(contents().empty());
   }
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,20 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "options/settings.hpp"
-#include "refusal.hpp"
-#include "report_fields.hpp"
-#include "run_program.hpp"
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
 
 #include <fmt/format.h>
-
-#include <cstdlib>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(value_units_test)
 
@@ -22,8 +10,6 @@ namespace {
 
 using namespace stillpoint::cli_test;
 namespace cli = stillpoint::cli;
-namespace data = boost::unit_test::data;
-using nlohmann::json;
 
 /// A number converted once between hertz or seconds and tau, and back: some roundings.
 constexpr double conversion_tolerance = 1e-14;
@@ -31,7 +17,7 @@ constexpr double conversion_tolerance = 1e-14;
 const Arguments isolator("design --velocity 0.4 --period 2.8 --max-displacement 0.15 --mass 1.2e6");
 
 Arguments forced(const Arguments& more) {
-  return joined("simulate --period 2.8 --f 0.02 --delta-m 0.001 --k 0.1", more);
+  return "simulate --period 2.8 --f 0.02 --delta-m 0.001 --k 0.1" + more;
 }
 
 }  // namespace
@@ -90,7 +76,7 @@ BOOST_FIXTURE_TEST_CASE(with_values_make_the_same_report, Sandbox) {
 namespace {
 
 const std::vector<Wrong> wrong_units{
-    {joined(isolator, "--gravity 9.8m"), {"gravity = \"9.8m\"", "m/s2, cm/s2"}},
+    {isolator + "--gravity 9.8m", {"gravity = \"9.8m\"", "m/s2, cm/s2"}},
     {"design --velocity 3knots", {"velocity = \"3knots\"", "a number in m/s", "m/s, cm/s or mm/s"}},
     {"design --period 3S", {"period = \"3S\"", "s or ms"}},
     {"design --stiffness 6MN", {"stiffness = \"6MN\"", "MN/m"}},
@@ -129,7 +115,7 @@ const std::vector<Wrong> wrong_units{
      {"p and excitation-frequency cannot be combined"}},
     {forced("--excitation harmonic --pulse-duration 2"),
      {"pulse-duration and excitation harmonic cannot be combined"}},
-    {joined(isolator, "--pulse-duration 2"), {"pulse-duration needs a pulse"}},
+    {isolator + "--pulse-duration 2", {"pulse-duration needs a pulse"}},
     {forced("--excitation half-sine"),
      {"lambda is missing", "--pulse-duration in s", "--excitation-frequency in Hz"}},
     {forced("--excitation harmonic --excitation-frequency 1"),
@@ -155,19 +141,18 @@ BOOST_DATA_TEST_CASE_F(Sandbox, wrong_unit, data::make(wrong_units), wrong) {
 BOOST_FIXTURE_TEST_CASE(natural_frequency_gives_the_period, Sandbox) {
   // 1/4 and 4 are exact.
   const Arguments rest("--velocity 0.4 --max-displacement 0.2");
-  BOOST_TEST(without_wall_times(reported(joined("design --natural-frequency 0.25Hz", rest))) ==
-             without_wall_times(reported(joined("design --period 4s", rest))));
+  BOOST_TEST(without_wall_times(reported("design --natural-frequency 0.25Hz" + rest)) ==
+             without_wall_times(reported("design --period 4s" + rest)));
   // The suggested change of p is in hertz, and works.
   const Arguments narrow("region --velocity 0.4 --max-displacement 0.1");
-  const ProgramRun empty = run(joined(narrow, "--natural-frequency 0.25"));
-  BOOST_TEST(empty.exit_code == 3);
+  const ProgramRun empty = ending(3, narrow + "--natural-frequency 0.25");
   const std::string words = "natural_frequency at least ";
   const std::size_t place = empty.out.find(words);
   BOOST_TEST_REQUIRE(place != std::string::npos, empty.out);
   const std::string rest_of_it = empty.out.substr(place + words.size());
   BOOST_TEST(rest_of_it.substr(rest_of_it.find(' ')).starts_with(" Hz"));
-  succeed(
-      joined(narrow, {"--natural-frequency", rest_of_it.substr(0, rest_of_it.find(' ')) + "Hz"}));
+  succeed(narrow +
+          Arguments{"--natural-frequency", rest_of_it.substr(0, rest_of_it.find(' ')) + "Hz"});
 }
 
 // A frequency in hertz is lambda/(2 pi) over a unit of time; a half-sine lasts pi/lambda of them, a
@@ -189,9 +174,9 @@ BOOST_FIXTURE_TEST_CASE(frequencies_and_durations_are_those_of_the_load, Sandbox
   const json harmonic =
       reported(forced("--excitation harmonic --excitation-frequency 0.36Hz "
                       "--excitation-duration 20s --end-time 30000ms"));
-  BOOST_TEST(near(harmonic["physical"]["excitation_frequency_hz"], 0.36, conversion_tolerance));
-  BOOST_TEST(near(harmonic["physical"]["excitation_duration_s"], 20, conversion_tolerance));
-  BOOST_TEST(near(harmonic["physical"]["end_time_s"], 30, conversion_tolerance));
+  check_near(harmonic["physical"],
+             {{"excitation_frequency_hz", 0.36}, {"excitation_duration_s", 20}, {"end_time_s", 30}},
+             conversion_tolerance);
   // As keys of a scene, flat or in an object, with a flag that takes their place.
   write("flat.json", R"({"period": "2.8s", "f": 0.02, "delta_m": "1mm", "excitation": "harmonic",
       "k": "0.1g", "excitation_frequency": "0.36Hz", "excitation_duration": 20, "end_time": "30s"})");
@@ -205,10 +190,10 @@ BOOST_FIXTURE_TEST_CASE(frequencies_and_durations_are_those_of_the_load, Sandbox
 
 BOOST_FIXTURE_TEST_CASE(pulses_of_a_design_are_in_seconds, Sandbox) {
   const Arguments task("design --pulse half-sine --k 0.5g --period 2.8s --max-displacement 100mm");
-  const json in_seconds = reported(joined(task, "--pulse-duration 70ms"));
+  const json in_seconds = reported(task + "--pulse-duration 70ms");
   BOOST_TEST(near(in_seconds["physical"]["excitation_duration_s"], 0.07, conversion_tolerance));
   const double lambda = in_seconds["input"]["lambda"];
-  BOOST_TEST(without_wall_times(reported(joined(task, {"--lambda", in_full(lambda)}))) ==
+  BOOST_TEST(without_wall_times(reported(task + Arguments{"--lambda", in_full(lambda)})) ==
              without_wall_times(in_seconds));
   write("scene.json", R"({"pulse": "half-sine", "k": "0.5g", "pulse_duration": "70ms",
       "period": "2.8s", "max_displacement": "100mm"})");

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
-#include "testing/printing.hpp"
-
-#include <boost/test/unit_test.hpp>
+#include "cli_test.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <vector>
-
-BOOST_AUTO_TEST_SUITE(written_files_test)
+BOOST_FIXTURE_TEST_SUITE(written_files_test, stillpoint::cli_test::Sandbox)
 
 // No command overwrites what it reads, nor writes one file twice.
 
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace fs = std::filesystem;
 
 const std::string scene = R"({"v0": 1, "p": 1, "beta": 0.9})";
 const Arguments simulate("simulate --v0 1 --p 1 --f 0.1 --delta 0.1");
@@ -42,27 +34,24 @@ void prepare(const Sandbox& sandbox) {
 
 }  // namespace
 
-BOOST_FIXTURE_TEST_SUITE(written_files, Sandbox)
-
 BOOST_AUTO_TEST_CASE(are_never_files_that_are_read) {
   prepare(*this);
-  const auto forced = joined(simulate, record);
+  const auto forced = simulate + record;
   const auto before = contents();
   const std::vector<std::pair<Arguments, Texts>> wrong{
-      {joined(forced, "--output r.txt"), {"output r.txt", "record r.txt"}},
-      {joined(forced, "--output ./d/../r.txt"), {"output ./d/../r.txt", "record r.txt"}},
-      {joined(forced, {"--output", path("r.txt").string()}), {"output /", "record r.txt"}},
-      {joined(forced, "--output link.txt"), {"output link.txt", "record r.txt"}},
-      {joined(simulate, "--record link.txt --output r.txt"), {"output r.txt", "record link.txt"}},
-      {joined(forced, "--trajectory r.txt"), {"trajectory r.txt", "record r.txt"}},
-      {joined(forced, "--html r.txt"), {"html r.txt", "record r.txt"}},
-      {joined(simulate, "--record d/motion.svg --svg e"),
-       {"svg e/motion.svg", "record d/motion.svg"}},
+      {forced + "--output r.txt", {"output r.txt", "record r.txt"}},
+      {forced + "--output ./d/../r.txt", {"output ./d/../r.txt", "record r.txt"}},
+      {forced + Arguments{"--output", path("r.txt").string()}, {"output /", "record r.txt"}},
+      {forced + "--output link.txt", {"output link.txt", "record r.txt"}},
+      {simulate + "--record link.txt --output r.txt", {"output r.txt", "record link.txt"}},
+      {forced + "--trajectory r.txt", {"trajectory r.txt", "record r.txt"}},
+      {forced + "--html r.txt", {"html r.txt", "record r.txt"}},
+      {simulate + "--record d/motion.svg --svg e", {"svg e/motion.svg", "record d/motion.svg"}},
       {"design s.json --output s.json", {"output s.json", "scene s.json"}},
       {"design s.json --html s.json", {"html s.json", "scene s.json"}},
       {"region s.json --output s.json", {"output s.json", "scene s.json"}},
       {"accuracy s.json --f 0.1 --delta 0.1 --output s.json", {"output s.json", "scene s.json"}},
-      {joined(list, "--output l.csv"), {"output l.csv", "list l.csv"}},
+      {list + "--output l.csv", {"output l.csv", "list l.csv"}},
       {"sweep l.csv.part.json --output l.csv", {"output l.csv.part.json", "scene l.csv.part.json"}},
   };
   for (const auto& [arguments, says] : wrong) {
@@ -85,12 +74,12 @@ BOOST_AUTO_TEST_CASE(are_all_different) {
   prepare(*this);
   const auto before = contents();
   const std::vector<std::pair<Arguments, Texts>> wrong{
-      {joined(simulate, "--trajectory m --output d/../m"), {"trajectory m", "output d/../m"}},
-      {joined(simulate, "--html new.json --output dangling"), {"html new.json", "output dangling"}},
-      {joined(simulate, "--html e/phase.svg --svg d"), {"html e/phase.svg", "svg d/phase.svg"}},
-      {joined(simulate, "--output new/phase.svg --svg new"),
+      {simulate + "--trajectory m --output d/../m", {"trajectory m", "output d/../m"}},
+      {simulate + "--html new.json --output dangling", {"html new.json", "output dangling"}},
+      {simulate + "--html e/phase.svg --svg d", {"html e/phase.svg", "svg d/phase.svg"}},
+      {simulate + "--output new/phase.svg --svg new",
        {"output new/phase.svg", "svg new/phase.svg"}},
-      {joined(design, "--html x --output x"), {"html x", "output x"}},
+      {design + "--html x --output x", {"html x", "output x"}},
   };
   for (const auto& [arguments, says] : wrong) {
     BOOST_TEST_CONTEXT(says.front()) {
@@ -109,29 +98,26 @@ BOOST_AUTO_TEST_CASE(are_not_those_of_a_running_sweep) {
   BOOST_TEST_REQUIRE(::flock(part, LOCK_EX) == 0);
   const auto before = contents();
   for (const char* const file : {"m.npy.part", "m.npy.part.json", "other"}) {
-    check_refusal(run(joined(simulate, {"--output", file})),
+    check_refusal(run(simulate + Arguments{"--output", file}),
                   {"output " + std::string(file) + ": a sweep is writing it"});
-    check_refusal(run(joined(simulate, {"--trajectory", file})), {"a sweep is writing it"});
+    check_refusal(run(simulate + Arguments{"--trajectory", file}), {"a sweep is writing it"});
     BOOST_TEST(contents() == before);
   }
   ::close(part);
-  succeed(joined(simulate, "--output m.npy.part"));
+  succeed(simulate + "--output m.npy.part");
 }
 
 // An old report may be replaced, also one of the same name elsewhere; a device takes everything.
 BOOST_AUTO_TEST_CASE(are_written_where_nothing_is_lost) {
   prepare(*this);
-  for (const Arguments& right :
-       std::vector<Arguments>{joined(simulate, "--record r.txt --output d/r.txt"),
-                              joined(simulate, "--record r.txt --output d/r.txt"),
-                              joined(simulate, "--svg d --output d/map.svg"),
-                              joined(simulate, "--trajectory /dev/null --output /dev/null"),
-                              joined(simulate, "--trajectory /dev/stdout --output /dev/stdout")}) {
+  for (const Arguments& right : std::vector<Arguments>{
+           simulate + "--record r.txt --output d/r.txt",
+           simulate + "--record r.txt --output d/r.txt", simulate + "--svg d --output d/map.svg",
+           simulate + "--trajectory /dev/null --output /dev/null",
+           simulate + "--trajectory /dev/stdout --output /dev/stdout"}) {
     succeed(right);
   }
   BOOST_TEST(read("r.txt") == "0 0\n0.1 0.2\n0.2 0\n");
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

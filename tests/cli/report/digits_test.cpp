@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "testing/test.hpp"
+
 #include <stillpoint/report/digits.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <optional>
-#include <random>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(digits_test)
 

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "testing/contains.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/report/document.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <sstream>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(document_test)
 
@@ -14,7 +9,7 @@ using namespace stillpoint::report;
 
 namespace {
 
-using stillpoint::test::contains;
+using namespace stillpoint::test;
 
 Document sample() {
   Document document;

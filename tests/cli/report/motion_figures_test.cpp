@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "drawn_pages.hpp"
-#include "testing/contains.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/report/report.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <utility>
 
 // What a reader must see of a motion: over time, and in the phase plane.
 
@@ -24,12 +16,7 @@ using figures::HtmlPage;
 
 namespace {
 
-using stillpoint::test::contains;
-using stillpoint::test::figure;
-using stillpoint::test::has;
-using stillpoint::test::has_note;
-using stillpoint::test::isolator;
-using stillpoint::test::named;
+using namespace stillpoint::test;
 
 HtmlPage motion(const Oscillator& oscillator, const Excitation& excitation = {}) {
   SimulationRequest request;
@@ -52,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_motion_is_labelled_in_place_beside_one_without_friction
   // Without friction the peak is V0/p = 0.4 m/s * 2.8 s/(2 pi) = 178.25 mm.
   const auto& ghost = named(drawn.curves, "without friction");
   const double peak = std::ranges::max(ghost.strokes[0], {}, &figures::FigurePoint::y).y;
-  BOOST_TEST(peak == 178.25, boost::test_tools::tolerance(1e-3));  // of samples
+  BOOST_TEST(peak == 178.25, tt::tolerance(1e-3));  // of samples
 }
 
 BOOST_AUTO_TEST_CASE(many_half_cycles_become_an_envelope_of_the_whole_motion) {

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "drawn_pages.hpp"
-#include "testing/contains.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/design.hpp>
 #include <stillpoint/report/report.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <regex>
-#include <string>
-#include <utility>
 
 // What a reader must see in the figures of a page.
 
@@ -28,11 +18,7 @@ using figures::HtmlPage;
 
 namespace {
 
-using stillpoint::test::contains;
-using stillpoint::test::figure;
-using stillpoint::test::has;
-using stillpoint::test::isolator;
-using stillpoint::test::named;
+using namespace stillpoint::test;
 
 HtmlPage region(double beta, double f, double delta) {
   const design::RegionRequest request{
@@ -78,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_gap_is_shaded_and_the_mend_is_the_title) {
   const HtmlPage page = region(0.6, 0.4, 0.3);
   const Figure& drawn = figure(page, "region");
   const auto& gap = named(drawn.areas, "gap: no f returns within 0.6");
-  BOOST_TEST(gap.outline.front().x == 1 / std::sqrt(8.0), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(gap.outline.front().x == 1 / std::sqrt(8.0), tt::tolerance(1e-12));
   BOOST_TEST(drawn.title == "No damper: beta must be at least 0.7072");  // 0.70711, rounded up
   BOOST_TEST(contains(page.verdict, "beta must be at least 0.7072"));
 }

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "testing/contains.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/report.hpp>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(report_page_test)
 
@@ -16,7 +11,7 @@ using namespace stillpoint::report;
 
 namespace {
 
-using stillpoint::test::contains;
+using namespace stillpoint::test;
 
 DesignReport isolator() {
   design::PhysicalIsolator isolator;

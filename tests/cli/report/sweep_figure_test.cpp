@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "testing/contains.hpp"
+#include "testing/test.hpp"
 
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
 #include <stillpoint/sweep/run.hpp>
 #include <stillpoint/sweep/spec.hpp>
-
-#include <boost/test/unit_test.hpp>
 
 BOOST_AUTO_TEST_SUITE(sweep_figure_test)
 
@@ -26,10 +24,10 @@ BOOST_AUTO_TEST_CASE(has_the_values_in_the_middle_of_their_cells) {
   report.map.emplace(spec);
   report.summary = sweep::run(spec, *sweep::open_rows(spec), {.map = &*report.map});
   const figures::Figure figure = page(report).figures.at(0);
-  BOOST_TEST(figure.x.least == 0.05, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(figure.x.most == 0.45, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(figure.y.position(0.1) == 0.5, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(figure.y.position(0.01) == 1 / 6.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(figure.x.least == 0.05, tt::tolerance(1e-12));
+  BOOST_TEST(figure.x.most == 0.45, tt::tolerance(1e-12));
+  BOOST_TEST(figure.y.position(0.1) == 0.5, tt::tolerance(1e-12));
+  BOOST_TEST(figure.y.position(0.01) == 1 / 6.0, tt::tolerance(1e-12));
   // The key has two colours, of which one is hatched, and that of dampers whose notch holds the
   // mass; numbers, or words, stand in the areas.
   BOOST_TEST_REQUIRE(figure.map.key.size() == 3U);

@@ -11,11 +11,11 @@ namespace stillpoint::cli_test {
 
 /// A mass at rest, to be shaken.
 inline Arguments at_rest(const Arguments& more) {
-  return joined("simulate --p 1 --f 0.1 --delta 0.01", more);
+  return "simulate --p 1 --f 0.1 --delta 0.01" + more;
 }
 
 inline Arguments pulse(const char* type, const Arguments& more = {}) {
-  return at_rest(joined({"--excitation", type, "--k", "0.5", "--lambda", "2"}, more));
+  return at_rest(Arguments{"--excitation", type, "--k", "0.5", "--lambda", "2"} + more);
 }
 
 inline const Arguments harmonic = pulse("harmonic", "--t-end 20");
@@ -31,7 +31,7 @@ inline const Arguments s4(
 
 /// Without friction, for answers in closed form.
 inline Arguments free_at_rest(const Arguments& more) {
-  return joined("simulate --p 1 --f 0 --delta 0", more);
+  return "simulate --p 1 --f 0 --delta 0" + more;
 }
 
 using Row = std::vector<double>;

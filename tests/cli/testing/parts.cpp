@@ -14,9 +14,10 @@ Parts::Parts(std::string command, std::string extension)
 ProgramRun Parts::part(const Arguments& task, int i, int n, const Arguments& more,
                        const std::string& extension) const {
   const std::string file = "{part}." + (extension.empty() ? extension_ : extension);
-  return run(joined(task, joined({"--part", fmt::format("{}/{}", i, n), "--output", file,
-                                  "--threads", std::to_string(1 + i % 3)},
-                                 more)));
+  return run(task +
+             Arguments{"--part", fmt::format("{}/{}", i, n), "--output", file, "--threads",
+                       std::to_string(1 + i % 3)} +
+             more);
 }
 
 Arguments Parts::split(const Arguments& task, int n, const std::string& extension) const {
@@ -31,13 +32,13 @@ Arguments Parts::split(const Arguments& task, int n, const std::string& extensio
 }
 
 ProgramRun Parts::merge(const Arguments& parts, const Arguments& more) const {
-  return run(joined({command_, "merge", "merged"}, joined(parts, more)));
+  return run(Arguments{command_, "merge", "merged"} + parts + more);
 }
 
 void Parts::check_merged(const Arguments& task, int n, const std::string& extension) const {
   BOOST_TEST_CONTEXT(n << " parts, " << extension) {
     const std::string whole = "whole." + (extension.empty() ? extension_ : extension);
-    succeed(joined(task, {"--output", whole}));
+    succeed(task + Arguments{"--output", whole});
     const ProgramRun answer = merge(split(task, n, extension));
     BOOST_TEST(answer.exit_code == 0, answer.err);
     BOOST_TEST((read("merged") == read(whole)));

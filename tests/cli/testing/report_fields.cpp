@@ -56,6 +56,22 @@ void check_fields(const json& object, std::initializer_list<std::string_view> fi
   }
 }
 
+void check_values(const json& object, std::initializer_list<std::pair<const char*, json>> values) {
+  for (const auto& [name, value] : values) {
+    BOOST_TEST_CONTEXT("field " << name) {
+      BOOST_TEST(object.value(name, json("missing")) == value);
+    }
+  }
+}
+
+void check_near(const json& object, std::initializer_list<std::pair<const char*, double>> values,
+                double tolerance) {
+  for (const auto& [name, value] : values) {
+    const double found = object.at(name).get<double>();
+    BOOST_TEST(near(found, value, tolerance), name << " is " << found << ", not " << value);
+  }
+}
+
 void check_response_fields(const json& response) {
   check_fields(response, {"peak_amplitude:number", "peak_acceleration:number",
                           "peak_absolute_acceleration:number", "half_cycles:count",
@@ -75,7 +91,7 @@ json without_wall_times(json report) {
 }
 
 json Sandbox::reported(const Arguments& arguments, const Surroundings& surroundings) const {
-  const ProgramRun run = succeed(joined(arguments, {"--json"}), surroundings);
+  const ProgramRun run = succeed(arguments + "--json", surroundings);
   const bool says_that_it_locks = (run.err.starts_with("stillpoint: locked at x = 0 from ") ||
                                    run.err.starts_with("stillpoint: locked: ") ||
                                    run.err.starts_with("stillpoint: never starts: ")) &&

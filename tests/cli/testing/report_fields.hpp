@@ -7,12 +7,21 @@
 
 #include <initializer_list>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::cli_test {
 
 /// Asserts that `object` has these fields. A field is "NAME:KIND", where KIND is number, count (a
 /// whole number), text, bool, object, array or null; "number?" may be null as well.
 void check_fields(const nlohmann::json& object, std::initializer_list<std::string_view> fields);
+
+/// Asserts that these fields of `object` equal these values.
+void check_values(const nlohmann::json& object,
+                  std::initializer_list<std::pair<const char*, nlohmann::json>> values);
+
+/// Asserts that these fields of `object` are near these values.
+void check_near(const nlohmann::json& object,
+                std::initializer_list<std::pair<const char*, double>> values, double tolerance);
 
 /// Asserts the fields of `response`, which every motion that stops has.
 void check_response_fields(const nlohmann::json& response);

@@ -268,7 +268,7 @@ std::string built_program() {
 
 ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surroundings) const {
   const std::string program = surroundings.program.empty() ? built_program() : surroundings.program;
-  Arguments words = joined({program}, arguments);
+  Arguments words = Arguments{program} + arguments;
   std::vector<std::string> variables = environment(surroundings);
   const File input = input_file(surroundings.input);
   Channel out = output_channel(surroundings);
@@ -307,10 +307,16 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   return result;
 }
 
-ProgramRun Sandbox::succeed(const Arguments& arguments, const Surroundings& surroundings) const {
+ProgramRun Sandbox::ending(int exit_code, const Arguments& arguments,
+                           const Surroundings& surroundings) const {
   ProgramRun done = run(arguments, surroundings);
-  BOOST_TEST_REQUIRE(done.exit_code == 0, done.err);
+  BOOST_TEST_REQUIRE(done.exit_code == exit_code,
+                     "exit code " << done.exit_code << ", not " << exit_code << ": " << done.err);
   return done;
+}
+
+ProgramRun Sandbox::succeed(const Arguments& arguments, const Surroundings& surroundings) const {
+  return ending(0, arguments, surroundings);
 }
 
 std::map<std::string, std::string> Sandbox::contents() const {
@@ -350,7 +356,7 @@ Arguments::Arguments(const char* line) {
   }
 }
 
-Arguments joined(Arguments head, const Arguments& tail) {
+Arguments operator+(Arguments head, const Arguments& tail) {
   head.insert(head.end(), tail.begin(), tail.end());
   return head;
 }

@@ -69,7 +69,12 @@ class Sandbox : public test::Folder {
   /// Runs the program with this directory as its own.
   [[nodiscard]] ProgramRun run(const Arguments& arguments,
                                const Surroundings& surroundings = {}) const;
-  /// The same of a run that must end well. Some tests look only at the files that it writes.
+  /// The same of a run that must end with this code. Some tests look only at the files that it
+  /// writes.
+  // NOLINTNEXTLINE(modernize-use-nodiscard)
+  ProgramRun ending(int exit_code, const Arguments& arguments,
+                    const Surroundings& surroundings = {}) const;
+  /// The same with 0.
   // NOLINTNEXTLINE(modernize-use-nodiscard)
   ProgramRun succeed(const Arguments& arguments, const Surroundings& surroundings = {}) const;
   /// The report of such a run with --json, whose numbers are finite. Standard error may say that
@@ -86,7 +91,7 @@ class Sandbox : public test::Folder {
 [[nodiscard]] boost::test_tools::assertion_result if_terminals(boost::unit_test::test_unit_id unit);
 
 /// `head` with `tail` behind it.
-[[nodiscard]] Arguments joined(Arguments head, const Arguments& tail);
+[[nodiscard]] Arguments operator+(Arguments head, const Arguments& tail);
 
 /// A double as the program reads it back to the last bit.
 [[nodiscard]] std::string in_full(double value);

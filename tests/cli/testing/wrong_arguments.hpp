@@ -10,15 +10,15 @@
 namespace stillpoint::cli_test::right {
 
 inline Arguments design(const Arguments& more = {}) {
-  return joined("design --v0 1 --p 1 --beta 0.9", more);
+  return "design --v0 1 --p 1 --beta 0.9" + more;
 }
 
 inline Arguments region(const Arguments& more = {}) {
-  return joined("region --v0 1 --p 1 --beta 0.9", more);
+  return "region --v0 1 --p 1 --beta 0.9" + more;
 }
 
 inline Arguments simulate(const Arguments& more = {}) {
-  return joined("simulate --v0 1 --p 1 --f 0.02 --delta 0.02", more);
+  return "simulate --v0 1 --p 1 --f 0.02 --delta 0.02" + more;
 }
 
 /// `arguments` with the value of `option` replaced.

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "forced_arguments.hpp"
-#include "refusal.hpp"
-#include "run_program.hpp"
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(wrong_excitation_test)
 
 namespace {
 
 using namespace stillpoint::cli_test;
-namespace data = boost::unit_test::data;
 
 Wrong scene(const std::string& excitation, const Texts& says) {
   return {"simulate -", says,
@@ -57,11 +48,10 @@ const std::vector<Wrong> wrong_inputs{
     {at_rest("--record-peak 1"), {"record-peak needs a record: give --record"}},
     {at_rest("--record times.txt --record-spectrum-period 1"),
      {"record-spectrum-period needs a spectral value: give --record-spectrum"}},
-    {at_rest(joined(step_record, "--k 1")), {"k and excitation record"}},
-    {at_rest(joined(step_record, "--phase 1 --excitation record")),
-     {"phase and excitation record"}},
-    {joined(harmonic, "--record values.txt"), {"record and excitation harmonic"}},
-    {joined(harmonic, "--record-units g"), {"record-units and excitation harmonic"}},
+    {at_rest(step_record + "--k 1"), {"k and excitation record"}},
+    {at_rest(step_record + "--phase 1 --excitation record"), {"phase and excitation record"}},
+    {harmonic + "--record values.txt", {"record and excitation harmonic"}},
+    {harmonic + "--record-units g", {"record-units and excitation harmonic"}},
     {pulse("half-sine", "--record-scale 2"), {"record-scale and excitation half-sine"}},
     {pulse("harmonic"), {"t-end is missing", "--t-end"}},
     {pulse("half-sine", "--t-end 0"), {"t-end = 0", "from 1e-150 to 1e+150"}},
@@ -87,10 +77,10 @@ const std::vector<Wrong> wrong_inputs{
     {at_rest("--record short.at2"), {"record short.at2, line ", "4"}},
     {at_rest("--record values.txt"), {"record-step is missing"}},
     {at_rest("--record values.txt --record-step 0"), {"record-step = 0"}},
-    {at_rest(joined(step_record, "--record-units km")), {"record-units", "km", "cm/s2"}},
-    {at_rest(joined(step_record, "--record-scale 0")), {"record-scale = 0"}},
-    {at_rest(joined(step_record, "--gravity 0")), {"gravity = 0"}},
-    {joined(harmonic, "--gravity 9"), {"gravity", "cannot be combined"}},
+    {at_rest(step_record + "--record-units km"), {"record-units", "km", "cm/s2"}},
+    {at_rest(step_record + "--record-scale 0"), {"record-scale = 0"}},
+    {at_rest(step_record + "--gravity 0"), {"gravity = 0"}},
+    {harmonic + "--gravity 9", {"gravity", "cannot be combined"}},
     {"design --v0 1 --p 1 --beta 0.9 --excitation harmonic",
      {"--excitation", "not an option of design"}},
     {"region --v0 1 --p 1 --beta 0.9 --record values.txt", {"--record", "not an option of region"}},

@@ -1,41 +1,35 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 #include "wrong_arguments.hpp"
 
-#include <boost/test/unit_test.hpp>
-
 #include <unistd.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(wrong_file_test)
 
 // Scenes that cannot be read and output that cannot be written.
 
-namespace {
-
 using namespace stillpoint::cli_test;
 using namespace stillpoint::cli_test::right;
-namespace fs = std::filesystem;
-
-}  // namespace
 
 BOOST_FIXTURE_TEST_SUITE(scene_file, Sandbox)
 
-BOOST_AUTO_TEST_CASE(that_does_not_exist) {
-  check_refused(*this, {"design none.json", {"none.json", "No such file"}});
-}
-
-BOOST_AUTO_TEST_CASE(without_a_name) {
-  check_refused(*this, {design({""}), {"scene", "cannot be read"}});
-}
-
-BOOST_AUTO_TEST_CASE(that_is_a_directory) {
+BOOST_AUTO_TEST_CASE(that_is_none) {
   fs::create_directory(path("folder"));
-  check_refused(*this, {"design folder", {"folder", "directory"}});
+  write("empty.json", "");
+  write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01", 6));
+  write("huge.json", "");
+  fs::resize_file(path("huge.json"), 100'000'000);
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {"design none.json", {"none.json", "No such file"}},
+           {design({""}), {"scene", "cannot be read"}},
+           {"design folder", {"folder", "directory"}},
+           {"design empty.json", {"empty.json", "empty"}},
+           {"design binary.json", {"binary.json", "not valid JSON"}},
+           {"design huge.json", {"huge.json", "too large", "1048576 bytes"}},
+           {"design /dev/zero", {"/dev/zero", "too large", "1048576 bytes"}},
+       }) {
+    check_refused(*this, wrong);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(that_cannot_be_opened) {
@@ -55,16 +49,6 @@ BOOST_AUTO_TEST_CASE(whose_reading_fails) {
     return;
   }
   check_refused(*this, {{"design", unreadable}, {unreadable, "cannot be read"}});
-}
-
-BOOST_AUTO_TEST_CASE(of_a_hundred_megabytes) {
-  write("huge.json", "");
-  fs::resize_file(path("huge.json"), 100'000'000);
-  check_refused(*this, {"design huge.json", {"huge.json", "too large", "1048576 bytes"}});
-}
-
-BOOST_AUTO_TEST_CASE(that_never_ends) {
-  check_refused(*this, {"design /dev/zero", {"/dev/zero", "too large", "1048576 bytes"}});
 }
 
 /// Such a value would overflow the stack, and its text would fill the screen.
@@ -121,13 +105,6 @@ BOOST_AUTO_TEST_CASE(whose_text_is_long_is_quoted_in_part) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(that_is_empty_or_not_a_scene) {
-  write("empty.json", "");
-  check_refused(*this, {"design empty.json", {"empty.json", "empty"}});
-  write("binary.json", std::string("\x7f\x45\x4c\x46\x00\x01", 6));
-  check_refused(*this, {"design binary.json", {"binary.json", "not valid JSON"}});
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(output, Sandbox)
@@ -146,28 +123,25 @@ BOOST_AUTO_TEST_CASE(standard_output_that_is_full_leaves_the_trajectory_alone) {
   check_refused(*this, {simulate("--trajectory t.csv"), {"standard output"}}, to_a_full_device);
 }
 
-BOOST_AUTO_TEST_CASE(file_on_a_full_device) {
-  check_refused(*this, {design("--output /dev/full"), {"output", "/dev/full", "No space left"}});
-  check_refused(*this,
-                {simulate("--trajectory /dev/full"), {"trajectory", "/dev/full", "No space"}});
-}
-
-BOOST_AUTO_TEST_CASE(file_in_a_missing_directory) {
-  check_refused(*this, {design("--output no/where.json"), {"output", "no/where.json"}});
-  check_refused(*this, {design("--output old.json/x"), {"output", "old.json/x"}});
-  check_refused(*this, {design("--output folder/"), {"output", "folder/"}});
-  check_refused(*this, {simulate("--trajectory no/where.csv"), {"trajectory", "no/where.csv"}});
-}
-
-BOOST_AUTO_TEST_CASE(file_without_a_name) {
-  check_refused(*this, {design({"--output", ""}), {"output"}});
-  check_refused(*this, {simulate({"--trajectory", ""}), {"trajectory"}});
-}
-
-BOOST_AUTO_TEST_CASE(file_that_is_a_directory) {
+BOOST_AUTO_TEST_CASE(file_that_cannot_be_written) {
   fs::create_directory(path("folder"));
-  check_refused(*this, {design("--output folder"), {"output", "folder", "directory"}});
-  check_refused(*this, {design("--output ."), {"output", "directory"}});
+  write("t.csv", "old");
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {design("--output /dev/full"), {"output", "/dev/full", "No space left"}},
+           {simulate("--trajectory /dev/full"), {"trajectory", "/dev/full", "No space"}},
+           {design("--output no/where.json"), {"output", "no/where.json"}},
+           {design("--output old.json/x"), {"output", "old.json/x"}},
+           {design("--output none/"), {"output", "none/"}},
+           {simulate("--trajectory no/where.csv"), {"trajectory", "no/where.csv"}},
+           {design({"--output", ""}), {"output"}},
+           {simulate({"--trajectory", ""}), {"trajectory"}},
+           {design("--output folder"), {"output", "folder", "directory"}},
+           {design("--output ."), {"output", "directory"}},
+           {simulate("--trajectory t.csv --output no/where.json"), {"output", "no/where.json"}},
+           {simulate("--trajectory no/where.csv --output old.json"), {"no/where.csv"}},
+       }) {
+    check_refused(*this, wrong);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(file_in_a_directory_that_takes_none) {
@@ -182,13 +156,6 @@ BOOST_AUTO_TEST_CASE(file_in_a_directory_that_takes_none) {
     return;
   }
   check_refused(*this, {design("--output sealed/new.json"), {"output", "sealed/new.json"}});
-}
-
-BOOST_AUTO_TEST_CASE(one_of_two_files_that_cannot_be_written) {
-  write("t.csv", "old");
-  check_refused(
-      *this, {simulate("--trajectory t.csv --output no/where.json"), {"output", "no/where.json"}});
-  check_refused(*this, {simulate("--trajectory no/where.csv --output old.json"), {"no/where.csv"}});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

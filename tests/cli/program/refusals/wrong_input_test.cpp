@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "cli_test.hpp"
 #include "options/command_line.hpp"
 #include "options/options.hpp"
-#include "refusal.hpp"
-#include "run_program.hpp"
 #include "wrong_arguments.hpp"
-
-#include <stillpoint/core/input_error.hpp>
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <string_view>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(wrong_input_test)
 
@@ -24,10 +11,9 @@ namespace {
 using namespace stillpoint::cli_test;
 using namespace stillpoint::cli_test::right;
 namespace cli = stillpoint::cli;
-namespace data = boost::unit_test::data;
 
 Arguments physical(const Arguments& more = {}) {
-  return joined("design --velocity 0.4 --max-displacement 0.16", more);
+  return "design --velocity 0.4 --max-displacement 0.16" + more;
 }
 
 }  // namespace

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 #include "wrong_arguments.hpp"
-
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(wrong_scene_test)
 
@@ -16,7 +8,6 @@ namespace {
 
 using namespace stillpoint::cli_test;
 using namespace stillpoint::cli_test::right;
-namespace data = boost::unit_test::data;
 
 Wrong scene(const std::string& text, const Texts& says) {
   return {"design -", says, text};

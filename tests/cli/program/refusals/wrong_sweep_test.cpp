@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.hpp"
-#include "run_program.hpp"
+#include "cli_test.hpp"
 #include "wrong_arguments.hpp"
 
-#include <boost/test/data/monomorphic.hpp>
-#include <boost/test/data/test_case.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <utility>
-#include <vector>
-
-BOOST_AUTO_TEST_SUITE(wrong_sweep_test)
+BOOST_FIXTURE_TEST_SUITE(wrong_sweep_test, stillpoint::cli_test::Sandbox)
 
 namespace {
 
 using namespace stillpoint::cli_test;
 using namespace stillpoint::cli_test::right;
-namespace data = boost::unit_test::data;
 
 Arguments sweep(const Arguments& more) {
-  return joined("sweep --v0 1 --p 1", more);
+  return "sweep --v0 1 --p 1" + more;
 }
 
 Arguments sweep_designs(const char* hits) {
@@ -31,7 +22,7 @@ Wrong axis(const char* text, const Texts& says) {
 }
 
 Wrong forced(const Arguments& more, const Texts& says) {
-  return {joined(sweep("--f 0.1 --delta 0,1"), more), says};
+  return {sweep("--f 0.1 --delta 0,1") + more, says};
 }
 
 const std::vector<Wrong> sweeps{
@@ -135,12 +126,8 @@ BOOST_DATA_TEST_CASE_F(Sandbox, sweep_input, data::make(sweeps), wrong) {
   check_refused(*this, wrong);
 }
 
-BOOST_FIXTURE_TEST_SUITE(sweep_output, Sandbox)
-
 BOOST_AUTO_TEST_CASE(that_cannot_be) {
-  const auto entries = [](const Arguments& more) {
-    return joined(sweep("--f 0.1 --delta 0,1"), more);
-  };
+  const auto entries = [](const Arguments& more) { return sweep("--f 0.1 --delta 0,1") + more; };
   for (const auto& [more, says] : std::vector<std::pair<Arguments, Texts>>{
            {{"--json"}, {"json and the rows", "give --output FILE"}},
            {{"--resume"}, {"output is missing", "resume continues the file"}},
@@ -157,7 +144,5 @@ BOOST_AUTO_TEST_CASE(that_cannot_be) {
   check_refusal(run(sweep("--list - --format npy"), list),
                 {"format = npy", "an output file for a list"});
 }
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()
