@@ -237,8 +237,8 @@ void add_search(Document& document, const design::SuiteSearch& search) {
 
 }  // namespace
 
-std::string_view quantity(design::SuiteObjective which) {
-  switch (which) {
+std::string_view quantity(design::SuiteObjective objective) {
+  switch (objective) {
     case design::SuiteObjective::amplitude:
       return "stroke";
     case design::SuiteObjective::residual:
